@@ -1,0 +1,215 @@
+//! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta), and with the weight the
+//! load on the contacts. Lengths / L, forces / (k_h L): k_h is 1.
+
+use crate::detect::Placed;
+use crate::geometry::{Angle, Pose, Rotation, Vec2};
+use crate::motion::Margin;
+use crate::real::Real;
+use crate::roots::PinnedMoment;
+use crate::scene::{Scene, Surface};
+use crate::state::Pair;
+use crate::support::Screw;
+
+/// The hand's hold on the body: the boundary condition of every equilibrium.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Grip<R> {
+    /// g, body frame.
+    pub(crate) holding_point: Vec2<R>,
+    /// p_h, world frame.
+    pub(crate) hand: Vec2<R>,
+    /// phi less its rest offset.
+    pub(crate) angle: Angle<R>,
+}
+
+impl<R: Real> Grip<R> {
+    /// The straight way of the hand: `self` at 0, `to` at 1.
+    pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
+        Self {
+            holding_point: to.holding_point,
+            hand: self.hand.lerp(to.hand, part),
+            angle: self.angle.plus(to.angle.minus(self.angle) * part),
+        }
+    }
+
+    /// The way of the hand to another grip: displacement and turn.
+    pub(crate) fn way_to(&self, to: &Self) -> Way<R> {
+        Way {
+            hand: to.hand - self.hand,
+            turn: to.angle.minus(self.angle),
+        }
+    }
+}
+
+/// A way of the hand relative to the contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<R> {
+    pub(crate) hand: Vec2<R>,
+    pub(crate) turn: R,
+}
+
+impl<R: Real> Way<R> {
+    /// The contact slides by `shift` while the hand is frozen: relative to it the hand goes back.
+    pub(crate) fn slide(shift: Vec2<R>) -> Self {
+        Self {
+            hand: -shift,
+            turn: R::ZERO,
+        }
+    }
+
+    /// How far the body can be moved by it: displacement and turn at a lever of one body size.
+    pub(crate) fn size(&self) -> R {
+        self.hand.reach() + self.turn.abs()
+    }
+}
+
+/// A vertex that is held at a place of its surface, and the angle of the body about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pivot<R> {
+    pub(crate) contact: Pair,
+    /// t·c: where along the surface. It changes by slips alone.
+    pub(crate) foot: R,
+    pub(crate) angle: Angle<R>,
+}
+
+impl<R: Real> Pivot<R> {
+    pub(crate) fn surface<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+    ) -> Surface<R> {
+        scene.surface(self.contact.surface)
+    }
+
+    /// c, exactly on the surface.
+    pub(crate) fn point<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Vec2<R> {
+        let surface = self.surface(scene);
+        surface.normal * surface.offset + surface.tangent * self.foot
+    }
+
+    pub(crate) fn placed<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+    ) -> Placed<R> {
+        Placed {
+            point: self.point(scene),
+            body_point: scene.body.vertex(self.contact.vertex),
+            rotation: self.angle.rotation(),
+            on: Some(self.contact.surface),
+        }
+    }
+
+    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
+        self.placed(scene).pose(self.angle)
+    }
+
+    /// The same pivot after a slide along t and a turn.
+    pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
+        Self {
+            contact: self.contact,
+            foot: self.foot + slide,
+            angle: self.angle.plus(turn),
+        }
+    }
+}
+
+/// The load of hand and weight on a body, about a point that is fixed in it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stance<R> {
+    /// The point, its place and the rotation of the body.
+    pub(crate) placed: Placed<R>,
+    /// R d: from the point to the holding point.
+    pub(crate) lever: Vec2<R>,
+    /// R (cg - v): from the point to the centroid.
+    pub(crate) centroid: Vec2<R>,
+    /// F: the hand's force.
+    pub(crate) spring: Vec2<R>,
+    /// k_theta (phi - theta)
+    pub(crate) couple: R,
+    /// z = conj(lever) (p_h - c) + conj(centroid) weight
+    pub(crate) hold: Vec2<R>,
+    /// F - W y
+    pub(crate) force: Vec2<R>,
+    stiffness: R,
+}
+
+impl<R: Real> Stance<R> {
+    pub(crate) fn new<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        placed: Placed<R>,
+        angle: Angle<R>,
+        grip: &Grip<R>,
+    ) -> Self {
+        let Rotation { cos, sin } = placed.rotation;
+        let rotation = Rotation { cos, sin };
+        let lever = rotation.apply(grip.holding_point - placed.body_point);
+        let centroid = rotation.apply(scene.body.centroid() - placed.body_point);
+        let hand = grip.hand - placed.point;
+        let spring = hand - lever;
+        Self {
+            placed,
+            lever,
+            centroid,
+            spring,
+            couple: scene.stiffness * grip.angle.minus(angle),
+            hold: lever.conj_mul(hand) + centroid.conj_mul(scene.weight),
+            force: spring + scene.weight,
+            stiffness: scene.stiffness,
+        }
+    }
+
+    /// The moment of the load about the point, (E1).
+    pub(crate) fn moment(&self) -> R {
+        self.couple + self.hold.y
+    }
+
+    /// The load as force and moment about the point.
+    pub(crate) fn load(&self) -> Screw<R> {
+        Screw {
+            force: self.force,
+            moment: self.moment(),
+        }
+    }
+
+    /// -dM/dtheta: positive where the balance is stable.
+    pub(crate) fn stability(&self) -> R {
+        self.stiffness + self.hold.x
+    }
+
+    /// The turn that takes the rounding out of a balance.
+    pub(crate) fn correction(&self) -> R {
+        let stability = self.stability();
+        if stability > R::ZERO {
+            self.moment() / stability
+        } else {
+            R::ZERO
+        }
+    }
+
+    /// The moment as a function of a turn about the pinned point.
+    pub(crate) fn pinned(&self) -> PinnedMoment<R> {
+        PinnedMoment {
+            couple: self.couple,
+            stiffness: self.stiffness,
+            dot: self.hold.x,
+            cross: self.hold.y,
+        }
+    }
+
+    /// The rounding of forces and moments.
+    pub(crate) fn rounding(&self) -> R {
+        let size = self.force.reach() + self.lever.reach() + self.couple.abs();
+        R::from_int(4) * R::EPSILON * size
+    }
+
+    /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.
+    pub(crate) fn reaction(&self, direction: Vec2<R>, way: &Way<R>) -> Margin<R> {
+        Margin {
+            start: -direction.dot(self.force),
+            along: -direction.dot(way.hand),
+            turning: Vec2::new(
+                direction.dot(self.lever),
+                direction.dot(self.lever.turned()),
+            ),
+            rounding: self.rounding(),
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! Vectors, rotations and unwrapped angles in the plane. Complex notation of STATICS 1: conj(a) b = a·b + i a×b.
+
+use crate::real::Real;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A vector in the plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vec2<R> {
+    /// Along the world's (or the body's) first axis.
+    pub x: R,
+    /// Along the second axis.
+    pub y: R,
+}
+
+impl<R: Real> Vec2<R> {
+    /// The zero vector.
+    pub const ZERO: Self = Self {
+        x: R::ZERO,
+        y: R::ZERO,
+    };
+
+    /// The vector (x, y).
+    pub const fn new(x: R, y: R) -> Self {
+        Self { x, y }
+    }
+    /// a·b
+    pub fn dot(self, b: Self) -> R {
+        self.x * b.x + self.y * b.y
+    }
+    /// a×b = a_x b_y - a_y b_x
+    pub fn cross(self, b: Self) -> R {
+        self.x * b.y - self.y * b.x
+    }
+    /// i a: turned by a quarter turn counter-clockwise.
+    pub fn turned(self) -> Self {
+        Self::new(-self.y, self.x)
+    }
+    /// The length, safe against overflow and underflow.
+    pub fn length(self) -> R {
+        self.x.hypot(self.y)
+    }
+    /// An upper bound of the length that costs no root: |x| + |y|.
+    pub fn reach(self) -> R {
+        self.x.abs() + self.y.abs()
+    }
+    /// conj(a) b: the dot product and the cross product as one vector.
+    pub fn conj_mul(self, b: Self) -> Self {
+        Self::new(self.dot(b), self.cross(b))
+    }
+    /// False where a component is infinite or NaN.
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite()
+    }
+    /// Linear interpolation: `self` at 0, `b` at 1.
+    pub fn lerp(self, b: Self, part: R) -> Self {
+        self + (b - self) * part
+    }
+}
+
+impl<R: Real> Add for Vec2<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self::new(self.x + b.x, self.y + b.y)
+    }
+}
+
+impl<R: Real> Sub for Vec2<R> {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        Self::new(self.x - b.x, self.y - b.y)
+    }
+}
+
+impl<R: Real> Neg for Vec2<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y)
+    }
+}
+
+impl<R: Real> Mul<R> for Vec2<R> {
+    type Output = Self;
+    fn mul(self, k: R) -> Self {
+        Self::new(self.x * k, self.y * k)
+    }
+}
+
+/// A rotation R(theta), held as cosine and sine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rotation<R> {
+    /// cos(theta)
+    pub cos: R,
+    /// sin(theta)
+    pub sin: R,
+}
+
+impl<R: Real> Rotation<R> {
+    /// R a: from the body frame to the world frame.
+    pub fn apply(self, a: Vec2<R>) -> Vec2<R> {
+        Vec2::new(
+            self.cos * a.x - self.sin * a.y,
+            self.sin * a.x + self.cos * a.y,
+        )
+    }
+    /// The inverse of [`Self::apply`]: from the world frame to the body frame.
+    pub fn undo(self, a: Vec2<R>) -> Vec2<R> {
+        Vec2::new(
+            self.cos * a.x + self.sin * a.y,
+            self.cos * a.y - self.sin * a.x,
+        )
+    }
+}
+
+/// An unwrapped angle: whole turns and a remainder, so that many turns cost no accuracy (STATICS 10).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Angle<R> {
+    /// Whole turns, counter-clockwise positive.
+    pub turns: i32,
+    /// The remainder [rad], in [-pi, pi].
+    pub rest: R,
+}
+
+impl<R: Real> Angle<R> {
+    /// From an unwrapped angle [rad].
+    pub fn from_radians(radians: R) -> Self {
+        let (turns, rest) = radians.turns();
+        Self { turns, rest }
+    }
+    /// The unwrapped angle [rad]; beyond some turns it carries fewer digits than the pair.
+    pub fn radians(self) -> R {
+        R::from_int(self.turns) * R::TAU + self.rest
+    }
+    /// This angle turned on by `radians`.
+    #[must_use]
+    pub fn plus(self, radians: R) -> Self {
+        let (turns, rest) = (self.rest + radians).turns();
+        Self {
+            turns: self.turns.saturating_add(turns),
+            rest,
+        }
+    }
+    /// `self` - `other` [rad].
+    pub fn minus(self, other: Self) -> R {
+        let turns = self.turns.saturating_sub(other.turns);
+        R::from_int(turns) * R::TAU + (self.rest - other.rest)
+    }
+    /// `self` - `other` as an unwrapped angle.
+    #[must_use]
+    pub fn offset_from(self, other: Self) -> Self {
+        let (turns, rest) = (self.rest - other.rest).turns();
+        Self {
+            turns: self.turns.saturating_sub(other.turns).saturating_add(turns),
+            rest,
+        }
+    }
+    /// The rotation by this angle.
+    pub fn rotation(self) -> Rotation<R> {
+        let (sin, cos) = self.rest.sin_cos();
+        Rotation { cos, sin }
+    }
+    /// False where the remainder is infinite or NaN.
+    pub fn is_finite(self) -> bool {
+        self.rest.is_finite()
+    }
+}
+
+/// A placement of the body frame in the world.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose<R> {
+    /// Position p of the body's origin.
+    pub position: Vec2<R>,
+    /// Orientation theta, unwrapped.
+    pub angle: Angle<R>,
+}

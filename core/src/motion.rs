@@ -1,0 +1,360 @@
+//! How the body moves while a contact state lasts, as one curve. While the hand goes its way by the part tau
+//! (or, hand frozen, while the contact slides by the part tau), the body turns by ϑ such that the moment about the
+//! contact stays zero. That balance is linear in tau,
+//!
+//! ```text
+//! H(ϑ) = tau D(ϑ)      H = kϑ + (1 - cos ϑ) X0 + sin ϑ Y0      D = k dphi + cos ϑ Xp - sin ϑ Yp
+//! ```
+//!
+//! with z0 = Y0 + iX0 = conj(lever) load and zp = Yp + iXp = conj(lever) dp, so that tau is explicit in ϑ (STATICS 3.1,
+//! 3.2). Both are divided by the rate ϑ = rate·x, which leaves them regular where the body does not turn at all: a
+//! straight motion, a free one, a slip of a stiff or centred grip are the same curve.
+//! Everything that can end the motion is a [`Margin`], linear in tau and of first order in cos ϑ, sin ϑ.
+
+use crate::geometry::Vec2;
+use crate::jet::Jet;
+use crate::real::Real;
+use crate::roots::{Found, Slope, first_zero};
+
+/// The curve x -> (tau, ϑ), x >= 0.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motion<R> {
+    /// ϑ = rate x
+    rate: R,
+    /// k
+    stiffness: R,
+    /// z0 = (Y0, X0)
+    hold: Vec2<R>,
+    /// zp = (Yp, Xp)
+    drive: Vec2<R>,
+    /// D(0) / rate
+    scale: R,
+}
+
+/// A place on the curve.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place<R> {
+    /// The parameter.
+    pub(crate) x: R,
+    /// ϑ [rad]
+    pub(crate) turn: R,
+    /// 1 - cos ϑ
+    versine: R,
+    /// sin ϑ
+    sine: R,
+    /// H / rate and its slope
+    h: R,
+    h_slope: R,
+    /// D / rate and its slope
+    d: R,
+    d_slope: R,
+}
+
+impl<R: Real> Place<R> {
+    /// tau
+    pub(crate) fn part(&self) -> R {
+        self.h / self.d
+    }
+}
+
+/// A quantity that is positive while the motion is allowed: E = start + along·tau - u (1 - cos ϑ) + v sin ϑ.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Margin<R> {
+    pub(crate) start: R,
+    pub(crate) along: R,
+    /// (u, v)
+    pub(crate) turning: Vec2<R>,
+    /// The rounding of `start`.
+    pub(crate) rounding: R,
+}
+
+impl<R: Real> Margin<R> {
+    /// `self`·a + `other`·b
+    pub(crate) fn combine(self, a: R, other: Self, b: R) -> Self {
+        Self {
+            start: self.start * a + other.start * b,
+            along: self.along * a + other.along * b,
+            turning: self.turning * a + other.turning * b,
+            rounding: self.rounding * a.abs() + other.rounding * b.abs(),
+        }
+    }
+
+    fn at(&self, p: &Place<R>) -> R {
+        self.start - self.turning.x * p.versine + self.turning.y * p.sine
+    }
+}
+
+/// The way to the end of a motion: the place that ends it and what does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Course<R> {
+    pub(crate) end: Place<R>,
+    pub(crate) folds: bool,
+    pub(crate) unsure: bool,
+}
+
+impl<R: Real> Motion<R> {
+    /// Balanced about the contact: rotational stiffness k, z0 and zp of the module's text, and the hand's turn dphi.
+    pub(crate) fn balanced(stiffness: R, hold: Vec2<R>, drive: Vec2<R>, dphi: R) -> Self {
+        let start = stiffness * dphi + drive.y;
+        let scale = (stiffness + hold.length()).max(start.abs());
+        if scale == R::ZERO {
+            return Self::straight();
+        }
+        Self {
+            rate: start / scale,
+            stiffness,
+            hold,
+            drive,
+            scale,
+        }
+    }
+
+    /// No turn: tau = x.
+    pub(crate) fn straight() -> Self {
+        Self::turning(R::ZERO)
+    }
+
+    /// A turn by `angle` in proportion to tau = x.
+    pub(crate) fn turning(angle: R) -> Self {
+        Self::kinematic(angle, Vec2::new(R::ONE, R::ZERO), R::ONE).with_stiffness(R::ONE)
+    }
+
+    /// ϑ = rate x, tau = [sin ϑ hold.x + (1 - cos ϑ) hold.y] / (rate scale).
+    pub(crate) fn kinematic(rate: R, hold: Vec2<R>, scale: R) -> Self {
+        Self {
+            rate,
+            stiffness: R::ZERO,
+            hold,
+            drive: Vec2::ZERO,
+            scale,
+        }
+    }
+
+    /// The sign of the turn.
+    pub(crate) fn direction(&self) -> R {
+        self.rate.sign()
+    }
+
+    fn with_stiffness(self, stiffness: R) -> Self {
+        Self {
+            stiffness,
+            hold: Vec2::ZERO,
+            ..self
+        }
+    }
+
+    /// The place of parameter x.
+    pub(crate) fn at(&self, x: R) -> Place<R> {
+        let turn = self.rate * x;
+        let half = turn * R::HALF;
+        let (s, c, sinc) = if half == R::ZERO {
+            (R::ZERO, R::ONE, R::ONE)
+        } else {
+            let (s, c) = half.sin_cos();
+            (s, c, s / half)
+        };
+        let versine = R::TWO * s * s;
+        let sine = R::TWO * s * c;
+        let cosine = R::ONE - versine;
+        // sin(ϑ)/rate and (1 - cos ϑ)/rate
+        let sine_x = x * sinc * c;
+        let versine_x = x * sinc * s;
+        Place {
+            x,
+            turn,
+            versine,
+            sine,
+            h: x * self.stiffness + versine_x * self.hold.y + sine_x * self.hold.x,
+            h_slope: self.stiffness + cosine * self.hold.x + sine * self.hold.y,
+            d: self.scale - (sine_x * self.drive.x + versine_x * self.drive.y),
+            d_slope: -(cosine * self.drive.x + sine * self.drive.y),
+        }
+    }
+
+    /// Second derivatives of H/rate and D/rate.
+    fn second(&self, p: &Place<R>) -> (R, R) {
+        let cosine = R::ONE - p.versine;
+        (
+            self.rate * (cosine * self.hold.y - p.sine * self.hold.x),
+            self.rate * (p.sine * self.drive.x - cosine * self.drive.y),
+        )
+    }
+
+    /// To tau = 1, or to the fold before it, where ϑ would have to jump.
+    pub(crate) fn course(&self) -> Course<R> {
+        let (z0, zp) = (self.hold.length(), self.drive.length());
+        let whole = self.stiffness + z0;
+        let rate = self.rate.abs();
+        let window = if whole > R::ZERO {
+            self.scale / whole
+        } else {
+            R::ONE
+        };
+        let end = |p: &Place<R>| Slope {
+            value: p.d - p.h,
+            slope: p.d_slope - p.h_slope,
+            curvature: rate * (z0 + zp),
+            rounding: R::EPSILON * self.scale,
+        };
+        let fold = |p: &Place<R>| {
+            let (h2, d2) = self.second(p);
+            let d_most = p.d.abs() + window * zp;
+            let curved = z0 * (rate * d_most + zp) + zp * (whole + rate * d_most);
+            Slope {
+                value: p.h_slope * p.d - p.h * p.d_slope,
+                slope: h2 * p.d - p.h * d2,
+                curvature: rate * curved,
+                rounding: R::EPSILON * self.scale * whole,
+            }
+        };
+        let found = if self.stiffness > z0 + zp {
+            // kappa < 1 all the way: no fold.
+            match first_zero(R::HUGE, R::HUGE, |x| [end(&self.at(x))]) {
+                Found::Zero { x, .. } => Found::Zero { x, which: 1 },
+                other => other,
+            }
+        } else {
+            first_zero(R::HUGE, window, |x| {
+                let p = self.at(x);
+                [fold(&p), end(&p)]
+            })
+        };
+        let (x, folds, unsure) = match found {
+            Found::Zero { x, which } => (x, which == 0, false),
+            Found::Unsure { x, which } => (x, which == 0, true),
+            Found::Nothing => (R::ZERO, false, true),
+        };
+        Course {
+            end: self.at(x),
+            folds,
+            unsure,
+        }
+    }
+
+    /// E·D and its slope at a place; `curvature` as given.
+    fn slope(&self, margin: &Margin<R>, p: &Place<R>, curvature: R) -> Slope<R> {
+        let cosine = R::ONE - p.versine;
+        let e = margin.at(p);
+        let turning = margin.turning.y * cosine - margin.turning.x * p.sine;
+        Slope {
+            value: e * p.d + margin.along * p.h,
+            slope: self.rate * turning * p.d + e * p.d_slope + margin.along * p.h_slope,
+            curvature,
+            rounding: margin.rounding * self.scale,
+        }
+    }
+
+    /// A bound of the second derivative of E·D up to `limit`.
+    fn curvature(&self, margin: &Margin<R>, limit: &Place<R>) -> R {
+        let rate = self.rate.abs();
+        let (z0, zp) = (self.hold.reach(), self.drive.reach());
+        let swing = margin.turning.reach();
+        let d_most = self.scale + limit.x * zp;
+        let value = margin.start.abs() + swing * (limit.turn.abs().min(R::TWO));
+        rate * (swing * (rate * d_most + R::TWO * zp) + value * zp + margin.along.abs() * z0)
+    }
+
+    /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
+    pub(crate) fn stop_at(&self, margin: &Margin<R>, course: &mut Course<R>) -> bool {
+        let limit = course.end;
+        let curvature = self.curvature(margin, &limit);
+        let start = self.slope(margin, &self.at_start(), curvature);
+        let end = self.slope(margin, &limit, curvature);
+        // Above its chord but for the sagitta of its curvature: the ordinary frame is done here.
+        let sagitta = curvature * limit.x * limit.x * (R::HALF * R::HALF * R::HALF);
+        if start.value > start.rounding && start.value.min(end.value) > sagitta {
+            return false;
+        }
+        let found = first_zero(limit.x, R::HUGE, |x| {
+            [self.slope(margin, &self.at(x), curvature)]
+        });
+        let (x, unsure) = match found {
+            Found::Nothing => return false,
+            Found::Zero { x, .. } => (x, false),
+            Found::Unsure { x, .. } => (x, true),
+        };
+        *course = Course {
+            end: self.at(x),
+            folds: false,
+            unsure: course.unsure || unsure,
+        };
+        true
+    }
+
+    /// The place x = 0.
+    fn at_start(&self) -> Place<R> {
+        Place {
+            x: R::ZERO,
+            turn: R::ZERO,
+            versine: R::ZERO,
+            sine: R::ZERO,
+            h: R::ZERO,
+            h_slope: self.stiffness + self.hold.x,
+            d: self.scale,
+            d_slope: -self.drive.x,
+        }
+    }
+
+    /// The course of a motion whose end is known: x from 0 to `x`.
+    pub(crate) fn course_to(&self, x: R) -> Course<R> {
+        Course {
+            end: self.at(x),
+            folds: false,
+            unsure: false,
+        }
+    }
+
+    /// cos ϑ and sin ϑ.
+    pub(crate) fn rotation_jets(&self, p: &Place<R>) -> (Jet<R>, Jet<R>) {
+        let rate = self.rate.abs();
+        let bounds = [R::ONE, rate, rate * rate];
+        let cosine = R::ONE - p.versine;
+        (
+            Jet {
+                value: cosine,
+                slope: -p.sine * self.rate,
+                bounds,
+            },
+            Jet {
+                value: p.sine,
+                slope: cosine * self.rate,
+                bounds,
+            },
+        )
+    }
+
+    /// dϑ/dx
+    pub(crate) fn rate_jet(&self) -> Jet<R> {
+        Jet::constant(self.rate)
+    }
+
+    /// ϑ, up to x = `window`.
+    pub(crate) fn turn_jet(&self, p: &Place<R>, window: R) -> Jet<R> {
+        Jet {
+            value: p.turn,
+            slope: self.rate,
+            bounds: [self.rate.abs() * window, self.rate.abs(), R::ZERO],
+        }
+    }
+
+    /// tau of a kinematic motion, up to x = `window`.
+    pub(crate) fn part_jet(&self, p: &Place<R>, window: R) -> Jet<R> {
+        let most = self.hold.reach() / self.scale;
+        Jet {
+            value: p.part(),
+            slope: p.h_slope / self.scale,
+            bounds: [most * window, most, most * self.rate.abs()],
+        }
+    }
+
+    /// dtau/dx of a kinematic motion.
+    pub(crate) fn part_velocity(&self, p: &Place<R>) -> Jet<R> {
+        let rate = self.rate.abs();
+        let most = self.hold.reach() / self.scale;
+        Jet {
+            value: p.h_slope / self.scale,
+            slope: self.second(p).0 / self.scale,
+            bounds: [most, most * rate, most * rate * rate],
+        }
+    }
+}

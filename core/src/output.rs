@@ -1,0 +1,234 @@
+//! What a step gives: the pose for the renderer, the contacts and the hand's wrench for the haptic device, and what
+//! happened on the way. SI units, world frame, in the float [`Real::Si`](crate::Real::Si) of the number type.
+
+use crate::geometry::{Angle, Vec2};
+use crate::hand::Hand;
+use crate::real::Real;
+use crate::transition::Transitions;
+use heapless::Vec;
+
+/// At most this many contacts are carried at once; further ones are not reported.
+pub const MAX_CONTACTS: usize = 8;
+/// At most this many events of one frame are reported; a run of equal events counts once.
+pub const MAX_EVENTS: usize = 16;
+
+/// The contact state (the first four are the paper's).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum StateKind {
+    /// No contact.
+    #[default]
+    NonContact,
+    /// One vertex on one surface.
+    SingleVertex,
+    /// Two vertices on one surface.
+    Edge,
+    /// Two vertices on two surfaces.
+    TwoVertex,
+    /// One vertex on two surfaces.
+    Corner,
+    /// Three or more contacts.
+    Locked,
+}
+
+impl StateKind {
+    /// All states, in the order of their number of contacts.
+    pub const ALL: [Self; 6] = [
+        Self::NonContact,
+        Self::SingleVertex,
+        Self::Edge,
+        Self::TwoVertex,
+        Self::Corner,
+        Self::Locked,
+    ];
+
+    /// The name in a trace.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NonContact => "non-contact",
+            Self::SingleVertex => "single-vertex",
+            Self::Edge => "edge",
+            Self::TwoVertex => "two-vertex",
+            Self::Corner => "corner",
+            Self::Locked => "locked",
+        }
+    }
+}
+
+/// What happened in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Event {
+    /// A vertex came to a surface.
+    Touch,
+    /// A contact opened without another one taking over its motion.
+    Lift,
+    /// A slip ended at mu_d N.
+    Slip,
+    /// The body left an edge and turns about one of its vertices.
+    Tip,
+    /// A second vertex came to the surface of the first: the body lies on an edge.
+    Land,
+    /// The rotation branch folded and the body snapped to the next balance.
+    Snap,
+    /// Three or more contacts fix the body.
+    Jam,
+    /// The hand took hold of the body.
+    Grasp,
+    /// The hand let go of the body.
+    Release,
+}
+
+impl Event {
+    /// The name in a trace.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Touch => "touch",
+            Self::Lift => "lift",
+            Self::Slip => "slip",
+            Self::Tip => "tip",
+            Self::Land => "land",
+            Self::Snap => "snap",
+            Self::Jam => "jam",
+            Self::Grasp => "grasp",
+            Self::Release => "release",
+        }
+    }
+}
+
+/// What limited the answer. Ordered: the gravest of a frame is reported.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Status {
+    /// Nothing.
+    #[default]
+    Ok,
+    /// Slips became smaller than told apart, or too many: the rest of the frame was taken as one jump of the hand.
+    EventLimit,
+    /// A search ended at its bound; the best answer so far is given.
+    IterationLimit,
+    /// No mode of motion is consistent with the friction laws: the body stayed.
+    Ambiguous,
+    /// The hand was out of range; the last pose is held.
+    Saturated,
+    /// The hand's sample was not finite or absent; the last pose is held.
+    HeldLast,
+}
+
+impl Status {
+    /// The name in a trace.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::EventLimit => "event-limit",
+            Self::IterationLimit => "iteration-limit",
+            Self::Ambiguous => "ambiguous",
+            Self::Saturated => "saturated",
+            Self::HeldLast => "held-last",
+        }
+    }
+}
+
+/// One contact: a vertex of the body on a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Contact<F> {
+    /// Index of the vertex in the scene's list.
+    pub vertex: usize,
+    /// Index of the surface in the scene's list.
+    pub surface: usize,
+    /// Where they touch [m].
+    pub point: [F; 2],
+    /// Reaction N >= 0 on the body along the surface's normal n [N].
+    pub normal: F,
+    /// Friction T on the body along the tangent (n_y, -n_x) [N], |T| <= mu_s N.
+    pub friction: F,
+}
+
+/// Force and moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wrench<F> {
+    /// Force [N].
+    pub force: [F; 2],
+    /// Moment about the holding point [N·m], counter-clockwise positive.
+    pub moment: F,
+}
+
+/// The answer of one step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Output<F> {
+    /// The hand's sample that the answer belongs to: the last good one where a bad one was held.
+    pub hand: Hand<F>,
+    /// The hand holds the body (its switch is on and it took hold within reach).
+    pub held: bool,
+    /// Position p of the body's origin [m].
+    pub position: [F; 2],
+    /// Orientation theta of the body, unwrapped.
+    pub angle: Angle<F>,
+    /// Depth coordinate [m], passed through from the hand.
+    pub depth: F,
+    /// The contact state.
+    pub state: StateKind,
+    /// Force and moment of the hand's springs on the body; zero while it is not held.
+    pub wrench: Wrench<F>,
+    /// Slips that ended at mu_d N in this frame.
+    pub slips: u32,
+    /// The longest of them [m].
+    pub longest_slip: F,
+    /// What limited the answer.
+    pub status: Status,
+    /// The arms of the transition table taken in this frame.
+    pub transitions: Transitions,
+    pub(crate) contacts: Vec<Contact<F>, MAX_CONTACTS>,
+    pub(crate) events: Vec<Event, MAX_EVENTS>,
+}
+
+impl<F: Real> Output<F> {
+    /// The contacts, in a fixed order within a state.
+    pub fn contacts(&self) -> &[Contact<F>] {
+        &self.contacts
+    }
+    /// What happened in this frame, in order.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+    /// The wrench that a haptic device gives to the hand: the opposite of [`Self::wrench`].
+    pub fn feedback(&self) -> Wrench<F> {
+        let [x, y] = self.wrench.force;
+        Wrench {
+            force: [-x, -y],
+            moment: -self.wrench.moment,
+        }
+    }
+}
+
+/// What happens during a step, gathered for the output.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Log<R> {
+    pub(crate) events: Vec<Event, MAX_EVENTS>,
+    pub(crate) slips: u32,
+    pub(crate) longest_slip: R,
+    pub(crate) status: Status,
+    pub(crate) transitions: Transitions,
+}
+
+impl<R: Real> Log<R> {
+    /// Adds an event; a run of equal ones counts once.
+    pub(crate) fn event(&mut self, event: Event) {
+        if self.events.last() != Some(&event) {
+            // A full list keeps the first events of the frame.
+            let _ = self.events.push(event);
+        }
+    }
+    /// Counts a slip of the given length that ended at mu_d N.
+    pub(crate) fn slip(&mut self, length: R) {
+        self.slips = self.slips.saturating_add(1);
+        self.longest_slip = self.longest_slip.max(length.abs());
+        self.event(Event::Slip);
+    }
+    /// Keeps the gravest status.
+    pub(crate) fn limit(&mut self, status: Status) {
+        self.status = self.status.max(status);
+    }
+}
+
+/// A point in the outside float, from non-dimensional coordinates.
+pub(crate) fn point<R: Real>(v: Vec2<R>, unit: R::Si) -> [R::Si; 2] {
+    [v.x.to_si() * unit, v.y.to_si() * unit]
+}

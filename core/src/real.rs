@@ -1,0 +1,100 @@
+//! What a number must do to carry the statics: one door to mathematics, so that every number type gives
+//! the same bits on every machine and a type without a floating point unit fits behind the same solver.
+//!
+//! Inside the solver every quantity is non-dimensional (STATICS 10): lengths / L, forces / (k_h L),
+//! moments / (k_h L²), angles as whole turns and a remainder. [`Real::Si`] is the float in which such a
+//! number meets the outside world in SI units; for `f32` and `f64` it is the type itself.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+mod double;
+mod single;
+
+/// A number of the solver. Implemented for `f32` (own polynomials, the default of the product) and `f64`
+/// (libm, the reference).
+pub trait Real:
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The float in which this number type takes and gives SI values.
+    type Si: Real<Si = Self::Si>;
+
+    /// 0
+    const ZERO: Self;
+    /// 1/2
+    const HALF: Self;
+    /// 1
+    const ONE: Self;
+    /// 2
+    const TWO: Self;
+    /// One turn, 2 pi [rad].
+    const TAU: Self;
+    /// The larger of the relative and the absolute rounding of a number near 1.
+    const EPSILON: Self;
+    /// Gaps below this part of the body size close together (STATICS 7: 1e-10 where the type carries it).
+    const TOUCH: Self;
+    /// Slips and hand travels below this part of the body size are not told apart (STATICS 7).
+    const MICRO: Self;
+    /// The farthest coordinate that is accepted, in body sizes.
+    const RANGE: Self;
+    /// A number beyond every root: the limit of an unlimited search.
+    const HUGE: Self;
+
+    /// A whole number.
+    fn from_int(n: i32) -> Self;
+    /// From a non-dimensional value in the outside float.
+    fn from_si(x: Self::Si) -> Self;
+    /// To the outside float, still non-dimensional.
+    fn to_si(self) -> Self::Si;
+    /// False for infinity and NaN.
+    fn is_finite(self) -> bool;
+    /// The square root; 0 for a negative number.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine of an angle in radians, |angle| <= 2 pi.
+    fn sin_cos(self) -> (Self, Self);
+    /// The angle of the vector (x, y) = (`other`, `self`) in [-pi, pi]; 0 for the zero vector.
+    fn atan2(self, other: Self) -> Self;
+    /// An angle [rad] as whole turns and a remainder in [-pi, pi].
+    fn turns(self) -> (i32, Self);
+
+    /// |x|
+    fn abs(self) -> Self {
+        if self < Self::ZERO { -self } else { self }
+    }
+    /// The smaller one.
+    fn min(self, other: Self) -> Self {
+        if other < self { other } else { self }
+    }
+    /// The larger one.
+    fn max(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+    /// -1 for a negative number, otherwise 1.
+    fn sign(self) -> Self {
+        if self < Self::ZERO {
+            -Self::ONE
+        } else {
+            Self::ONE
+        }
+    }
+    /// sqrt(x² + y²), scaled so that it neither overflows nor underflows.
+    fn hypot(self, other: Self) -> Self {
+        let (x, y) = (self.abs(), other.abs());
+        let (large, small) = if x > y { (x, y) } else { (y, x) };
+        if large == Self::ZERO {
+            return Self::ZERO;
+        }
+        let ratio = small / large;
+        large * (Self::ONE + ratio * ratio).sqrt()
+    }
+}

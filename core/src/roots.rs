@@ -1,0 +1,187 @@
+//! The first zero of functions that start positive, guaranteed (STATICS 3.2): from the value, the slope and a bound
+//! of the curvature follows a step that never passes a zero and converges quadratically at a simple one.
+
+use crate::real::Real;
+
+/// Every search ends after this many steps. A double root halves its distance at each step: 36 at most in f64.
+const MAX_STEPS: usize = 64;
+
+/// A function at one place: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slope<R> {
+    pub(crate) value: R,
+    pub(crate) slope: R,
+    pub(crate) curvature: R,
+    pub(crate) rounding: R,
+}
+
+impl<R: Real> Slope<R> {
+    /// The longest step that cannot pass a zero.
+    fn safe_step(&self) -> R {
+        let (e, d, k) = (self.value, self.slope, self.curvature);
+        if e <= self.rounding {
+            return R::ZERO;
+        }
+        let root = (d * d + R::TWO * k * e).sqrt();
+        if d < R::ZERO {
+            R::TWO * e / (root - d)
+        } else if k > R::ZERO {
+            (d + root) / k
+        } else {
+            R::HUGE
+        }
+    }
+
+    /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
+    fn first_step(&self) -> R {
+        if self.value > self.rounding {
+            self.safe_step()
+        } else if self.slope <= R::ZERO {
+            R::ZERO
+        } else if self.curvature > R::ZERO {
+            self.slope / self.curvature
+        } else {
+            R::HUGE
+        }
+    }
+}
+
+/// The outcome of a search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Found<R> {
+    /// No zero before the limit.
+    Nothing,
+    /// Function number `which` is the first to become zero, at `x`.
+    Zero { x: R, which: usize },
+    /// The bound of steps was hit at `x`, up to which there is no zero; `which` is the nearest to one.
+    Unsure { x: R, which: usize },
+}
+
+/// The first x in [0, limit) at which one of M functions is zero. `window` is the farthest that one step may go: the
+/// curvatures that `eval` gives need to hold up to there only. Of two zeros at one place the first listed counts.
+pub(crate) fn first_zero<R: Real, const M: usize>(
+    limit: R,
+    window: R,
+    mut eval: impl FnMut(R) -> [Slope<R>; M],
+) -> Found<R> {
+    let mut x = R::ZERO;
+    let mut nearest = 0;
+    for i in 0..MAX_STEPS {
+        let mut step = window;
+        let mut which = None;
+        for (k, function) in eval(x).iter().enumerate() {
+            let safe = if i == 0 {
+                function.first_step()
+            } else {
+                function.safe_step()
+            };
+            if safe < step {
+                step = safe;
+                which = Some(k);
+            }
+        }
+        if let Some(which) = which {
+            nearest = which;
+            if step <= R::EPSILON * x || step == R::ZERO {
+                return Found::Zero { x, which };
+            }
+        }
+        x = x + step;
+        if x >= limit {
+            return Found::Nothing;
+        }
+    }
+    Found::Unsure { x, which: nearest }
+}
+
+/// A turn of a pinned body downhill to balance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Downhill<R> {
+    /// The turn [rad], positive counter-clockwise.
+    pub(crate) turn: R,
+    /// The way led over a fold: the moment grew before it fell to zero.
+    pub(crate) snapped: bool,
+    /// The bound of steps was hit before the balance.
+    pub(crate) unsure: bool,
+}
+
+/// The moment on a body that is pinned at a point: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
+/// present angle: z = conj(lever) load in x (dot) and y (cross).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PinnedMoment<R> {
+    pub(crate) couple: R,
+    pub(crate) stiffness: R,
+    pub(crate) dot: R,
+    pub(crate) cross: R,
+}
+
+impl<R: Real> PinnedMoment<R> {
+    /// The moment in the present position.
+    fn now(&self) -> R {
+        self.couple + self.cross
+    }
+
+    /// The first stable balance downhill in energy: the first zero of the moment in the direction of its sign.
+    pub(crate) fn downhill(&self) -> Downhill<R> {
+        let direction = self.now().sign();
+        self.search(direction, R::ZERO)
+    }
+
+    /// The same from a fold, where moment and slope are zero and the moment grows with the curvature ahead.
+    pub(crate) fn over_fold(&self, direction: R) -> Downhill<R> {
+        let size = self.dot.hypot(self.cross);
+        let ahead = -direction * self.cross;
+        let clear = if size > R::ZERO && ahead > R::ZERO {
+            (R::ONE + R::HALF) * ahead / size
+        } else {
+            R::ZERO
+        };
+        let mut found = self.search(direction, clear);
+        found.snapped = true;
+        found
+    }
+
+    fn search(&self, direction: R, start: R) -> Downhill<R> {
+        let size = self.dot.hypot(self.cross);
+        let rounding = R::EPSILON * (size + self.couple.abs());
+        let moment = self.now().abs();
+        // Before this angle the springs' couple alone outweighs the load.
+        let certain = if self.stiffness > R::ZERO {
+            (moment - R::TWO * size) / self.stiffness
+        } else {
+            R::ZERO
+        };
+        let start = start.max(certain);
+        let mut snapped = false;
+        let found = first_zero(R::HUGE, R::HUGE, |y| {
+            let turn = direction * (start + y);
+            let (sin, cos) = turn.sin_cos();
+            let versine = one_minus_cos(turn);
+            let value = self.now() - self.stiffness * turn - versine * self.cross - sin * self.dot;
+            let slope = -(self.stiffness + cos * self.dot + sin * self.cross);
+            snapped |= slope > R::ZERO && value * direction > rounding;
+            [Slope {
+                value: value * direction,
+                slope,
+                curvature: size,
+                rounding,
+            }]
+        });
+        let (way, unsure) = match found {
+            Found::Zero { x, .. } => (start + x, false),
+            Found::Unsure { x, .. } => (start + x, true),
+            Found::Nothing => (R::ZERO, false),
+        };
+        Downhill {
+            turn: direction * way,
+            snapped,
+            unsure,
+        }
+    }
+}
+
+/// 1 - cos(a) without loss near 0.
+fn one_minus_cos<R: Real>(angle: R) -> R {
+    let (sin, _) = (angle * R::HALF).sin_cos();
+    R::TWO * sin * sin
+}

@@ -1,0 +1,350 @@
+//! 5: one step: hand -> contacts -> state -> transition -> output.
+
+use crate::coupling::{Grip, Stance};
+use crate::detect::Placed;
+use crate::geometry::{Angle, Pose, Vec2};
+use crate::hand::Hand;
+use crate::output::{Contact, Event, Log, Output, Status, Wrench, point};
+use crate::real::Real;
+use crate::scene::Scene;
+use crate::state::{ContactState, Free, Trigger};
+use crate::transition::{pivot_at, settle};
+
+/// How a frame is evolved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Evolution {
+    /// Exact events along the straight way of the hand: the result does not depend on the frame rate.
+    #[default]
+    Path,
+    /// The hand jumps to its new pose (the paper's way): cheapest.
+    Frame,
+}
+
+/// The solver of one scene. It holds no state of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solver<R: Real, const V: usize, const S: usize> {
+    scene: Scene<R, V, S>,
+    evolution: Evolution,
+}
+
+/// The state of a run: plain data. A copy of it is a snapshot; assigned back, the run repeats bit for bit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State<R: Real> {
+    contact: ContactState<R>,
+    grip: Grip<R>,
+    /// phi - theta at which the rotational spring rests.
+    rest_offset: Angle<R>,
+    held: bool,
+    hand: Hand<R::Si>,
+}
+
+/// Events of one frame before the rest of it is taken as one jump of the hand.
+const MAX_EVENTS_ON_PATH: u32 = 512;
+
+impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
+    /// A solver for a scene.
+    pub const fn new(scene: Scene<R, V, S>, evolution: Evolution) -> Self {
+        Self { scene, evolution }
+    }
+
+    /// The first record: the equilibrium reached from the start pose with the hand at its first pose. A hand that is not
+    /// finite or out of range is taken as absent: the body stays at its start.
+    pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
+        let mut log = Log::default();
+        let mut state = self.placed_at_start();
+        match self.non_dimensional(&hand) {
+            Err(status) => log.limit(status),
+            Ok((position, angle)) => {
+                state.hand = hand;
+                if hand.held {
+                    self.take_hold(&mut state, (position, angle), self.scene.holding_point, &mut log);
+                }
+                if state.held {
+                    state.grip.hand = position;
+                    state.grip.angle = angle.offset_from(state.rest_offset);
+                    self.rest(&mut state, &mut log);
+                }
+            }
+        }
+        let output = self.output(&state, log);
+        (state, output)
+    }
+
+    /// One frame: the hand goes to its new pose and the body follows.
+    pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
+        let mut log = Log::default();
+        match self.non_dimensional(&hand) {
+            Err(status) => log.limit(status),
+            Ok(target) => {
+                self.switch(state, &hand, target, &mut log);
+                state.hand = hand;
+                if state.held {
+                    self.follow(state, target, &mut log);
+                }
+            }
+        }
+        self.output(state, log)
+    }
+
+    /// p_h / L and phi of a sample, or why it cannot be used.
+    fn non_dimensional(&self, hand: &Hand<R::Si>) -> Result<(Vec2<R>, Angle<R>), Status> {
+        if !hand.is_finite() {
+            return Err(Status::HeldLast);
+        }
+        let [x, y] = hand.position;
+        let length = self.scene.units.length;
+        let range = R::RANGE.to_si();
+        if (x / length).abs() > range || (y / length).abs() > range {
+            return Err(Status::Saturated);
+        }
+        let position = Vec2::new(R::from_si(x / length), R::from_si(y / length));
+        let (turns, rest) = hand.angle.rest.turns();
+        let angle = Angle {
+            turns: hand.angle.turns.saturating_add(turns),
+            rest: R::from_si(rest),
+        };
+        Ok((position, angle))
+    }
+
+    /// The body at its start pose, seated on the surfaces that it touches.
+    fn placed_at_start(&self) -> State<R> {
+        let pose = self.scene.start;
+        let placed = Placed {
+            point: pose.position,
+            body_point: Vec2::ZERO,
+            rotation: pose.angle.rotation(),
+            on: None,
+        };
+        let touching = placed.touching(&self.scene, Scene::<R, V, S>::start_tolerance());
+        let free = ContactState::Free(Free { pose });
+        let contact = match touching.split_first() {
+            None => free,
+            Some((&first, others)) => {
+                let pivot = pivot_at(&self.scene, &free, first);
+                ContactState::seated(&self.scene, pivot, others)
+            }
+        };
+        State {
+            contact,
+            grip: Grip::default(),
+            rest_offset: Angle::default(),
+            held: false,
+            hand: Hand::default(),
+        }
+    }
+
+    /// Grasp and release by the hold switch.
+    fn switch(
+        &self,
+        state: &mut State<R>,
+        hand: &Hand<R::Si>,
+        target: (Vec2<R>, Angle<R>),
+        log: &mut Log<R>,
+    ) {
+        if state.held && !hand.held {
+            state.held = false;
+            log.event(Event::Release);
+        } else if !state.held && hand.held {
+            self.take_hold(state, target, None, log);
+            if state.held {
+                self.rest(state, log);
+            }
+        }
+    }
+
+    /// Takes hold at a given holding point with rest offset 0, or where the hand is, if within reach.
+    fn take_hold(
+        &self,
+        state: &mut State<R>,
+        (position, angle): (Vec2<R>, Angle<R>),
+        holding_point: Option<Vec2<R>>,
+        log: &mut Log<R>,
+    ) {
+        let pose = state.contact.pose(&self.scene);
+        let (holding_point, rest_offset) = match holding_point {
+            Some(given) => (given, Angle::default()),
+            None => {
+                let at = pose.angle.rotation().undo(position - pose.position);
+                if self.scene.body.distance(at) > self.scene.reach {
+                    return;
+                }
+                log.event(Event::Grasp);
+                (at, angle.offset_from(pose.angle))
+            }
+        };
+        state.held = true;
+        state.rest_offset = rest_offset;
+        state.grip = Grip {
+            holding_point,
+            hand: position,
+            angle: angle.offset_from(rest_offset),
+        };
+    }
+
+    /// Comes to rest at the grip.
+    fn rest(&self, state: &mut State<R>, log: &mut Log<R>) {
+        let begin = (state.contact.clone(), None);
+        state.contact = settle(&self.scene, &state.grip, begin, log);
+    }
+
+    /// The hand goes to `target` and the body with it.
+    fn follow(&self, state: &mut State<R>, (hand, angle): (Vec2<R>, Angle<R>), log: &mut Log<R>) {
+        let to = Grip {
+            holding_point: state.grip.holding_point,
+            hand,
+            angle: angle.offset_from(state.rest_offset),
+        };
+        if to == state.grip {
+            return;
+        }
+        match self.evolution {
+            Evolution::Path => self.along_path(state, &to, log),
+            Evolution::Frame => self.by_jump(state, &to, log),
+        }
+        state.grip = to;
+    }
+
+    /// Event by event along the straight way of the hand (STATICS 7).
+    fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
+        let mut idle = 0;
+        for _ in 0..MAX_EVENTS_ON_PATH {
+            let moved = state.contact.advance(&self.scene, &state.grip, to);
+            if moved.unsure {
+                log.limit(Status::IterationLimit);
+            }
+            if moved.trigger == Trigger::Balanced {
+                state.contact = settle(&self.scene, to, (moved.state, Some(moved.trigger)), log);
+                return;
+            }
+            let way = state.grip.way_to(to).size();
+            let at = state.grip.lerp(to, moved.part);
+            let slides = matches!(moved.trigger, Trigger::Slide(_));
+            if slides && self.slides_continuously(&moved.state) {
+                state.grip = at;
+                break;
+            }
+            let slipped = log.slips;
+            state.contact = settle(&self.scene, &at, (moved.state, Some(moved.trigger)), log);
+            state.grip = at;
+            let idles = way * moved.part <= R::MICRO && log.slips == slipped
+                || log.slips > slipped && way * moved.part <= R::EPSILON;
+            idle = if idles { idle + 1 } else { 0 };
+            if idle > 1 {
+                self.nudge(state, to, idle, log);
+            }
+        }
+        self.by_jump(state, to, log);
+    }
+
+    /// Friction without a jump between sticking and sliding.
+    fn slides_continuously(&self, state: &ContactState<R>) -> bool {
+        let contacts = state.contacts();
+        contacts
+            .iter()
+            .all(|pair| self.scene.surface(pair.surface).friction.is_continuous())
+    }
+
+    /// Where events crowd at one place of the hand: a small jump on, longer each time.
+    fn nudge(&self, state: &mut State<R>, to: &Grip<R>, idle: i32, log: &mut Log<R>) {
+        let way = state.grip.way_to(to).size();
+        let mut step = R::MICRO;
+        for _ in 1..idle.min(40) {
+            step = step * R::TWO;
+        }
+        let part = if way > step { step / way } else { R::ONE };
+        let at = state.grip.lerp(to, part);
+        self.by_jump(state, &at, log);
+        state.grip = at;
+    }
+
+    /// The hand jumps.
+    fn by_jump(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
+        let fixed = matches!(
+            state.contact,
+            ContactState::Edge(_) | ContactState::TwoVertex(_) | ContactState::Locked(_)
+        );
+        let begin = if fixed {
+            // What yields first on the way tells the mode.
+            let moved = state.contact.advance(&self.scene, &state.grip, to);
+            (moved.state, Some(moved.trigger))
+        } else {
+            (state.contact.clone(), None)
+        };
+        state.contact = settle(&self.scene, to, begin, log);
+    }
+
+    fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
+        let units = self.scene.units;
+        let pose = state.contact.pose(&self.scene);
+        let wrench = if state.held {
+            let stance = self.stance(state, &pose);
+            Wrench {
+                force: point(stance.spring, units.force),
+                moment: stance.couple.to_si() * units.moment,
+            }
+        } else {
+            Wrench::default()
+        };
+        let angle = Angle {
+            turns: pose.angle.turns,
+            rest: pose.angle.rest.to_si(),
+        };
+        Output {
+            hand: state.hand,
+            held: state.held,
+            position: point(pose.position, units.length),
+            angle,
+            depth: state.hand.depth,
+            state: state.contact.kind(),
+            wrench,
+            slips: log.slips,
+            longest_slip: log.longest_slip.to_si() * units.length,
+            status: log.status,
+            transitions: log.transitions,
+            contacts: self.contacts(state, &pose),
+            events: log.events,
+        }
+    }
+
+    /// The springs at the present pose, with all digits of the contact.
+    fn stance(&self, state: &State<R>, pose: &Pose<R>) -> Stance<R> {
+        let placed = match state.contact.pivot() {
+            Some(pivot) => pivot.placed(&self.scene),
+            None => Placed {
+                point: pose.position,
+                body_point: Vec2::ZERO,
+                rotation: pose.angle.rotation(),
+                on: None,
+            },
+        };
+        Stance::new(&self.scene, placed, pose.angle, &state.grip)
+    }
+
+    fn contacts(
+        &self,
+        state: &State<R>,
+        pose: &Pose<R>,
+    ) -> heapless::Vec<Contact<R::Si>, { crate::output::MAX_CONTACTS }> {
+        let units = self.scene.units;
+        let rotation = pose.angle.rotation();
+        let pairs = state.contact.contacts();
+        let reactions = if state.held {
+            state.contact.reactions(&self.scene, &state.grip)
+        } else {
+            pairs.iter().map(|_| [R::ZERO; 2]).collect()
+        };
+        let both = pairs.iter().zip(reactions);
+        both.map(|(pair, [normal, friction])| {
+            let vertex = self.scene.body.vertex(pair.vertex);
+            let at = pose.position + rotation.apply(vertex);
+            Contact {
+                vertex: usize::from(pair.vertex),
+                surface: usize::from(pair.surface),
+                point: point(at, units.length),
+                normal: normal.to_si() * units.force,
+                friction: friction.to_si() * units.force,
+            }
+        })
+        .collect()
+    }
+}

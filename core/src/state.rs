@@ -1,0 +1,275 @@
+//! 3: the contact state. Each variant owns exactly the memory that it needs from one frame to the next; each lives in
+//! a file of its own with the same verbs in the same order:
+//!
+//! * `contacts`, `pose`: what touches, and where the body is;
+//! * `advance`: follows the hand on a straight way, in balance, to the first event (path evolution);
+//! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
+//! * `slide`: hand frozen, slides to the end of the slip;
+//! * `reactions`: the forces of the contacts at rest.
+
+use crate::coupling::{Grip, Pivot};
+use crate::geometry::Pose;
+use crate::output::{MAX_CONTACTS, StateKind};
+use crate::real::Real;
+use crate::scene::Scene;
+use heapless::Vec;
+
+mod corner;
+mod edge;
+mod free;
+mod locked;
+mod single_vertex;
+mod trammel;
+mod two_vertex;
+
+pub(crate) use corner::Corner;
+pub(crate) use edge::Edge;
+pub(crate) use free::Free;
+pub(crate) use locked::Locked;
+pub(crate) use single_vertex::SingleVertex;
+pub(crate) use two_vertex::TwoVertex;
+
+/// A contact: a feature of the body on a feature of the surroundings; here a vertex on a half-plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Pair {
+    pub(crate) vertex: u8,
+    pub(crate) surface: u8,
+}
+
+pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
+
+/// Reactions as (N, T), in the order of the contacts.
+pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
+
+/// The contact state with its memory.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum ContactState<R: Real> {
+    Free(Free<R>),
+    SingleVertex(SingleVertex<R>),
+    Edge(Edge<R>),
+    TwoVertex(TwoVertex<R>),
+    Corner(Corner<R>),
+    Locked(Locked<R>),
+}
+
+/// Why a verb ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Trigger<R> {
+    /// At rest within all friction cones; for `advance`: the hand has arrived.
+    Balanced,
+    /// The rotation branch ends here; it goes on in the direction of the sign.
+    Fold(R),
+    /// A vertex reached a surface.
+    Touch(Pair),
+    /// Friction gives way along sign·t of the (first) surface.
+    Slide(R),
+    /// The slip ended at mu_d N.
+    Stopped,
+    /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
+    /// along sign·t.
+    Keep { contacts: [usize; 2], sliding: Option<R> },
+    /// All contacts open.
+    Clear,
+    /// No motion is driven although friction gives way.
+    Undriven,
+}
+
+/// The outcome of a verb.
+#[derive(Clone, Debug)]
+pub(crate) struct Moved<R: Real> {
+    pub(crate) state: ContactState<R>,
+    pub(crate) trigger: Trigger<R>,
+    /// The part of the hand's way that was gone (`advance`).
+    pub(crate) part: R,
+    /// How far a contact slid (`slide`).
+    pub(crate) slip: R,
+    /// The body turned over a fold (`relax`).
+    pub(crate) snapped: bool,
+    /// A search hit its bound.
+    pub(crate) unsure: bool,
+}
+
+impl<R: Real> Moved<R> {
+    pub(crate) fn new(state: ContactState<R>, trigger: Trigger<R>) -> Self {
+        Self {
+            state,
+            trigger,
+            part: R::ONE,
+            slip: R::ZERO,
+            snapped: false,
+            unsure: false,
+        }
+    }
+}
+
+impl<R: Real> ContactState<R> {
+    pub(crate) fn kind(&self) -> StateKind {
+        match self {
+            Self::Free(_) => StateKind::NonContact,
+            Self::SingleVertex(_) => StateKind::SingleVertex,
+            Self::Edge(_) => StateKind::Edge,
+            Self::TwoVertex(_) => StateKind::TwoVertex,
+            Self::Corner(_) => StateKind::Corner,
+            Self::Locked(_) => StateKind::Locked,
+        }
+    }
+
+    pub(crate) fn contacts(&self) -> Pairs {
+        match self {
+            Self::Free(_) => Pairs::new(),
+            Self::SingleVertex(s) => s.contacts(),
+            Self::Edge(s) => s.contacts(),
+            Self::TwoVertex(s) => s.contacts(),
+            Self::Corner(s) => s.contacts(),
+            Self::Locked(s) => s.contacts(),
+        }
+    }
+
+    /// The pivot that carries the pose; `None` without contact.
+    pub(crate) fn pivot(&self) -> Option<Pivot<R>> {
+        match self {
+            Self::Free(_) => None,
+            Self::SingleVertex(s) => Some(s.pivot),
+            Self::Edge(s) => Some(s.pivot),
+            Self::TwoVertex(s) => Some(s.pivot),
+            Self::Corner(s) => Some(s.pivot),
+            Self::Locked(s) => Some(s.pivot),
+        }
+    }
+
+    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
+        match self {
+            Self::Free(s) => s.pose,
+            other => other
+                .pivot()
+                .map_or_else(Pose::default, |pivot| pivot.pose(scene)),
+        }
+    }
+
+    pub(crate) fn advance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        match self {
+            Self::Free(s) => s.advance(scene, from, to),
+            Self::SingleVertex(s) => s.advance(scene, from, to),
+            Self::Edge(s) => s.advance(scene, from, to),
+            Self::TwoVertex(s) => s.advance(scene, from, to),
+            Self::Corner(s) => s.advance(scene, from, to),
+            Self::Locked(s) => s.advance(scene, from, to),
+        }
+    }
+
+    /// `sliding`: the direction in which the first contact is already in motion.
+    pub(crate) fn relax<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        sliding: Option<R>,
+    ) -> Moved<R> {
+        match self {
+            Self::Free(s) => s.relax(scene, grip),
+            Self::SingleVertex(s) => s.relax(scene, grip, sliding),
+            Self::Edge(s) => s.relax(scene, grip, sliding),
+            Self::TwoVertex(s) => s.relax(scene, grip, sliding),
+            Self::Corner(s) => s.relax(scene, grip),
+            Self::Locked(s) => s.relax(scene, grip),
+        }
+    }
+
+    /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
+    pub(crate) fn slide<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        sign: R,
+    ) -> Moved<R> {
+        match self {
+            Self::SingleVertex(s) => s.slide(scene, grip, sign),
+            Self::Edge(s) => s.slide(scene, grip, sign),
+            Self::TwoVertex(s) => s.slide(scene, grip),
+            Self::Free(_) | Self::Corner(_) | Self::Locked(_) => {
+                Moved::new(self.clone(), Trigger::Undriven)
+            }
+        }
+    }
+
+    pub(crate) fn reactions<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Reactions<R> {
+        match self {
+            Self::Free(_) => Reactions::new(),
+            Self::SingleVertex(s) => s.reactions(scene, grip),
+            Self::Edge(s) => s.reactions(scene, grip),
+            Self::TwoVertex(s) => s.reactions(scene, grip),
+            Self::Corner(s) => s.reactions(scene, grip),
+            Self::Locked(s) => s.reactions(scene, grip),
+        }
+    }
+
+    /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.
+    pub(crate) fn seated<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        pivot: Pivot<R>,
+        others: &[Pair],
+    ) -> Self {
+        let pivot = seat(scene, pivot, others);
+        match *others {
+            [] => Self::SingleVertex(SingleVertex { pivot }),
+            [other] if other.vertex == pivot.contact.vertex => Self::Corner(Corner {
+                pivot,
+                surface: other.surface,
+            }),
+            [other] if other.surface == pivot.contact.surface => Self::Edge(Edge {
+                pivot,
+                vertex: other.vertex,
+            }),
+            [other] => Self::TwoVertex(TwoVertex { pivot, other }),
+            _ => Self::Locked(Locked {
+                pivot,
+                others: others.iter().copied().take(MAX_CONTACTS - 1).collect(),
+            }),
+        }
+    }
+}
+
+/// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
+/// are closed to the rounding. The pivot's foot stays unless the other contacts leave no choice.
+fn seat<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    mut pivot: Pivot<R>,
+    others: &[Pair],
+) -> Pivot<R> {
+    const SWEEPS: usize = 16;
+    let least = R::ONE / R::from_int(64);
+    let tangent = pivot.surface(scene).tangent;
+    for _ in 0..SWEEPS {
+        let mut worst = R::ZERO;
+        for &other in others {
+            let placed = pivot.placed(scene);
+            let gap = placed.gap(scene, other);
+            let normal = scene.surface(other.surface).normal;
+            let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
+            let by_shift = normal.dot(tangent);
+            worst = worst.max(gap.abs());
+            pivot = if others.len() == 1 && by_turn.abs() > least {
+                pivot.moved(R::ZERO, -gap / by_turn)
+            } else {
+                let size = by_turn * by_turn + by_shift * by_shift;
+                if size > least * least {
+                    pivot.moved(-gap * by_shift / size, -gap * by_turn / size)
+                } else {
+                    pivot
+                }
+            };
+        }
+        if worst <= R::EPSILON {
+            break;
+        }
+    }
+    pivot
+}

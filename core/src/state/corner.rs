@@ -1,0 +1,220 @@
+//! One vertex on two surfaces (STATICS 6): pinned like a single vertex; the reaction may lie anywhere in the sum of the
+//! two friction cones. Beyond an outer edge of that sum the vertex slides along the surface of that edge.
+
+use super::single_vertex::fold_or_end;
+use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
+use crate::coupling::{Grip, Pivot, Stance};
+use crate::detect::Moving;
+use crate::geometry::Vec2;
+use crate::motion::Motion;
+use crate::real::Real;
+use crate::roots::Downhill;
+use crate::scene::Scene;
+
+/// The memory: the vertex on its first surface, the angle, and the second surface.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Corner<R> {
+    pub(crate) pivot: Pivot<R>,
+    pub(crate) surface: u8,
+}
+
+/// An outer edge of the sum of the cones: the contact that it belongs to and its direction of slip, and the inner normal.
+struct OuterEdge<R> {
+    contact: usize,
+    sign: R,
+    inner: Vec2<R>,
+}
+
+impl<R: Real> Corner<R> {
+    pub(crate) fn contacts(&self) -> Pairs {
+        let first = self.pivot.contact;
+        let second = Pair {
+            vertex: first.vertex,
+            surface: self.surface,
+        };
+        [first, second].into_iter().collect()
+    }
+
+    fn stance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Stance<R> {
+        Stance::new(scene, self.pivot.placed(scene), self.pivot.angle, grip)
+    }
+
+    /// The edges of the two cones: contact, side and direction.
+    fn cone_edges<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+    ) -> [(usize, R, Vec2<R>); 4] {
+        let edge = |contact: usize, side: R| {
+            let index = if contact == 0 {
+                self.pivot.contact.surface
+            } else {
+                self.surface
+            };
+            let surface = scene.surface(index);
+            let (n, t) = surface.friction.static_edge(side);
+            (contact, side, surface.normal * n + surface.tangent * t)
+        };
+        [
+            edge(0, R::ONE),
+            edge(0, -R::ONE),
+            edge(1, R::ONE),
+            edge(1, -R::ONE),
+        ]
+    }
+
+    /// The two outer edges; none where the cones span the whole plane.
+    fn outer_edges<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+    ) -> [Option<OuterEdge<R>>; 2] {
+        let edges = self.cone_edges(scene);
+        [R::ONE, -R::ONE].map(|turn| {
+            let outer = edges.iter().find(|(_, _, direction)| {
+                let inner = direction.turned() * turn;
+                edges.iter().all(|(_, _, other)| inner.dot(*other) >= -R::EPSILON)
+            });
+            outer.map(|&(contact, side, direction)| OuterEdge {
+                contact,
+                sign: -side,
+                inner: direction.turned() * turn,
+            })
+        })
+    }
+
+    /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
+    pub(crate) fn advance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        let stance = self.stance(scene, from);
+        let way = from.way_to(to);
+        let drive = stance.lever.conj_mul(way.hand);
+        let motion = Motion::balanced(scene.stiffness, stance.hold, drive, way.turn);
+        let mut course = motion.course();
+        let mut trigger = fold_or_end(&course, &motion);
+        let keeps = self.contacts();
+        let moving = Moving {
+            motion: &motion,
+            shift: Vec2::ZERO,
+            keeps: &keeps,
+        };
+        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
+            trigger = Trigger::Touch(touch);
+        }
+        for outer in self.outer_edges(scene).into_iter().flatten() {
+            if motion.stop_at(&stance.reaction(outer.inner, &way), &mut course) {
+                trigger = slides(&outer);
+            }
+        }
+        let mut state = self.turned(course.end.turn);
+        if trigger == Trigger::Balanced {
+            let correction = state.stance(scene, to).correction();
+            state = state.turned(correction);
+        }
+        Moved {
+            part: course.end.part(),
+            unsure: course.unsure,
+            ..Moved::new(ContactState::Corner(state), trigger)
+        }
+    }
+
+    fn turned(&self, turn: R) -> Self {
+        Self {
+            pivot: self.pivot.moved(R::ZERO, turn),
+            surface: self.surface,
+        }
+    }
+
+    /// Turns downhill about the corner to balance, then tests the reaction.
+    pub(crate) fn relax<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Moved<R> {
+        let downhill = self.stance(scene, grip).pinned().downhill();
+        self.turn_by(scene, grip, &downhill)
+    }
+
+    /// The same from a fold of the branch, on in the direction of the sign.
+    pub(crate) fn snap<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
+        let downhill = self.stance(scene, grip).pinned().over_fold(direction);
+        self.turn_by(scene, grip, &downhill)
+    }
+
+    fn turn_by<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        downhill: &Downhill<R>,
+    ) -> Moved<R> {
+        let motion = Motion::turning(downhill.turn);
+        let mut course = motion.course_to(R::ONE);
+        let keeps = self.contacts();
+        let moving = Moving {
+            motion: &motion,
+            shift: Vec2::ZERO,
+            keeps: &keeps,
+        };
+        let placed = self.pivot.placed(scene);
+        let touch = placed.first_touch(scene, &mut course, &moving);
+        let state = self.turned(course.end.turn);
+        let trigger = match touch {
+            Some(touch) => Trigger::Touch(touch),
+            None => state.test(scene, grip),
+        };
+        Moved {
+            snapped: downhill.snapped,
+            unsure: downhill.unsure || course.unsure,
+            ..Moved::new(ContactState::Corner(state), trigger)
+        }
+    }
+
+    fn test<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Trigger<R> {
+        let stance = self.stance(scene, grip);
+        let rounding = stance.rounding();
+        let mut trigger = Trigger::Balanced;
+        let mut worst = -rounding;
+        for outer in self.outer_edges(scene).into_iter().flatten() {
+            let inside = -outer.inner.dot(stance.force);
+            if inside < worst {
+                worst = inside;
+                trigger = slides(&outer);
+            }
+        }
+        let pulled = [self.pivot.contact.surface, self.surface]
+            .into_iter()
+            .all(|s| scene.surface(s).normal.dot(stance.force) > rounding);
+        if pulled { Trigger::Clear } else { trigger }
+    }
+
+    pub(crate) fn reactions<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Reactions<R> {
+        super::locked::shared_reactions(scene, &self.pivot, &self.contacts(), grip)
+    }
+}
+
+/// The vertex slides along the surface of an outer edge and leaves the other.
+fn slides<R: Real>(outer: &OuterEdge<R>) -> Trigger<R> {
+    Trigger::Keep {
+        contacts: [outer.contact, outer.contact],
+        sliding: Some(outer.sign),
+    }
+}

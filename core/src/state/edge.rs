@@ -1,0 +1,224 @@
+//! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's way
+//! and in the slip, so every event is closed form.
+
+use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
+use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::detect::Moving;
+use crate::friction::Verdict;
+use crate::geometry::Vec2;
+use crate::motion::{Margin, Motion};
+use crate::real::Real;
+use crate::scene::{Scene, Surface};
+
+/// The memory: where the first vertex is held, the locked angle, and the other vertex.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Edge<R> {
+    pub(crate) pivot: Pivot<R>,
+    pub(crate) vertex: u8,
+}
+
+/// Reactions on a way of the hand: (E4) and its change.
+struct Reaction<R> {
+    /// N_1, N_2
+    parts: [Margin<R>; 2],
+    /// N_1 + N_2
+    normal: Margin<R>,
+    /// T
+    friction: Margin<R>,
+}
+
+impl<R: Real> Edge<R> {
+    pub(crate) fn contacts(&self) -> Pairs {
+        let first = self.pivot.contact;
+        let second = Pair {
+            vertex: self.vertex,
+            surface: first.surface,
+        };
+        [first, second].into_iter().collect()
+    }
+
+    fn stance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Stance<R> {
+        Stance::new(scene, self.pivot.placed(scene), self.pivot.angle, grip)
+    }
+
+    fn reaction<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        stance: &Stance<R>,
+        way: &Way<R>,
+    ) -> Reaction<R> {
+        let surface = self.pivot.surface(scene);
+        let fixed = |margin: Margin<R>| Margin {
+            turning: Vec2::ZERO,
+            ..margin
+        };
+        let normal = fixed(stance.reaction(surface.normal, way));
+        // x_2 - x_1
+        let span = surface
+            .tangent
+            .dot(stance.placed.arm(scene, self.vertex));
+        let turn = scene.stiffness * way.turn + stance.lever.cross(way.hand);
+        let second = Margin {
+            start: -stance.moment() / span,
+            along: -turn / span,
+            turning: Vec2::ZERO,
+            rounding: stance.rounding() / span.abs(),
+        };
+        Reaction {
+            parts: [normal.combine(R::ONE, second, -R::ONE), second],
+            normal,
+            friction: fixed(stance.reaction(surface.tangent, way)),
+        }
+    }
+
+    /// Stays as the hand moves, to the first of friction limit and N_i = 0.
+    pub(crate) fn advance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        let stance = self.stance(scene, from);
+        let reaction = self.reaction(scene, &stance, &from.way_to(to));
+        let motion = Motion::straight();
+        let mut course = motion.course_to(R::ONE);
+        let mut trigger = Trigger::Balanced;
+        let friction = self.pivot.surface(scene).friction;
+        for sign in [R::ONE, -R::ONE] {
+            let holds = friction.holds(reaction.normal, reaction.friction, sign);
+            if motion.stop_at(&holds, &mut course) {
+                trigger = Trigger::Slide(sign);
+            }
+        }
+        for (opens, lasts) in [(0, 1), (1, 0)] {
+            if motion.stop_at(&reaction.parts[opens], &mut course) {
+                trigger = keep(lasts, None);
+            }
+        }
+        Moved {
+            part: course.end.part(),
+            ..Moved::new(ContactState::Edge(self.clone()), trigger)
+        }
+    }
+
+    /// Puts the edge to the test as it lies.
+    pub(crate) fn relax<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        sliding: Option<R>,
+    ) -> Moved<R> {
+        let trigger = self.test(scene, grip, sliding);
+        Moved::new(ContactState::Edge(self.clone()), trigger)
+    }
+
+    fn test<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        sliding: Option<R>,
+    ) -> Trigger<R> {
+        let stance = self.stance(scene, grip);
+        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        let [first, second] = reaction.parts;
+        match (
+            first.start < -first.rounding,
+            second.start < -second.rounding,
+        ) {
+            (true, true) => return Trigger::Clear,
+            (true, false) => return keep(1, sliding),
+            (false, true) => return keep(0, sliding),
+            (false, false) => {}
+        }
+        let (normal, friction) = (reaction.normal.start, reaction.friction.start);
+        let rounding = stance.rounding();
+        let coulomb = self.pivot.surface(scene).friction;
+        if let Some(sign) = sliding
+            && coulomb.is_driven(normal, friction, sign, rounding)
+        {
+            return Trigger::Slide(sign);
+        }
+        match coulomb.judge(normal, friction, rounding) {
+            Verdict::Sticks => Trigger::Balanced,
+            Verdict::Slides(sign) => Trigger::Slide(sign),
+            Verdict::Opens => Trigger::Clear,
+        }
+    }
+
+    /// Slides along sign·t to the first of |T| = mu_d N, touch, N_i = 0.
+    pub(crate) fn slide<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        sign: R,
+    ) -> Moved<R> {
+        let stance = self.stance(scene, grip);
+        let surface: Surface<R> = self.pivot.surface(scene);
+        let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
+        let shift = surface.tangent * (sign * farthest);
+        let reaction = self.reaction(scene, &stance, &Way::slide(shift));
+        let motion = Motion::straight();
+        let mut course = motion.course_to(R::ONE);
+        let mut trigger = Trigger::Stopped;
+        let drives = surface
+            .friction
+            .drives(reaction.normal, reaction.friction, sign);
+        motion.stop_at(&drives, &mut course);
+        let keeps = self.contacts();
+        let moving = Moving {
+            motion: &motion,
+            shift,
+            keeps: &keeps,
+        };
+        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
+            trigger = Trigger::Touch(touch);
+        }
+        for (opens, lasts) in [(0, 1), (1, 0)] {
+            if motion.stop_at(&reaction.parts[opens], &mut course) {
+                trigger = keep(lasts, Some(sign));
+            }
+        }
+        let slip = sign * farthest * course.end.part();
+        let state = Self {
+            pivot: self.pivot.moved(slip, R::ZERO),
+            vertex: self.vertex,
+        };
+        Moved {
+            slip,
+            ..Moved::new(ContactState::Edge(state), trigger)
+        }
+    }
+
+    /// The friction is collinear; it is reported in proportion to N_i.
+    pub(crate) fn reactions<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Reactions<R> {
+        let stance = self.stance(scene, grip);
+        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        let parts = reaction.parts.map(|part| part.start.max(R::ZERO));
+        let normal = parts[0] + parts[1];
+        let friction = reaction.friction.start;
+        let share = |part: R| {
+            if normal > R::ZERO {
+                friction * (part / normal)
+            } else {
+                R::ZERO
+            }
+        };
+        parts.into_iter().map(|n| [n, share(n)]).collect()
+    }
+}
+
+/// Contact number `contact` lasts alone.
+fn keep<R: Real>(contact: usize, sliding: Option<R>) -> Trigger<R> {
+    Trigger::Keep {
+        contacts: [contact, contact],
+        sliding,
+    }
+}

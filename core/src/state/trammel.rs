@@ -1,0 +1,266 @@
+//! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
+//! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
+
+use super::{Pair, TwoVertex};
+use crate::coupling::{Grip, Stance};
+use crate::detect::Moving;
+use crate::geometry::Vec2;
+use crate::jet::{Jet, JetVec};
+use crate::motion::{Motion, Place};
+use crate::real::Real;
+use crate::roots::{Found, Slope, first_zero};
+use crate::scene::{Scene, Surface};
+
+/// One direction of the trammel motion, from a present place, all about contact 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Trammel<R> {
+    motion: Motion<R>,
+    surfaces: [Surface<R>; 2],
+    stance: Stance<R>,
+    /// r = c2 - c1
+    arm: Vec2<R>,
+    stiffness: R,
+    weight: Vec2<R>,
+    /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
+    signs: [R; 2],
+    /// f_i: the directions of the two reactions.
+    reactions: [Vec2<R>; 2],
+    /// The excess delta of drive over friction; the motion is driven iff it is positive.
+    excess: R,
+}
+
+/// How far a run went.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run<R> {
+    /// Along t1.
+    pub(crate) slide: R,
+    pub(crate) turn: R,
+    pub(crate) unsure: bool,
+}
+
+/// What ended a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Ending<R> {
+    /// (E6)
+    Stopped,
+    /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
+    Opens { lasts: usize, sliding: R },
+    /// A further vertex reached a surface.
+    Touches(Pair),
+    /// A contact comes to the turning point of its motion.
+    Reverses,
+    /// The end of the range in which the bounds hold.
+    Window,
+}
+
+/// The quantities of the motion at a place.
+struct Quantities<R> {
+    /// (E6): zero in balance.
+    imbalance: Jet<R>,
+    /// N_1, N_2 up to positive factors.
+    normals: [Jet<R>; 2],
+    /// Velocities of the contacts along their tangents.
+    velocities: [Jet<R>; 2],
+}
+
+impl<R: Real> Trammel<R> {
+    /// The direction that the hand drives at a place, if any.
+    pub(crate) fn driven<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        state: &TwoVertex<R>,
+        grip: &Grip<R>,
+    ) -> Option<Self> {
+        let pivot = &state.pivot;
+        let placed = pivot.placed(scene);
+        let stance = Stance::new(scene, placed, pivot.angle, grip);
+        let arm = placed.arm(scene, state.other.vertex);
+        let surfaces = [pivot.surface(scene), scene.surface(state.other.surface)];
+        let [forth, back] = [R::ONE, -R::ONE].map(|sense| {
+            let mut trammel = Self {
+                motion: Self::motion(&surfaces, arm, sense),
+                surfaces,
+                stance,
+                arm,
+                stiffness: scene.stiffness,
+                weight: scene.weight,
+                signs: [R::ZERO; 2],
+                reactions: [Vec2::ZERO; 2],
+                excess: R::ZERO,
+            };
+            trammel.meet_friction();
+            trammel
+        });
+        let best = if back.excess > forth.excess { back } else { forth };
+        (best.excess > stance.rounding()).then_some(best)
+    }
+
+    /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
+    fn motion(surfaces: &[Surface<R>; 2], arm: Vec2<R>, sense: R) -> Motion<R> {
+        let [first, second] = surfaces;
+        let by_slide = second.normal.dot(first.tangent);
+        let by_turn = second.normal.dot(arm.turned());
+        let size = by_slide.hypot(by_turn);
+        if size == R::ZERO {
+            // Wedged straight across parallel surfaces: slides without a turn.
+            return Motion::kinematic(R::ZERO, Vec2::new(sense, R::ZERO), R::ONE);
+        }
+        Motion::kinematic(
+            sense * by_slide / size,
+            Vec2::new(-by_turn, second.normal.dot(arm)) * sense,
+            size,
+        )
+    }
+
+    /// Directions of friction and the excess of drive: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand.
+    fn meet_friction(&mut self) {
+        let start = self.motion.at(R::ZERO);
+        let velocities = self.velocities(&start).map(|v| v.value);
+        let rest = R::from_int(16) * R::EPSILON;
+        self.signs = velocities.map(|v| if v.abs() > rest { v.sign() } else { R::ZERO });
+        for k in 0..2 {
+            let surface = &self.surfaces[k];
+            let (n, t) = surface.friction.sliding_edge(self.signs[k]);
+            self.reactions[k] = surface.normal * n + surface.tangent * t;
+        }
+        let [first, second] = self.surfaces;
+        let drag = first.tangent * velocities[0] + second.tangent * velocities[1];
+        let drag_moment = self.arm.cross(second.tangent) * velocities[1];
+        let [f1, f2] = self.reactions;
+        let volume = |force: Vec2<R>, moment: R| {
+            moment * f1.cross(f2) - self.arm.cross(f2) * f1.cross(force)
+        };
+        let resistance = volume(drag, drag_moment);
+        if resistance.abs() > rest {
+            self.excess = volume(self.stance.force, self.stance.moment()) / resistance;
+        }
+    }
+
+    fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
+        let [first, second] = self.surfaces;
+        let rate = self.motion.rate_jet();
+        let slide = self.motion.part_velocity(p);
+        let turning = self.rotated(p, self.arm.turned());
+        let along = second.tangent.dot(first.tangent);
+        let swing = turning.x * Jet::constant(second.tangent.x)
+            + turning.y * Jet::constant(second.tangent.y);
+        [slide, slide * Jet::constant(along) + swing * rate]
+    }
+
+    fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> JetVec<R> {
+        let (cos, sin) = self.motion.rotation_jets(p);
+        let at = JetVec::constant(v);
+        JetVec {
+            x: at.x * cos - at.y * sin,
+            y: at.x * sin + at.y * cos,
+        }
+    }
+
+    fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
+        let slide = self.motion.part_jet(p, window);
+        let turn = self.motion.turn_jet(p, window);
+        let lever = self.rotated(p, self.stance.lever);
+        let centroid = self.rotated(p, self.stance.centroid);
+        let arm = self.rotated(p, self.arm);
+        let hand = JetVec::constant(self.stance.spring + self.stance.lever)
+            - JetVec::constant(self.surfaces[0].tangent).scaled(slide);
+        let weight = JetVec::constant(self.weight);
+        let force = hand - lever - JetVec::constant(-self.weight);
+        let couple = Jet::constant(self.stance.couple) - turn * Jet::constant(self.stiffness);
+        let moment = couple + lever.cross(hand) + centroid.cross(weight);
+        let [f1, f2] = self.reactions.map(JetVec::constant);
+        let spread = f1.cross(f2);
+        let normals = if spread.value.abs() > R::ONE / R::from_int(64) {
+            let sign = Jet::constant(spread.value.sign());
+            [-(force.cross(f2) * sign), force.cross(f1) * sign]
+        } else {
+            // Reactions in one line: from the moments about the other contact.
+            let sign = Jet::constant(self.arm.cross(self.reactions[1]).sign());
+            let other = Jet::constant(self.arm.cross(self.reactions[0]).sign());
+            [(moment - arm.cross(force)) * other, -(moment * sign)]
+        };
+        Quantities {
+            imbalance: moment * spread - arm.cross(f2) * f1.cross(force),
+            normals,
+            velocities: self.velocities(p),
+        }
+    }
+
+    /// Runs to the first ending.
+    pub(crate) fn run<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        state: &TwoVertex<R>,
+    ) -> (Run<R>, Ending<R>) {
+        let window = R::ONE;
+        let start = self.quantities(&self.motion.at(R::ZERO), window);
+        let sense = start.imbalance.value.sign();
+        let found = first_zero(window, R::HUGE, |x| {
+            let q = self.quantities(&self.motion.at(x), window);
+            let turning_point = |k: usize| {
+                let sign = self.signs[k];
+                if sign == R::ZERO {
+                    Slope {
+                        value: R::ONE,
+                        slope: R::ZERO,
+                        curvature: R::ZERO,
+                        rounding: R::ZERO,
+                    }
+                } else {
+                    q.velocities[k].as_slope(sign)
+                }
+            };
+            [
+                q.imbalance.as_slope(sense),
+                q.normals[0].as_slope(R::ONE),
+                q.normals[1].as_slope(R::ONE),
+                turning_point(0),
+                turning_point(1),
+            ]
+        });
+        let (x, mut ending, unsure) = match found {
+            Found::Nothing => (window, Ending::Window, false),
+            Found::Zero { x, which } => (x, self.ending(which), false),
+            Found::Unsure { x, which } => (x, self.ending(which), true),
+        };
+        let mut course = self.motion.course_to(x);
+        let keeps = state.contacts();
+        let moving = Moving {
+            motion: &self.motion,
+            shift: self.surfaces[0].tangent,
+            keeps: &keeps,
+        };
+        if let Some(pair) = self.first_touch(scene, &mut course, &moving) {
+            ending = Ending::Touches(pair);
+        }
+        let run = Run {
+            slide: course.end.part(),
+            turn: course.end.turn,
+            unsure: unsure || course.unsure,
+        };
+        (run, ending)
+    }
+
+    fn first_touch<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        course: &mut crate::motion::Course<R>,
+        moving: &Moving<'_, R>,
+    ) -> Option<Pair> {
+        self.stance.placed.first_touch(scene, course, moving)
+    }
+
+    fn ending(&self, which: usize) -> Ending<R> {
+        match which {
+            0 => Ending::Stopped,
+            1 => Ending::Opens {
+                lasts: 1,
+                sliding: self.signs[1],
+            },
+            2 => Ending::Opens {
+                lasts: 0,
+                sliding: self.signs[0],
+            },
+            _ => Ending::Reverses,
+        }
+    }
+}

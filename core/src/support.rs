@@ -1,0 +1,283 @@
+//! What two or more contacts can bear together: the cone of all wrenches that reactions within their friction cones
+//! add up to (STATICS 5, 6). A load is borne iff it lies on the inner side of every facet of the cone, which is linear
+//! in the load; the facet that yields first names the incipient motion: a contact none of whose edges lie in it
+//! opens, one with both edges in it sticks, one with a single edge in it slides.
+
+use crate::geometry::Vec2;
+use crate::output::MAX_CONTACTS;
+use crate::real::Real;
+use heapless::Vec;
+
+const MAX_EDGES: usize = 2 * MAX_CONTACTS;
+
+/// A force with its moment about the pivot of the state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Screw<R> {
+    pub(crate) force: Vec2<R>,
+    pub(crate) moment: R,
+}
+
+impl<R: Real> Screw<R> {
+    /// The product that is zero for a wrench in the plane of two others.
+    pub(crate) fn dot(self, b: Self) -> R {
+        self.force.dot(b.force) + self.moment * b.moment
+    }
+
+    /// Normal to two screws, as a facet of their cone.
+    pub(crate) fn cross(self, b: Self) -> Self {
+        let (f, g) = (self.force, b.force);
+        Self {
+            force: Vec2::new(
+                f.y * b.moment - self.moment * g.y,
+                self.moment * g.x - f.x * b.moment,
+            ),
+            moment: f.cross(g),
+        }
+    }
+
+    fn scaled(self, k: R) -> Self {
+        Self {
+            force: self.force * k,
+            moment: self.moment * k,
+        }
+    }
+
+    fn size(self) -> R {
+        self.force.length().hypot(self.moment)
+    }
+}
+
+/// One edge of the friction cone of a contact.
+#[derive(Clone, Copy, Debug)]
+struct Edge<R> {
+    screw: Screw<R>,
+    contact: usize,
+    /// +1: friction along +t.
+    side: R,
+}
+
+/// The incipient motion at a facet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Yield<R> {
+    /// Contact number `contact` sticks, all others open.
+    Pivot { contact: usize },
+    /// Contacts `first` and `second` slide along sign·t of their surfaces, all others open.
+    Slide {
+        first: (usize, R),
+        second: (usize, R),
+    },
+}
+
+/// One contact as the cone sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bearing<R> {
+    /// Lever from the pivot.
+    pub(crate) lever: Vec2<R>,
+    pub(crate) normal: Vec2<R>,
+    pub(crate) tangent: Vec2<R>,
+    /// (normal, friction) parts of the two edges of the cone, friction along +t and along -t.
+    pub(crate) edges: [(R, R); 2],
+}
+
+/// The cone of bearable wrenches.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Support<R: Real> {
+    edges: Vec<Edge<R>, MAX_EDGES>,
+    contacts: usize,
+}
+
+impl<R: Real> Support<R> {
+    /// How far from a facet an edge may lie and still count as in it.
+    fn tolerance() -> R {
+        R::from_int(64) * R::EPSILON
+    }
+
+    pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
+        for (k, (n, t)) in bearing.edges.iter().enumerate() {
+            let force = bearing.normal * *n + bearing.tangent * *t;
+            let edge = Edge {
+                screw: Screw {
+                    force,
+                    moment: bearing.lever.cross(force),
+                },
+                contact: self.contacts,
+                side: if k == 0 { R::ONE } else { -R::ONE },
+            };
+            // At most MAX_CONTACTS bearings are added.
+            let _ = self.edges.push(edge);
+        }
+        self.contacts = self.contacts.saturating_add(1);
+    }
+
+    /// The facets: inner normal of unit size and the incipient motion when the load crosses it.
+    fn facets(&self) -> impl Iterator<Item = (Screw<R>, Yield<R>)> + '_ {
+        let edges = self.edges.iter().enumerate();
+        edges.flat_map(move |(i, a)| {
+            self.edges.iter().enumerate().skip(i.saturating_add(1)).flat_map(move |(k, b)| {
+                let normal = a.screw.cross(b.screw);
+                let size = normal.size();
+                let usable = size > Self::tolerance();
+                let unit = if usable {
+                    normal.scaled(R::ONE / size)
+                } else {
+                    normal
+                };
+                let inner = move |sign: R| {
+                    usable
+                        && self.edges.iter().enumerate().all(|(j, e)| {
+                            j == i || j == k || unit.dot(e.screw) * sign >= -Self::tolerance()
+                        })
+                };
+                [R::ONE, -R::ONE]
+                    .into_iter()
+                    .filter(move |&sign| inner(sign))
+                    .map(move |sign| (unit.scaled(sign), incipient(a, b)))
+            })
+        })
+    }
+
+    /// The first part of the way from one load to another at which the contacts cannot bear it any more. A load that is
+    /// not borne from the beginning gives part 0 and the facet that is violated most.
+    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>) -> Option<(R, Yield<R>)> {
+        let rounding = R::from_int(8) * R::EPSILON * (from.size() + to.size());
+        let mut first: Option<(R, R, Yield<R>)> = None;
+        for (normal, mode) in self.facets() {
+            // The reactions are the opposite of the load.
+            let (start, end) = (-normal.dot(from), -normal.dot(to));
+            if end >= -rounding {
+                continue;
+            }
+            let part = if start > R::ZERO {
+                start / (start - end)
+            } else {
+                R::ZERO
+            };
+            let sooner = match first {
+                None => true,
+                Some((p, e, _)) => part < p || (part == p && end < e),
+            };
+            if sooner {
+                first = Some((part, end, mode));
+            }
+        }
+        first.map(|(part, _, mode)| (part, mode))
+    }
+
+    /// Shares a load out among the contacts: (normal, friction) parts per contact, the mean of all ways to bear it on
+    /// three edges. For two contacts that is the middle of the interval of (E5).
+    pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
+        let mut sums: Vec<R, MAX_EDGES> = self.edges.iter().map(|_| R::ZERO).collect();
+        let mut ways = 0;
+        let mut best: Option<R> = None;
+        // First the ways that bear it; where rounding leaves none, the one that comes nearest.
+        for pass in 0..2 {
+            if pass == 1 && ways > 0 {
+                break;
+            }
+            for triple in self.triples() {
+                let Some(parts) = self.solve(triple, load) else {
+                    continue;
+                };
+                let least = parts[0].min(parts[1]).min(parts[2]);
+                let taken = if pass == 0 {
+                    if best.is_none_or(|b| least > b) {
+                        best = Some(least);
+                    }
+                    least >= R::ZERO
+                } else {
+                    ways == 0 && best == Some(least)
+                };
+                if taken {
+                    ways += 1;
+                    for (edge, part) in triple.into_iter().zip(parts) {
+                        if let Some(sum) = sums.get_mut(edge) {
+                            *sum = *sum + part.max(R::ZERO);
+                        }
+                    }
+                }
+            }
+        }
+        if ways == 0 {
+            self.share_in_plane(load, &mut sums);
+            ways = 1;
+        }
+        self.per_contact(&sums, R::from_int(ways))
+    }
+
+    fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
+        let n = self.edges.len();
+        (0..n).flat_map(move |i| {
+            (i.saturating_add(1)..n)
+                .flat_map(move |j| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
+        })
+    }
+
+    /// The parts of three edges that balance a load.
+    fn solve(&self, triple: [usize; 3], load: Screw<R>) -> Option<[R; 3]> {
+        let [i, j, k] = triple;
+        let a = self.edges.get(i)?.screw;
+        let b = self.edges.get(j)?.screw;
+        let c = self.edges.get(k)?.screw;
+        let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
+        let volume = a.dot(bc);
+        if volume.abs() <= Self::tolerance() {
+            return None;
+        }
+        let part = |face: Screw<R>| -face.dot(load) / volume;
+        Some([part(bc), part(ca), part(ab)])
+    }
+
+    /// Contacts without friction span a plane only: the two edges that bear the load best, in the least-squares sense.
+    fn share_in_plane(&self, load: Screw<R>, sums: &mut Vec<R, MAX_EDGES>) {
+        let mut best: Option<(R, [(usize, R); 2])> = None;
+        for (i, a) in self.edges.iter().enumerate() {
+            for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
+                let (a, b) = (a.screw, b.screw);
+                let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+                let (al, bl) = (-a.dot(load), -b.dot(load));
+                let area = aa * bb - ab * ab;
+                let (x, y) = if area > Self::tolerance() {
+                    ((al * bb - bl * ab) / area, (bl * aa - al * ab) / area)
+                } else {
+                    (al / aa, R::ZERO)
+                };
+                let (x, y) = (x.max(R::ZERO), y.max(R::ZERO));
+                let rest = Screw {
+                    force: load.force + a.force * x + b.force * y,
+                    moment: load.moment + a.moment * x + b.moment * y,
+                };
+                if best.is_none_or(|(least, _)| rest.size() < least) {
+                    best = Some((rest.size(), [(i, x), (k, y)]));
+                }
+            }
+        }
+        for (edge, part) in best.map(|(_, parts)| parts).into_iter().flatten() {
+            if let Some(sum) = sums.get_mut(edge) {
+                *sum = part;
+            }
+        }
+    }
+
+    /// Sums of edge parts as force along +t edge and -t edge of each contact.
+    fn per_contact(&self, sums: &[R], ways: R) -> Vec<[R; 2], MAX_CONTACTS> {
+        let pairs = sums.chunks_exact(2);
+        pairs
+            .map(|pair| match pair {
+                [plus, minus] => [*plus / ways, *minus / ways],
+                _ => [R::ZERO; 2],
+            })
+            .collect()
+    }
+}
+
+/// What moves when two edges alone bear the load.
+fn incipient<R: Real>(a: &Edge<R>, b: &Edge<R>) -> Yield<R> {
+    if a.contact == b.contact {
+        Yield::Pivot { contact: a.contact }
+    } else {
+        Yield::Slide {
+            first: (a.contact, -a.side),
+            second: (b.contact, -b.side),
+        }
+    }
+}

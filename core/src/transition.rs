@@ -1,0 +1,383 @@
+//! 4: the transition table (STATICS 8): (state, trigger) -> (state, what to do next), and the bounded loop that applies it
+//! at a frozen hand until the body rests.
+
+use crate::coupling::{Grip, Pivot, Stance};
+use crate::output::{Event, Log, Status};
+use crate::real::Real;
+use crate::scene::Scene;
+use crate::state::{ContactState, Free, Moved, Pair, Pairs, Trigger};
+
+macro_rules! transitions {
+    ($($name:ident: $text:literal),+ $(,)?) => {
+        /// An arm of the transition table.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[repr(u8)]
+        pub enum Transition {
+            $(#[doc = $text] $name),+
+        }
+
+        impl Transition {
+            /// All arms, in the order of the table.
+            pub const ALL: &'static [Self] = &[$(Self::$name),+];
+
+            /// The physics of the arm in a sentence.
+            pub const fn describe(self) -> &'static str {
+                match self {
+                    $(Self::$name => $text),+
+                }
+            }
+        }
+    };
+}
+
+transitions! {
+    FreeMoves: "No contact: the body follows the hand.",
+    FreeFolds: "No contact: the weight turns the body over a fold of its balance.",
+    FreeTouches: "A vertex reaches a surface: single-vertex.",
+    FreeLands: "Two vertices reach one surface together: edge.",
+    FreeTouchesTwo: "Two vertices reach two surfaces together: two-vertex.",
+    FreeCorners: "A vertex reaches two surfaces together: corner.",
+    FreeJams: "Three contacts or more close together: locked.",
+    VertexSticks: "The reaction lies in the friction cone: the vertex stays.",
+    VertexSnaps: "The angle's branch folds: the body turns about the vertex to the next balance.",
+    VertexSlips: "Friction gives way: the vertex slips until |T| = mu_d N.",
+    VertexLifts: "N falls to zero: the vertex leaves the surface.",
+    VertexLands: "A second vertex reaches the same surface: edge.",
+    VertexTouchesTwo: "A second vertex reaches another surface: two-vertex.",
+    VertexCorners: "The vertex itself reaches another surface: corner.",
+    VertexJams: "Two more contacts close together: locked.",
+    EdgeSticks: "The total reaction lies in the friction cone: the edge stays.",
+    EdgeTips: "N_i falls to zero: the body tips about the other vertex.",
+    EdgeTipsSliding: "N_i falls to zero in mid-slip: the other vertex slides on.",
+    EdgeSlips: "Friction gives way: the edge slips until |T| = mu_d N.",
+    EdgeLifts: "Both N_i are negative: the edge leaves the surface.",
+    EdgeJams: "A vertex reaches another surface: locked.",
+    TwoSticks: "Some internal force keeps both reactions in their cones: the pose stays.",
+    TwoOpens: "One reaction vanishes: the other vertex remains.",
+    TwoSlips: "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
+    TwoOpensSliding: "One reaction vanishes in mid-slip: the other vertex slides on.",
+    TwoUndriven: "Two cone edges bind but no motion is driven: one contact opens.",
+    TwoJams: "A further vertex reaches a surface: locked.",
+    CornerSticks: "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
+    CornerSnaps: "The angle's branch folds: the body turns about the corner to the next balance.",
+    CornerSlides: "The reaction leaves the sum of the cones: the vertex slides along one surface.",
+    CornerLifts: "Both reactions are negative: the vertex leaves the corner.",
+    CornerJams: "A further vertex reaches a surface: locked.",
+    LockedHolds: "The contacts together bear the load: the pose stays.",
+    LockedTips: "All reactions but one vanish: the body turns about one vertex.",
+    LockedSlidesEdge: "Two contacts of one surface remain and slide: edge.",
+    LockedSlidesTwo: "Two contacts of two surfaces remain and slide: two-vertex.",
+    LockedCorners: "The two contacts of one vertex remain: corner.",
+    Stays: "No mode of motion is consistent with friction: the body stays.",
+}
+
+/// A set of arms of the transition table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Transitions(u64);
+
+impl Transitions {
+    /// True if the arm was taken.
+    pub const fn contains(self, arm: Transition) -> bool {
+        self.0 & Self::bit(arm) != 0
+    }
+    /// The arms in the set, in the order of the table.
+    pub fn iter(self) -> impl Iterator<Item = Transition> {
+        let arms = Transition::ALL.iter().copied();
+        arms.filter(move |&arm| self.contains(arm))
+    }
+    /// The union with another set.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+    pub(crate) fn add(&mut self, arm: Transition) {
+        self.0 |= Self::bit(arm);
+    }
+    const fn bit(arm: Transition) -> u64 {
+        1_u64.wrapping_shl(arm as u32)
+    }
+}
+
+/// What is to be done in a state at a frozen hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Next<R> {
+    /// It rests.
+    Rest,
+    /// Come to balance; with a sign, while sliding.
+    Relax(Option<R>),
+    /// Turn on over the fold.
+    Snap(R),
+    /// Slide along sign·t.
+    Slide(R),
+}
+
+/// After this many transitions at one hand pose no consistent mode is left to try.
+const MAX_TRANSITIONS: usize = 48;
+
+/// Brings the body to rest at a frozen hand, beginning with a trigger, or without one with the test of the state.
+pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    grip: &Grip<R>,
+    (state, trigger): (ContactState<R>, Option<Trigger<R>>),
+    log: &mut Log<R>,
+) -> ContactState<R> {
+    let (mut state, mut next) = match trigger {
+        Some(trigger) => apply(scene, grip, (state, trigger), log),
+        None => (state, Next::Relax(None)),
+    };
+    for _ in 0..MAX_TRANSITIONS {
+        let moved = match next {
+            Next::Rest => return state,
+            Next::Relax(sliding) => state.relax(scene, grip, sliding),
+            Next::Slide(sign) => state.slide(scene, grip, sign),
+            Next::Snap(direction) => match &state {
+                ContactState::SingleVertex(s) => s.snap(scene, grip, direction),
+                ContactState::Corner(s) => s.snap(scene, grip, direction),
+                other => other.relax(scene, grip, None),
+            },
+        };
+        record(&moved, &next, log);
+        (state, next) = apply(scene, grip, (moved.state, moved.trigger), log);
+    }
+    log.transitions.add(Transition::Stays);
+    log.limit(Status::Ambiguous);
+    state
+}
+
+/// What a verb has done besides its trigger.
+fn record<R: Real>(moved: &Moved<R>, next: &Next<R>, log: &mut Log<R>) {
+    if moved.unsure {
+        log.limit(Status::IterationLimit);
+    }
+    if moved.snapped && !matches!(next, Next::Snap(_)) {
+        log.event(Event::Snap);
+        log.transitions.add(match moved.state {
+            ContactState::Free(_) => Transition::FreeFolds,
+            ContactState::Corner(_) => Transition::CornerSnaps,
+            _ => Transition::VertexSnaps,
+        });
+    }
+    if moved.trigger == Trigger::Stopped {
+        log.slip(moved.slip);
+    }
+}
+
+/// The table: the state after a trigger and what it does next.
+fn apply<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    grip: &Grip<R>,
+    (state, trigger): (ContactState<R>, Trigger<R>),
+    log: &mut Log<R>,
+) -> (ContactState<R>, Next<R>) {
+    let arms = &mut log.transitions;
+    match trigger {
+        Trigger::Balanced => {
+            arms.add(rest_arm(&state));
+            (state, Next::Rest)
+        }
+        Trigger::Stopped => {
+            arms.add(slip_arm(&state));
+            (state, Next::Rest)
+        }
+        Trigger::Slide(sign) => (state, Next::Slide(sign)),
+        Trigger::Fold(direction) => {
+            arms.add(fold_arm(&state));
+            log.event(Event::Snap);
+            (state, Next::Snap(direction))
+        }
+        Trigger::Touch(pair) => touch(scene, &state, pair, log),
+        Trigger::Keep { contacts, sliding } => keep(scene, &state, (contacts, sliding), log),
+        Trigger::Clear => {
+            arms.add(clear_arm(&state));
+            log.event(Event::Lift);
+            let pose = state.pose(scene);
+            (ContactState::Free(Free { pose }), Next::Relax(None))
+        }
+        Trigger::Undriven => undriven(scene, grip, state, log),
+    }
+}
+
+fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Free(_) => Transition::FreeMoves,
+        ContactState::SingleVertex(_) => Transition::VertexSticks,
+        ContactState::Edge(_) => Transition::EdgeSticks,
+        ContactState::TwoVertex(_) => Transition::TwoSticks,
+        ContactState::Corner(_) => Transition::CornerSticks,
+        ContactState::Locked(_) => Transition::LockedHolds,
+    }
+}
+
+fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Edge(_) => Transition::EdgeSlips,
+        ContactState::TwoVertex(_) => Transition::TwoSlips,
+        _ => Transition::VertexSlips,
+    }
+}
+
+fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Free(_) => Transition::FreeFolds,
+        ContactState::Corner(_) => Transition::CornerSnaps,
+        _ => Transition::VertexSnaps,
+    }
+}
+
+fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Edge(_) => Transition::EdgeLifts,
+        ContactState::Corner(_) => Transition::CornerLifts,
+        _ => Transition::VertexLifts,
+    }
+}
+
+/// The state when a vertex reaches a surface; all that close together are taken together.
+fn touch<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    state: &ContactState<R>,
+    pair: Pair,
+    log: &mut Log<R>,
+) -> (ContactState<R>, Next<R>) {
+    let mut contacts = state.contacts();
+    let before = state.kind();
+    let pivot = state
+        .pivot()
+        .unwrap_or_else(|| pivot_at(scene, state, pair));
+    let mut all = Pairs::new();
+    let touching = pivot.placed(scene).touching(scene, R::TOUCH);
+    contacts.extend(core::iter::once(pair).chain(touching));
+    for contact in core::iter::once(pivot.contact).chain(contacts) {
+        if !all.contains(&contact) {
+            // Contacts beyond the capacity are redundant in the plane.
+            let _ = all.push(contact);
+        }
+    }
+    let others = all.get(1..).unwrap_or_default();
+    let state = ContactState::seated(scene, pivot, others);
+    let (arm, event) = touch_arm(before, &state);
+    log.transitions.add(arm);
+    log.event(event);
+    (state, Next::Relax(None))
+}
+
+fn touch_arm<R: Real>(
+    before: crate::output::StateKind,
+    after: &ContactState<R>,
+) -> (Transition, Event) {
+    use crate::output::StateKind as Kind;
+    match (before, after.kind()) {
+        (Kind::NonContact, Kind::Edge) => (Transition::FreeLands, Event::Land),
+        (Kind::NonContact, Kind::TwoVertex) => (Transition::FreeTouchesTwo, Event::Touch),
+        (Kind::NonContact, Kind::Corner) => (Transition::FreeCorners, Event::Touch),
+        (Kind::NonContact, Kind::Locked) => (Transition::FreeJams, Event::Jam),
+        (Kind::NonContact, _) => (Transition::FreeTouches, Event::Touch),
+        (Kind::SingleVertex, Kind::Edge) => (Transition::VertexLands, Event::Land),
+        (Kind::SingleVertex, Kind::Corner) => (Transition::VertexCorners, Event::Touch),
+        (Kind::SingleVertex, Kind::Locked) => (Transition::VertexJams, Event::Jam),
+        (Kind::SingleVertex, _) => (Transition::VertexTouchesTwo, Event::Touch),
+        (Kind::Edge, _) => (Transition::EdgeJams, Event::Jam),
+        (Kind::Corner, _) => (Transition::CornerJams, Event::Jam),
+        (Kind::TwoVertex | Kind::Locked, _) => (Transition::TwoJams, Event::Jam),
+    }
+}
+
+/// The pivot of a free body whose vertex has just reached a surface.
+pub(crate) fn pivot_at<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    state: &ContactState<R>,
+    pair: Pair,
+) -> Pivot<R> {
+    let pose = state.pose(scene);
+    let vertex = scene.body.vertex(pair.vertex);
+    let point = pose.position + pose.angle.rotation().apply(vertex);
+    Pivot {
+        contact: pair,
+        foot: scene.surface(pair.surface).tangent.dot(point),
+        angle: pose.angle,
+    }
+}
+
+/// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
+fn pivot_of<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    state: &ContactState<R>,
+    pair: Pair,
+) -> Pivot<R> {
+    match state.pivot() {
+        Some(pivot) if pivot.contact == pair => pivot,
+        _ => pivot_at(scene, state, pair),
+    }
+}
+
+/// The state when only one or two contacts last.
+fn keep<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    state: &ContactState<R>,
+    (lasting, sliding): ([usize; 2], Option<R>),
+    log: &mut Log<R>,
+) -> (ContactState<R>, Next<R>) {
+    let contacts = state.contacts();
+    let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
+    let pivot = pivot_of(scene, state, first);
+    let after = if first == second {
+        ContactState::seated(scene, pivot, &[])
+    } else {
+        ContactState::seated(scene, pivot, &[second])
+    };
+    let (arm, event) = keep_arm(state, &after, sliding.is_some());
+    log.transitions.add(arm);
+    log.event(event);
+    // A corner is pinned: it cannot go on sliding.
+    let sliding = sliding.filter(|_| !matches!(after, ContactState::Corner(_)));
+    (after, Next::Relax(sliding))
+}
+
+fn keep_arm<R: Real>(
+    before: &ContactState<R>,
+    after: &ContactState<R>,
+    sliding: bool,
+) -> (Transition, Event) {
+    match (before, after) {
+        (ContactState::Edge(_), _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),
+        (ContactState::Edge(_), _) => (Transition::EdgeTips, Event::Tip),
+        (ContactState::TwoVertex(_), _) if sliding => (Transition::TwoOpensSliding, Event::Lift),
+        (ContactState::TwoVertex(_), _) => (Transition::TwoOpens, Event::Lift),
+        (ContactState::Corner(_), _) => (Transition::CornerSlides, Event::Lift),
+        (_, ContactState::Edge(_)) => (Transition::LockedSlidesEdge, Event::Lift),
+        (_, ContactState::TwoVertex(_)) => (Transition::LockedSlidesTwo, Event::Lift),
+        (_, ContactState::Corner(_)) => (Transition::LockedCorners, Event::Lift),
+        _ => (Transition::LockedTips, Event::Tip),
+    }
+}
+
+/// Friction gave way but no motion is driven: the contact that the load opens goes, the second one first; if none
+/// does, the body stays.
+fn undriven<R: Real, const V: usize, const S: usize>(
+    scene: &Scene<R, V, S>,
+    grip: &Grip<R>,
+    state: ContactState<R>,
+    log: &mut Log<R>,
+) -> (ContactState<R>, Next<R>) {
+    let contacts = state.contacts();
+    for (lasts, opens) in [(0, 1), (1, 0)] {
+        if let (Some(&lasting), Some(&opening)) = (contacts.get(lasts), contacts.get(opens)) {
+            let pivot = pivot_of(scene, &state, lasting);
+            let placed = pivot.placed(scene);
+            let stance = Stance::new(scene, placed, pivot.angle, grip);
+            let arm = placed.arm(scene, opening.vertex);
+            let normal = scene.surface(opening.surface).normal;
+            if normal.dot(arm.turned()) * stance.moment() > R::ZERO {
+                log.transitions.add(Transition::TwoUndriven);
+                log.event(Event::Lift);
+                return (
+                    ContactState::seated(scene, pivot, &[]),
+                    Next::Relax(None),
+                );
+            }
+        }
+    }
+    log.transitions.add(Transition::Stays);
+    log.limit(Status::Ambiguous);
+    (state, Next::Rest)
+}

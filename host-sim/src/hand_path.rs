@@ -1,0 +1,107 @@
+//! The hand's motion over time: samples from keyframes or from a recorded file, as they are or resampled.
+
+mod placement;
+mod recorded;
+
+pub use placement::{Placement, parse_plane};
+pub(crate) use recorded::{Row, RowPose};
+
+use std::path::Path;
+
+use stiction_core::{Angle, Hand};
+
+use crate::source::{InputError, Source};
+
+/// The planar hand at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time [s].
+    pub t: f64,
+    /// The hand, world frame of the scene; a pose that was not finite in the input is not finite here.
+    pub hand: Hand<f64>,
+}
+
+/// Samples in the order of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandPath {
+    samples: Vec<Sample>,
+}
+
+impl HandPath {
+    /// The largest size of a hand's angle [rad]: beyond it an f64 carries less than 1e-7 rad.
+    pub const LARGEST_ANGLE: f64 = 1e9;
+    /// The most frames that a path can be resampled to.
+    pub const LARGEST_COUNT: usize = 1_000_000_000;
+
+    /// From samples whose times increase.
+    pub fn new(samples: Vec<Sample>) -> Self {
+        Self { samples }
+    }
+
+    /// Reads a recorded path: `.csv`, or `.tum` and `.txt` in the TUM format.
+    ///
+    /// # Errors
+    /// The file cannot be read, its format is unknown, or a record cannot be used.
+    pub fn read(file: &Path, placement: &Placement) -> Result<Self, InputError> {
+        let format = recorded::Format::of(file)?;
+        let source = Source::read(file)?;
+        let rows = recorded::rows(&source, format)?;
+        Ok(Self::new(placement.place(&source, &rows)?))
+    }
+
+    /// How many frames [`Self::frames`] gives; more than [`Self::LARGEST_COUNT`] for a rate that is too high.
+    pub fn frame_count(&self, rate: Option<f64>) -> usize {
+        match (rate, self.samples.as_slice()) {
+            (Some(rate), [first, .., last]) => {
+                // A part of a millionth of a frame is rounding; both ends are frames.
+                let steps = ((last.t - first.t) * rate - 1e-6).ceil();
+                (steps as usize).saturating_add(1)
+            }
+            _ => self.samples.len(),
+        }
+    }
+
+    /// The frames: every sample is one, or, with a `rate` [Hz], one every 1/rate from the first sample to the last.
+    /// Poses in between are interpolated in straight lines (the angle unwrapped); a pose beside one that is not finite
+    /// is not finite either. The switch is that of the last sample reached.
+    pub fn frames(&self, rate: Option<f64>) -> impl ExactSizeIterator<Item = Sample> + '_ {
+        let mut reached = 0;
+        (0..self.frame_count(rate)).map(move |k| match rate {
+            None => self.samples[k],
+            Some(rate) => self.resampled(k, rate, &mut reached),
+        })
+    }
+
+    fn resampled(&self, k: usize, rate: f64, reached: &mut usize) -> Sample {
+        let (first, last) = (self.samples[0], self.samples[self.samples.len() - 1]);
+        let t = (first.t + k as f64 / rate).min(last.t);
+        let rounding = 1e-6 / rate;
+        while (self.samples.get(*reached + 1)).is_some_and(|next| next.t <= t + rounding) {
+            *reached += 1;
+        }
+        let from = self.samples[*reached];
+        let hand = match self.samples.get(*reached + 1) {
+            Some(to) if t > from.t => between(&from.hand, &to.hand, (t - from.t) / (to.t - from.t)),
+            _ => from.hand,
+        };
+        Sample { t, hand }
+    }
+}
+
+/// The hand at `part` of the way.
+fn between(from: &Hand<f64>, to: &Hand<f64>, part: f64) -> Hand<f64> {
+    let lerp = |a: f64, b: f64| a + (b - a) * part;
+    let ([x, y], [to_x, to_y]) = (from.position, to.position);
+    let turn: f64 = to.angle.minus(from.angle) * part;
+    Hand {
+        position: [lerp(x, to_x), lerp(y, to_y)],
+        angle: turned(from.angle, turn),
+        depth: lerp(from.depth, to.depth),
+        held: from.held,
+    }
+}
+
+/// `angle` turned on by `by`; exact where that is 0.
+fn turned(angle: Angle<f64>, by: f64) -> Angle<f64> {
+    if by == 0.0 { angle } else { angle.plus(by) }
+}

@@ -1,0 +1,115 @@
+//! How the hand's motion lies in the scene: the plane that six degrees of freedom are projected onto, the scale, the
+//! origin.
+
+use stiction_core::{Axis, Hand, Projection};
+
+use super::recorded::{Row, RowPose};
+use super::{HandPath, Sample, turned};
+use crate::source::{InputError, Source};
+
+/// Plane, scale and origin of a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// The axes of a 6-DOF path that become x and y of the scene.
+    pub axes: [Axis; 2],
+    /// Factor > 0 on positions, the depth included.
+    pub scale: f64,
+    /// Added after scaling: x, y [m], phi [rad].
+    pub origin: [f64; 3],
+    /// The largest size of a coordinate in the scene [m].
+    pub limit: f64,
+}
+
+impl Default for Placement {
+    fn default() -> Self {
+        let axis = |index| Axis {
+            index,
+            negative: false,
+        };
+        Self {
+            axes: [axis(0), axis(1)],
+            scale: 1.0,
+            origin: [0.0; 3],
+            limit: f64::MAX,
+        }
+    }
+}
+
+impl Placement {
+    /// The samples of rows in the scene.
+    pub(crate) fn place(&self, source: &Source, rows: &[Row]) -> Result<Vec<Sample>, InputError> {
+        let Some(mut projection) = Projection::new(self.axes) else {
+            return Err(source.error("the plane's axes are not two different ones"));
+        };
+        let mut samples = Vec::with_capacity(rows.len());
+        for row in rows {
+            let error = |problem: &str| Err(source.error_in_line(row.line, problem));
+            let recorded = match row.pose {
+                RowPose::Planar([x, y, phi]) => Hand::new(x, y, phi),
+                RowPose::Spatial(sample) if sample.orientation == [0.0; 4] => {
+                    return error("the quaternion is 0, allowed: any other");
+                }
+                RowPose::Spatial(sample) => projection.planar(&sample).unwrap_or(NOWHERE),
+            };
+            let hand = Hand {
+                held: row.held,
+                ..self.placed(&recorded)
+            };
+            if recorded.is_finite() && !self.fits(&hand) {
+                let problem = format!(
+                    "the pose is out of range, allowed: up to {:.2e} m and {:e} rad after scaling",
+                    self.limit,
+                    HandPath::LARGEST_ANGLE
+                );
+                return error(&problem);
+            }
+            if samples.is_empty() && !recorded.is_finite() {
+                return error("the first pose is not finite, allowed: finite numbers");
+            }
+            samples.push(Sample { t: row.t, hand });
+        }
+        Ok(samples)
+    }
+
+    fn placed(&self, hand: &Hand<f64>) -> Hand<f64> {
+        let ([x, y], [x0, y0, phi0]) = (hand.position, self.origin);
+        Hand {
+            position: [x * self.scale + x0, y * self.scale + y0],
+            angle: turned(hand.angle, phi0),
+            depth: hand.depth * self.scale,
+            held: hand.held,
+        }
+    }
+
+    fn fits(&self, hand: &Hand<f64>) -> bool {
+        let [x, y] = hand.position;
+        [x, y, hand.depth].iter().all(|value| value.abs() <= self.limit)
+            && hand.angle.radians().abs() <= HandPath::LARGEST_ANGLE
+    }
+}
+
+/// The hand of a record that cannot be projected.
+const NOWHERE: Hand<f64> = Hand {
+    position: [f64::NAN; 2],
+    angle: stiction_core::Angle {
+        turns: 0,
+        rest: f64::NAN,
+    },
+    depth: f64::NAN,
+    held: true,
+};
+
+/// Two different axes, each with an optional minus: "xy", "-xz", "x-y".
+pub fn parse_plane(text: &str) -> Option<[Axis; 2]> {
+    let mut letters = text.chars();
+    let mut axis = || {
+        let (negative, letter) = match letters.next()? {
+            '-' => (true, letters.next()?),
+            letter => (false, letter),
+        };
+        let index = "xyz".find(letter)?;
+        Some(Axis { index, negative })
+    };
+    let axes = [axis()?, axis()?];
+    (letters.next().is_none() && Projection::<f64>::new(axes).is_some()).then_some(axes)
+}

@@ -1,0 +1,175 @@
+//! Recorded paths as files: CSV with a header, or the TUM trajectory format. Gives rows of numbers, checked for their
+//! number, their times and the switch; a pose that is not finite passes.
+
+use std::path::Path;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+use stiction_core::TrackerSample;
+
+use crate::source::{InputError, Source};
+
+const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
+const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];
+const HELD: &str = "held";
+
+/// The pose of a row.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum RowPose {
+    /// x, y [m], phi [rad]
+    Planar([f64; 3]),
+    /// Six degrees of freedom.
+    Spatial(TrackerSample<f64>),
+}
+
+/// One record with its line, counted from 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row {
+    pub(crate) line: usize,
+    pub(crate) t: f64,
+    pub(crate) pose: RowPose,
+    pub(crate) held: bool,
+}
+
+/// The format of a file.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Format {
+    Csv,
+    Tum,
+}
+
+impl Format {
+    /// By the file's extension.
+    pub(super) fn of(file: &Path) -> Result<Self, InputError> {
+        let extension = file.extension().unwrap_or_default().to_string_lossy();
+        match extension.to_ascii_lowercase().as_str() {
+            "csv" => Ok(Self::Csv),
+            "tum" | "txt" => Ok(Self::Tum),
+            _ => Err(InputError::of_file(
+                file,
+                format!("the extension of a recorded path is {extension:?}, allowed: csv, tum, txt"),
+            )),
+        }
+    }
+}
+
+/// What the columns of a file mean.
+#[derive(Clone, Copy, Debug)]
+struct Columns {
+    pose: &'static [&'static str],
+    held: bool,
+}
+
+impl Columns {
+    /// From the header of a CSV file.
+    fn of(header: &StringRecord) -> Option<Self> {
+        let names: Vec<&str> = header.iter().collect();
+        let (pose, held) = match names.split_last() {
+            Some((&HELD, pose)) => (pose, true),
+            _ => (names.as_slice(), false),
+        };
+        let pose = [&PLANAR[..], &SPATIAL[..]].into_iter().find(|known| *known == pose)?;
+        Some(Self { pose, held })
+    }
+
+    fn name(self, index: usize) -> &'static str {
+        self.pose.get(index).copied().unwrap_or(HELD)
+    }
+
+    fn row(self, source: &Source, line: usize, fields: &[&str]) -> Result<Row, InputError> {
+        let error = |problem: String| source.error_in_line(line, problem);
+        let (expected, count) = (self.pose.len() + usize::from(self.held), fields.len());
+        if count != expected {
+            let names = self.pose.join(", ") + if self.held { ", held" } else { "" };
+            return Err(error(format!("{count} values, allowed: {expected} ({names})")));
+        }
+        let mut values = Vec::with_capacity(count);
+        for (i, field) in fields.iter().enumerate() {
+            let value: f64 = field.parse().map_err(|_| {
+                error(format!("`{}` is {field:?}, allowed: a number", self.name(i)))
+            })?;
+            values.push(value);
+        }
+        let held = match values[self.pose.len()..] {
+            [held] if held != 0.0 && held != 1.0 => {
+                return Err(error(format!("`held` is {held:?}, allowed: 0 or 1")));
+            }
+            [held] => held == 1.0,
+            _ => true,
+        };
+        let t = values[0];
+        if !t.is_finite() {
+            return Err(error(format!("`t` is {t:?}, allowed: a finite time")));
+        }
+        let pose = match values[1..self.pose.len()] {
+            [x, y, z, qx, qy, qz, qw] => RowPose::Spatial(TrackerSample {
+                position: [x, y, z],
+                orientation: [qx, qy, qz, qw],
+                held,
+            }),
+            _ => RowPose::Planar([values[1], values[2], values[3]]),
+        };
+        Ok(Row { line, t, pose, held })
+    }
+}
+
+/// The rows of a file: at least one, their times increasing.
+pub(super) fn rows(source: &Source, format: Format) -> Result<Vec<Row>, InputError> {
+    let rows = match format {
+        Format::Csv => csv_rows(source),
+        Format::Tum => tum_rows(source),
+    }?;
+    if rows.is_empty() {
+        return Err(source.error("holds no record, allowed: at least one"));
+    }
+    for pair in rows.windows(2) {
+        let (before, row) = (pair[0].t, &pair[1]);
+        if row.t <= before {
+            let problem = format!("`t` is {:?} after {before:?}, allowed: times that increase", row.t);
+            return Err(source.error_in_line(row.line, problem));
+        }
+    }
+    Ok(rows)
+}
+
+fn csv_rows(source: &Source) -> Result<Vec<Row>, InputError> {
+    let mut reader = ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(source.text().as_bytes());
+    let mut records = reader.records().map(|record| record.map_err(|error| source.error(error)));
+    let line = |record: &StringRecord| record.position().map_or(1, |position| position.line() as usize);
+    let header = match records.next() {
+        Some(header) => header?,
+        None => return Err(source.error("is empty, allowed: a header and at least one record")),
+    };
+    let columns = Columns::of(&header).ok_or_else(|| {
+        let (planar, spatial) = (PLANAR.join(","), SPATIAL.join(","));
+        let problem = format!("the header is not known, allowed: {planar}[,held] or {spatial}[,held]");
+        source.error_in_line(line(&header), problem)
+    })?;
+    records
+        .map(|record| {
+            let record = record?;
+            let fields: Vec<&str> = record.iter().collect();
+            columns.row(source, line(&record), &fields)
+        })
+        .collect()
+}
+
+fn tum_rows(source: &Source) -> Result<Vec<Row>, InputError> {
+    let columns = Columns {
+        pose: &SPATIAL,
+        held: false,
+    };
+    (1..)
+        .zip(source.text().lines())
+        .map(|(line, text)| (line, text.split('#').next().unwrap_or("")))
+        .filter(|(_, text)| !text.trim().is_empty())
+        .map(|(line, text)| {
+            let fields: Vec<&str> = text.split_whitespace().collect();
+            columns.row(source, line, &fields)
+        })
+        .collect()
+}

@@ -1,0 +1,98 @@
+//! The pictures of a run, each as SVG and PNG: the paths in the plane, the forces over time, the motion over time, and a
+//! strip of snapshots. From a recorded run in SI units, world frame, to files that need no font on the machine.
+
+mod forces;
+mod instants;
+mod legend;
+mod motion;
+mod notes;
+mod plane;
+mod series;
+mod sheet;
+mod strip;
+mod style;
+mod timeline;
+mod trajectory;
+
+#[cfg(test)]
+mod tests;
+
+use crate::record::Run;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why the pictures of a run could not be written.
+#[derive(Debug, thiserror::Error)]
+pub enum PlotError {
+    /// The run has no record, so there is nothing to show.
+    #[error("the run has no frames to plot")]
+    Empty,
+    /// The directory cannot be created.
+    #[error("cannot create the plot directory {}: {source}", path.display())]
+    Directory {
+        /// The directory.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A picture cannot be written.
+    #[error("cannot write the plot {}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// A picture cannot be drawn.
+    #[error("cannot draw the plot {name}: {reason}")]
+    Drawing {
+        /// The picture.
+        name: &'static str,
+        /// What the drawing library says.
+        reason: String,
+    },
+}
+
+/// A picture: from a run to the text of an SVG.
+type Picture = fn(&Run) -> sheet::Drawn<String>;
+
+/// All pictures by the stem of their file names.
+const PICTURES: [(&str, Picture); 4] = [
+    ("trajectory", trajectory::svg),
+    ("forces", forces::svg),
+    ("motion", motion::svg),
+    ("strip", strip::svg),
+];
+
+/// Writes `trajectory`, `forces`, `motion` and `strip`, each as `.svg` and `.png`, into `dir`, which is created where it is
+/// missing. Gives the paths of the files in that order.
+///
+/// # Errors
+/// [`PlotError`]: no frames, or the directory or a file cannot be written.
+pub fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
+    if run.frames.is_empty() {
+        return Err(PlotError::Empty);
+    }
+    fs::create_dir_all(dir).map_err(|source| PlotError::Directory {
+        path: dir.to_owned(),
+        source,
+    })?;
+    let rasterizer = sheet::Rasterizer::new();
+    let mut files = Vec::with_capacity(2 * PICTURES.len());
+    for (name, picture) in PICTURES {
+        let drawing = |reason| PlotError::Drawing { name, reason };
+        let svg = picture(run).map_err(|error| drawing(error.to_string()))?;
+        let png = rasterizer.png(&svg).map_err(drawing)?;
+        files.push(save(dir.join(name).with_extension("svg"), svg.as_bytes())?);
+        files.push(save(dir.join(name).with_extension("png"), &png)?);
+    }
+    Ok(files)
+}
+
+fn save(path: PathBuf, bytes: &[u8]) -> Result<PathBuf, PlotError> {
+    match fs::write(&path, bytes) {
+        Ok(()) => Ok(path),
+        Err(source) => Err(PlotError::File { path, source }),
+    }
+}

@@ -1,0 +1,65 @@
+//! The motion over time: the angles of hand and body, and along x and y the hand, the holding point and the vertices in
+//! contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
+
+use super::legend::{Entry, Mark};
+use super::plane::holding_point;
+use super::sheet::Drawn;
+use super::style::*;
+use super::timeline::{Line, Panel, Timeline};
+use crate::record::{Frame, Run};
+
+/// The picture as SVG.
+pub(super) fn svg(run: &Run) -> Drawn<String> {
+    let mut legend = vec![
+        Entry::new(Mark::Line(HAND, 1.4), "hand"),
+        Entry::new(Mark::Line(BODY, 3.2), "body (angle, holding point)"),
+    ];
+    if run.frames.iter().any(|frame| !frame.held) {
+        legend.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
+    }
+    if run.frames.iter().any(|frame| !frame.contacts.is_empty()) {
+        legend.push(Entry::new(Mark::Line(FRICTION, 2.4), "vertices in contact"));
+    }
+    Timeline {
+        run,
+        title: format!("{}: motion of hand and body", run.title),
+        legend,
+        panels: vec![angles(run), positions(run, 0, "x [mm]"), positions(run, 1, "y [mm]")],
+    }
+    .svg()
+}
+
+/// One value per frame of those that `shown` picks.
+fn values(run: &Run, shown: impl Fn(&Frame) -> bool, value: impl Fn(&Frame) -> f64) -> Vec<f64> {
+    let value = |frame| if shown(frame) { value(frame) } else { f64::NAN };
+    run.frames.iter().map(value).collect()
+}
+
+/// The lines of the hand: holding, and open.
+fn hand(run: &Run, value: impl Fn(&Frame) -> f64) -> [Line; 2] {
+    [
+        Line::new(OPEN_HAND, 1.4, values(run, |frame| !frame.held, &value)),
+        Line::new(HAND, 1.4, values(run, |frame| frame.held, &value)),
+    ]
+}
+
+fn angles(run: &Run) -> Panel {
+    let body = values(run, |_| true, |frame| frame.pose[2].to_degrees());
+    let mut lines = vec![Line::new(BODY, 3.2, body)];
+    lines.extend(hand(run, |frame| frame.hand[2].to_degrees()));
+    Panel { label: "angle [°]".to_owned(), height: 150.0, lines }
+}
+
+fn positions(run: &Run, axis: usize, label: &str) -> Panel {
+    let held = values(run, |frame| frame.held, |frame| 1e3 * holding_point(run, frame)[axis]);
+    let mut lines = vec![Line::new(BODY, 3.2, held)];
+    lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
+    for vertex in 0..run.body.len() {
+        let touching = |frame: &Frame| {
+            let contact = frame.contacts.iter().find(|contact| contact.vertex == vertex);
+            contact.map_or(f64::NAN, |contact| 1e3 * contact.point[axis])
+        };
+        lines.push(Line::new(FRICTION, 2.4, values(run, |_| true, touching)));
+    }
+    Panel { label: label.to_owned(), height: 190.0, lines }
+}

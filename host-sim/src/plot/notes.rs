@@ -1,0 +1,85 @@
+//! The events of a run, and where its answer was limited, as notes above a time axis, set in rows so that none covers
+//! another. Lengths in px.
+
+use super::sheet::{Area, Drawn, px, stroke};
+use super::style::{FAINT, SMALL, font, text_width};
+use crate::record::Frame;
+use plotters::prelude::*;
+use stiction_core::{Event, Status};
+
+const ROW: f64 = 13.0;
+const MOST_ROWS: usize = 3;
+const SPACE: f64 = 4.0;
+
+/// What happened in a frame, but for slips; and the status where it turns from ok.
+pub(super) struct Note {
+    /// When [s].
+    pub(super) t: f64,
+    /// Where on the time axis.
+    x: f64,
+    names: String,
+    /// Where the names begin.
+    start: f64,
+    /// The row from the top; `None`: no room for the names.
+    row: Option<usize>,
+}
+
+/// The notes of a run.
+pub(super) struct Notes {
+    pub(super) notes: Vec<Note>,
+    rows: usize,
+}
+
+impl Notes {
+    /// Sets the notes in as few rows as hold them all, left of `end`; `place` leads from time to the axis.
+    pub(super) fn new(frames: &[Frame], place: impl Fn(f64) -> f64, end: f64) -> Self {
+        let mut status = Status::Ok;
+        let note = |frame: &Frame| {
+            let before = std::mem::replace(&mut status, frame.status);
+            let limited = (frame.status != before && frame.status != Status::Ok).then(|| frame.status.name());
+            let events = frame.events.iter().filter(|&&event| event != Event::Slip);
+            let names: Vec<_> = events.map(|event| event.name()).chain(limited).collect();
+            let names = names.join(", ");
+            let x = place(frame.t);
+            let start = (x + 3.0).min(end - text_width(&names, SMALL));
+            (!names.is_empty()).then_some(Note { t: frame.t, x, names, start, row: None })
+        };
+        let mut notes: Vec<Note> = frames.iter().filter_map(note).collect();
+        let most = if notes.is_empty() { 0 } else { MOST_ROWS };
+        let rows = (1..=most).find(|&rows| set(&mut notes, rows)).unwrap_or(most);
+        Self { notes, rows }
+    }
+
+    /// Height of all rows.
+    pub(super) fn height(&self) -> f64 {
+        self.rows as f64 * ROW + SPACE
+    }
+
+    /// Draws the notes with ticks down to the lower edge of the area.
+    pub(super) fn draw(&self, area: &Area) -> Drawn {
+        for note in &self.notes {
+            let top = note.row.map_or(self.height() - 5.0, |row| row as f64 * ROW + 2.0);
+            let tick = vec![(px(note.x), px(top)), (px(note.x), px(self.height()))];
+            area.draw(&PathElement::new(tick, stroke(FAINT, 1.0)))?;
+            if let Some(row) = note.row {
+                let middle = (row as f64 + 0.5) * ROW;
+                area.draw_text(&note.names, &font(SMALL), (px(note.start), px(middle)))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Sets notes in rows from the top; a note may neither cover another one nor lead its tick through one below. Says whether
+/// all found room.
+fn set(notes: &mut [Note], rows: usize) -> bool {
+    let mut ends = vec![0.0; rows];
+    for note in notes.iter_mut() {
+        let clear = |row: &usize| ends[*row] <= note.start && ends[*row..].iter().all(|&end| end <= note.x);
+        note.row = (0..rows).find(clear);
+        if let Some(row) = note.row {
+            ends[row] = note.start + text_width(&note.names, SMALL) + SPACE;
+        }
+    }
+    notes.iter().all(|note| note.row.is_some())
+}

@@ -1,0 +1,291 @@
+//! Pictures over time: panels stacked above one time axis, below them the slips, the events and the state as a colored band.
+
+use super::legend::{self, Entry, Mark};
+use super::notes::Notes;
+use super::series::{envelope, outline};
+use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
+use super::style::*;
+use crate::record::{Frame, Run};
+use plotters::prelude::*;
+use std::ops::Range;
+use stiction_core::StateKind;
+
+const WIDTH: f64 = 1000.0;
+/// Room left of the panels for the labels of their axes, and right of them [px].
+const LEFT: f64 = 70.0;
+const RIGHT: f64 = 16.0;
+/// Width of the panels [px].
+const INNER: f64 = WIDTH - LEFT - RIGHT;
+/// Room left of the labels [px].
+const EDGE: f64 = 14.0;
+/// Heights [px].
+const HEADER: f64 = 34.0;
+const GAP: f64 = 10.0;
+const SLIPS: f64 = 70.0;
+const BAND: f64 = 16.0;
+const AXIS: f64 = 40.0;
+/// Columns that a line is thinned to: one per pixel.
+const COLUMNS: usize = 900;
+/// More events than this are not led through the panels.
+const MOST_GUIDES: usize = 40;
+
+/// A line of a panel.
+pub(super) struct Line {
+    pub(super) color: RGBColor,
+    /// Width [px].
+    pub(super) width: f64,
+    /// One value per frame, not finite where there is none.
+    pub(super) values: Vec<f64>,
+    /// A limit: thinned to its outer edge, which can be dashed.
+    pub(super) limit: bool,
+    /// The panel makes room for it; other lines are cut at the panel's edge.
+    pub(super) makes_room: bool,
+}
+
+impl Line {
+    pub(super) fn new(color: RGBColor, width: f64, values: Vec<f64>) -> Self {
+        Self {
+            color,
+            width,
+            values,
+            limit: false,
+            makes_room: true,
+        }
+    }
+}
+
+/// A panel: lines over time with a common axis.
+pub(super) struct Panel {
+    /// What the vertical axis shows, with its unit.
+    pub(super) label: String,
+    /// Height [px].
+    pub(super) height: f64,
+    pub(super) lines: Vec<Line>,
+}
+
+/// A picture over time.
+pub(super) struct Timeline<'a> {
+    pub(super) run: &'a Run,
+    pub(super) title: String,
+    pub(super) legend: Vec<Entry>,
+    pub(super) panels: Vec<Panel>,
+}
+
+impl Timeline<'_> {
+    /// The picture as SVG.
+    pub(super) fn svg(mut self) -> Drawn<String> {
+        let times: Vec<f64> = self.run.frames.iter().map(|frame| frame.t).collect();
+        let slips = Slips::of(self.run, &times);
+        self.legend.extend(slips.legend());
+        let time = span(&times);
+        let place = |t| LEFT + INNER * (t - time.start) / (time.end - time.start);
+        let notes = Notes::new(&self.run.frames, place, WIDTH - 4.0);
+        let states = states_legend();
+        let top = HEADER + legend::height(&self.legend, INNER) + GAP;
+        let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
+        let bottom = top + panels + slips.height() + notes.height() + BAND + AXIS + GAP;
+        let height = bottom + legend::height(&states, INNER) + 6.0;
+        sheet::svg((WIDTH, height), |area| {
+            area.draw_text(&self.title, &font(TITLE), (px(LEFT), px(HEADER / 2.0)))?;
+            legend::draw(&part(area, (LEFT, HEADER), (INNER, top - HEADER)), &self.legend)?;
+            let mut column = Column { area, times: &times, time, top };
+            for panel in &self.panels {
+                column.panel(panel, &notes)?;
+            }
+            column.slips(&slips)?;
+            notes.draw(&column.block(notes.height(), 0.0))?;
+            column.band(&self.run.frames)?;
+            legend::draw(&part(area, (LEFT, bottom), (INNER, height - bottom)), &states)
+        })
+    }
+}
+
+/// The time axis [s] of some frames.
+fn span(times: &[f64]) -> Range<f64> {
+    match (times.first(), times.last()) {
+        (Some(&begin), Some(&end)) if end > begin => begin..end,
+        (Some(&begin), _) => begin - 0.5..begin + 0.5,
+        _ => 0.0..1.0,
+    }
+}
+
+/// The slips of a run.
+struct Slips {
+    count: u64,
+    /// The longest slip in each column of time: (t, length [mm]).
+    peaks: Vec<(f64, f64)>,
+    /// The longest of all [mm].
+    longest: f64,
+}
+
+impl Slips {
+    fn of(run: &Run, times: &[f64]) -> Self {
+        let lengths: Vec<f64> = run.frames.iter().map(|frame| 1e3 * frame.longest_slip).collect();
+        Self {
+            count: run.frames.iter().map(|frame| u64::from(frame.slips)).sum(),
+            peaks: outline(times, &lengths, COLUMNS).into_iter().flatten().filter(|peak| peak.1 > 0.0).collect(),
+            longest: lengths.iter().copied().fold(0.0, f64::max),
+        }
+    }
+
+    fn height(&self) -> f64 {
+        if self.peaks.is_empty() { 0.0 } else { SLIPS + GAP }
+    }
+
+    fn legend(&self) -> Option<Entry> {
+        let text = format!("{} slips, longest {} mm", self.count, number(round(self.longest)));
+        (self.longest > 0.0).then(|| Entry::new(Mark::Line(SLIP, 2.0), text))
+    }
+}
+
+fn states_legend() -> Vec<Entry> {
+    StateKind::ALL
+        .iter()
+        .map(|&state| Entry::new(Mark::Box(state_color(state)), state.name()))
+        .collect()
+}
+
+/// The column of panels, drawn from top to bottom.
+struct Column<'a, 'b> {
+    area: &'a Area<'b>,
+    times: &'a [f64],
+    /// The time axis [s].
+    time: Range<f64>,
+    /// Where the next panel begins [px].
+    top: f64,
+}
+
+impl<'b> Column<'_, 'b> {
+    /// The next block of the sheet, of this height and a gap below it.
+    fn block(&mut self, height: f64, gap: f64) -> Area<'b> {
+        let block = part(self.area, (0.0, self.top), (WIDTH, height));
+        self.top += height + gap;
+        block
+    }
+
+    /// A block with the time axis and a vertical axis, whose label is `label`.
+    fn axes(&mut self, height: f64, values: Range<f64>, label: &str) -> Drawn<Plane<'b>> {
+        let block = self.block(height, GAP);
+        let extent = values.end - values.start;
+        let mut chart = ChartBuilder::on(&block)
+            .margin_left(px(EDGE))
+            .set_label_area_size(LabelAreaPosition::Left, px(LEFT - EDGE))
+            .margin_right(px(RIGHT))
+            .build_cartesian_2d(self.time.clone(), values)?;
+        chart
+            .configure_mesh()
+            .x_labels(12)
+            .y_labels((height / 24.0).max(4.0) as usize)
+            .disable_x_axis()
+            .bold_line_style(stroke(GRID, 1.0))
+            .light_line_style(TRANSPARENT)
+            .axis_style(stroke(FAINT, 1.0))
+            .label_style(font(SMALL))
+            .axis_desc_style(font(TEXT))
+            .y_label_formatter(&|value| tick(*value, extent))
+            .y_desc(label)
+            .set_all_tick_mark_size(px(4.0))
+            .draw()?;
+        Ok(chart.plotting_area().clone())
+    }
+
+    fn panel(&mut self, panel: &Panel, notes: &Notes) -> Drawn {
+        let range = range(&panel.lines);
+        let plane = self.axes(panel.height, range.clone(), &panel.label)?;
+        if range.contains(&0.0) {
+            let zero = vec![(self.time.start, 0.0), (self.time.end, 0.0)];
+            plane.draw(&PathElement::new(zero, stroke(FAINT, 1.0)))?;
+        }
+        if notes.notes.len() <= MOST_GUIDES {
+            for note in &notes.notes {
+                let guide = vec![(note.t, range.start), (note.t, range.end)];
+                plane.draw(&PathElement::new(guide, stroke(FAINT.mix(0.45), 1.0)))?;
+            }
+        }
+        for line in &panel.lines {
+            let cut: Vec<f64> = line.values.iter().map(|v| v.clamp(range.start, range.end)).collect();
+            let thin = if line.limit { outline } else { envelope };
+            for points in thin(self.times, &cut, COLUMNS) {
+                plane.draw(&PathElement::new(points, stroke(line.color, line.width)))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn slips(&mut self, slips: &Slips) -> Drawn {
+        if slips.peaks.is_empty() {
+            return Ok(());
+        }
+        let plane = self.axes(SLIPS, 0.0..1.1 * slips.longest, "slip [mm]")?;
+        for &(t, length) in &slips.peaks {
+            let stem = vec![(t, 0.0), (t, length)];
+            plane.draw(&PathElement::new(stem, stroke(SLIP, 1.6)))?;
+        }
+        Ok(())
+    }
+
+    /// The state as a band with the time axis below it.
+    fn band(&mut self, frames: &[Frame]) -> Drawn {
+        let block = self.block(BAND + AXIS, GAP);
+        let extent = self.time.end - self.time.start;
+        let mut chart = ChartBuilder::on(&block)
+            .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
+            .margin_left(px(LEFT))
+            .margin_right(px(RIGHT))
+            .build_cartesian_2d(self.time.clone(), 0.0..1.0)?;
+        for (range, state) in state_spans(frames, self.time.end) {
+            let corners = [(range.start, 0.0), (range.end, 1.0)];
+            chart.plotting_area().draw(&Rectangle::new(corners, state_color(state).filled()))?;
+        }
+        chart
+            .configure_mesh()
+            .disable_mesh()
+            .disable_y_axis()
+            .x_labels(12)
+            .axis_style(stroke(INK, 1.0))
+            .label_style(font(SMALL))
+            .axis_desc_style(font(TEXT))
+            .x_label_formatter(&|t| tick(*t, extent))
+            .x_desc("time t [s]")
+            .set_all_tick_mark_size(px(4.0))
+            .draw()?;
+        block.draw_text("state", &font(TEXT), (px(24.0), px(BAND / 2.0)))
+    }
+}
+
+/// The range of a panel, from its lines that make room, with some margin.
+fn range(lines: &[Line]) -> Range<f64> {
+    let values = || {
+        let lines = lines.iter().filter(|line| line.makes_room);
+        lines.flat_map(|line| line.values.iter().copied().filter(|v| v.is_finite()))
+    };
+    let low = values().fold(f64::INFINITY, f64::min);
+    let high = values().fold(f64::NEG_INFINITY, f64::max);
+    if low > high {
+        return -1.0..1.0;
+    }
+    let extent = high - low;
+    let margin = if extent > 1e-9 * high.abs().max(low.abs()) { 0.06 * extent } else { high.abs().max(1.0) };
+    low - margin..high + margin
+}
+
+/// Spans of time with one state. A column of many frames shows the one of its states that is rarest in the run, so that
+/// none is lost.
+fn state_spans(frames: &[Frame], end: f64) -> Vec<(Range<f64>, StateKind)> {
+    let count = |state| frames.iter().filter(|frame| frame.state == state).count();
+    let counts = StateKind::ALL.map(|state| (state, count(state)));
+    let rarity = |state: StateKind| counts.iter().find(|(s, _)| *s == state).map_or(0, |(_, n)| *n);
+    let group = frames.len().div_ceil(COLUMNS).max(1);
+    let mut spans: Vec<(Range<f64>, StateKind)> = Vec::new();
+    for (index, chunk) in frames.chunks(group).enumerate() {
+        let Some(rarest) = chunk.iter().map(|frame| frame.state).min_by_key(|&state| rarity(state)) else {
+            continue;
+        };
+        let end = frames.get((index + 1) * group).map_or(end, |next| next.t);
+        match spans.last_mut() {
+            Some((span, state)) if *state == rarest => span.end = end,
+            _ => spans.push((chunk[0].t..end, rarest)),
+        }
+    }
+    spans
+}

@@ -1,0 +1,146 @@
+//! The paths in the plane, to scale: the hand, the holding point, the vertices in contact, the body at the start and at
+//! the end, and the surfaces.
+
+use super::legend::{self, Entry, Mark};
+use super::plane::{Bounds, View, corners, holding_point, length_unit};
+use super::series::sparse;
+use super::sheet::{self, Area, Drawn, part, px, stroke};
+use super::style::*;
+use crate::record::{ContactRecord, Frame, Run};
+use plotters::prelude::*;
+
+const WIDTH: f64 = 1000.0;
+const LEFT: f64 = 70.0;
+const EDGE: f64 = 14.0;
+const RIGHT: f64 = 16.0;
+const HEADER: f64 = 34.0;
+const AXIS: f64 = 42.0;
+/// The least and the greatest height of the plane [px].
+const HEIGHTS: (f64, f64) = (240.0, 760.0);
+/// Most points of a path, and dots of a vertex.
+const MOST_POINTS: usize = 12_000;
+const MOST_DOTS: usize = 1000;
+
+/// The picture as SVG.
+pub(super) fn svg(run: &Run) -> Drawn<String> {
+    let bounds = bounds(run);
+    let width = WIDTH - LEFT - RIGHT;
+    let height = (width * bounds.height() / bounds.width()).clamp(HEIGHTS.0, HEIGHTS.1).round();
+    let pixel = (bounds.width() / width).max(bounds.height() / height);
+    let bounds = Bounds::centred(bounds.centre(), width * pixel, height * pixel);
+    let entries = entries(run);
+    let legend_height = legend::height(&entries, width);
+    let top = HEADER + legend_height + 10.0;
+    sheet::svg((WIDTH, top + height + AXIS + 6.0), |area| {
+        let title = format!("{}: paths in the plane", run.title);
+        area.draw_text(&title, &font(TITLE), (px(LEFT), px(HEADER / 2.0)))?;
+        legend::draw(&part(area, (LEFT, HEADER), (width, legend_height)), &entries)?;
+        let inner = part(area, (LEFT, top), (width, height));
+        let view = View::new(&inner, bounds.clone())?;
+        view.surfaces(&run.surfaces)?;
+        axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
+        bodies(&view, run)?;
+        paths(&view, run)
+    })
+}
+
+fn entries(run: &Run) -> Vec<Entry> {
+    let mut entries = vec![
+        Entry::new(Mark::Line(HAND, 1.4), "hand, holding"),
+        Entry::new(Mark::Ring(HAND), "at start"),
+        Entry::new(Mark::Dot(HAND), "at end"),
+        Entry::new(Mark::Line(BODY, 3.2), "holding point"),
+        Entry::new(Mark::Line(BODY_THEN, 1.6), "body at start"),
+        Entry::new(Mark::Box(BODY_END), "body at end"),
+    ];
+    if run.frames.iter().any(|frame| !frame.held) {
+        entries.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
+    }
+    if run.frames.iter().any(|frame| !frame.contacts.is_empty()) {
+        entries.push(Entry::new(Mark::Dot(FRICTION), "vertices in contact"));
+    }
+    entries
+}
+
+fn contacts(run: &Run) -> impl Iterator<Item = &ContactRecord> {
+    run.frames.iter().flat_map(|frame| &frame.contacts)
+}
+
+/// Everything that moves, with a margin for the surfaces.
+fn bounds(run: &Run) -> Bounds {
+    let ends = [run.frames.first(), run.frames.last()];
+    let bodies = ends.into_iter().flatten().flat_map(|frame| corners(&run.body, frame.pose));
+    let hands = run.frames.iter().map(|frame| (frame.hand[0], frame.hand[1]));
+    let origins = run.frames.iter().map(|frame| (frame.pose[0], frame.pose[1]));
+    let contacts = contacts(run).map(|contact| contact.point.into());
+    let bounds = Bounds::around(bodies.chain(hands).chain(origins).chain(contacts))
+        .unwrap_or_else(|| Bounds::centred((0.0, 0.0), 0.0, 0.0));
+    let extent = bounds.width().max(bounds.height());
+    let margin = if extent > 0.0 { 0.06 * extent } else { 0.5 };
+    Bounds::centred(bounds.centre(), bounds.width() + 2.0 * margin, bounds.height() + 2.0 * margin)
+}
+
+fn axes(area: &Area, bounds: &Bounds) -> Drawn {
+    let (unit, per_metre) = length_unit(bounds.width().max(bounds.height()));
+    let label = |metres: &f64| tick(metres * per_metre, bounds.width() * per_metre);
+    let (_, height) = sheet::size(area);
+    ChartBuilder::on(area)
+        .margin_left(px(EDGE))
+        .set_label_area_size(LabelAreaPosition::Left, px(LEFT - EDGE))
+        .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
+        .margin_right(px(RIGHT))
+        .build_cartesian_2d(bounds.x.clone(), bounds.y.clone())?
+        .configure_mesh()
+        .x_labels(12)
+        .y_labels((height / 50.0) as usize)
+        .bold_line_style(stroke(INK.mix(0.1), 1.0))
+        .light_line_style(TRANSPARENT)
+        .axis_style(stroke(INK, 1.0))
+        .label_style(font(SMALL))
+        .axis_desc_style(font(TEXT))
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
+        .x_desc(format!("x [{unit}]"))
+        .y_desc(format!("y [{unit}]"))
+        .set_all_tick_mark_size(px(4.0))
+        .draw()
+}
+
+fn bodies(view: &View, run: &Run) -> Drawn {
+    let [Some(first), Some(last)] = [run.frames.first(), run.frames.last()] else {
+        return Ok(());
+    };
+    let end = corners(&run.body, last.pose);
+    view.outline(&corners(&run.body, first.pose), BODY_THEN, 1.6)?;
+    view.fill(&end, BODY_END.mix(0.4))?;
+    view.outline(&end, BODY, 1.6)
+}
+
+fn paths(view: &View, run: &Run) -> Drawn {
+    for vertex in 0..run.body.len() {
+        let contacts = contacts(run).filter(|contact| contact.vertex == vertex);
+        let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
+        for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS) {
+            view.dot(point, 2.2, FRICTION)?;
+        }
+    }
+    let hand = |frame: &Frame| (frame.hand[0], frame.hand[1]);
+    for span in run.frames.chunk_by(|a, b| a.held == b.held) {
+        if span[0].held {
+            let point = |frame| holding_point(run, frame).into();
+            path(view, span.iter().map(point).collect(), BODY, 3.2)?;
+        }
+        let color = if span[0].held { HAND } else { OPEN_HAND };
+        path(view, span.iter().map(hand).collect(), color, 1.4)?;
+    }
+    let ends = [run.frames.first(), run.frames.last()].map(|frame| frame.map(hand));
+    if let [Some(start), Some(end)] = ends {
+        view.ring(start, 4.0, HAND)?;
+        view.dot(end, 4.0, HAND)?;
+    }
+    Ok(())
+}
+
+fn path(view: &View, points: Vec<(f64, f64)>, color: RGBColor, width: f64) -> Drawn {
+    view.line(&sparse(&points, 0.3 * view.pixel, MOST_POINTS), color, width)
+}

@@ -1,0 +1,246 @@
+//! `stiction run`: a scene file and the hand's motion through the solver, to a trace, a summary and plots.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use indicatif::{ProgressBar, ProgressStyle};
+use stiction_core::Evolution;
+
+use crate::hand_path::{HandPath, Sample};
+use crate::number::Number;
+use crate::plot::{self, PlotError};
+use crate::record::{Frame, Run};
+use crate::scene_file::{Motion, SceneFile};
+use crate::simulate::simulate;
+use crate::source::{InputError, Source};
+use crate::summary::Summary;
+use crate::trace::{Format, TraceWriter};
+use crate::{report, scenes};
+
+/// The arguments of `stiction run`.
+#[derive(Args, Clone, Debug)]
+pub struct RunArgs {
+    /// Scene file (TOML), or the name of a bundled scene
+    pub scene: PathBuf,
+    /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
+    #[arg(long, value_name = "FILE")]
+    pub hand: Option<PathBuf>,
+    /// Number type of the solver
+    #[arg(long, value_enum, default_value_t = Number::F32)]
+    pub number: Number,
+    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    #[arg(long, default_value = "path", value_parser = evolution_parser())]
+    pub evolution: Evolution,
+    /// Hand frames per second, instead of the rate in the scene file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    pub rate: Option<f64>,
+    /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
+    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    pub out: Option<(PathBuf, Format)>,
+    /// Folder for plots
+    #[arg(long, value_name = "DIR")]
+    pub plot: Option<PathBuf>,
+    /// Neither summary nor progress
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+impl RunArgs {
+    /// What `stiction` does without arguments: the default scene, with plots in `plots`.
+    pub fn demonstration() -> Self {
+        Self {
+            scene: scenes::DEFAULT.into(),
+            hand: None,
+            number: Number::F32,
+            evolution: Evolution::Path,
+            rate: None,
+            out: None,
+            plot: Some("plots".into()),
+            quiet: false,
+        }
+    }
+}
+
+fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
+    PossibleValuesParser::new(["path", "frame"]).map(|name| match name.as_str() {
+        "frame" => Evolution::Frame,
+        _ => Evolution::Path,
+    })
+}
+
+fn parse_rate(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(rate) if rate > 0.0 && f64::is_finite(rate) => Ok(rate),
+        _ => Err("allowed: a finite number above 0".to_owned()),
+    }
+}
+
+fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
+    let file = PathBuf::from(text);
+    match Format::of(&file) {
+        Some(format) => Ok((file, format)),
+        None => Err("allowed: a file name that ends in .jsonl or .csv".to_owned()),
+    }
+}
+
+/// Why a run gave nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The scene or the hand's path cannot be used.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The trace cannot be written.
+    #[error("{}: cannot be written: {error}", file.display())]
+    Trace {
+        /// The trace.
+        file: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The plots cannot be written.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+}
+
+/// Runs a scene and writes what was asked for.
+///
+/// # Errors
+/// Input that cannot be used, or output that cannot be written; there is then no trace.
+pub fn run(args: &RunArgs) -> Result<(), RunError> {
+    let scene = open_scene(&args.scene, args.number)?;
+    let (path, rate) = open_path(args, &scene)?;
+    let mut record = Run::of(&scene, args.number, args.evolution);
+    let mut summary = Summary::new(&record);
+    let cannot_write = |error| RunError::Trace {
+        file: args.out.as_ref().map(|(file, _)| file.clone()).unwrap_or_default(),
+        error,
+    };
+    let trace = args.out.as_ref().map(|(file, format)| TraceWriter::create(file, *format, &record));
+    let mut trace = trace.transpose().map_err(cannot_write)?;
+    let frames = path.frames(rate);
+    let mut progress = Progress::new(frames.len(), args.quiet);
+    let time = dispatch(args, &scene, frames, |frame| {
+        progress.advance();
+        summary.add(&frame);
+        if let Some(trace) = &mut trace {
+            trace.write(&frame).map_err(cannot_write)?;
+        }
+        if args.plot.is_some() {
+            record.frames.push(frame);
+        }
+        Ok(())
+    })?;
+    summary.set_solver_time(time);
+    let mut text = String::new();
+    if let Some(folder) = &args.plot {
+        let files = plot::write(&record, folder)?;
+        text = report::plots(folder, &files);
+    }
+    match trace {
+        Some(trace) => trace.finish().map_err(cannot_write)?,
+        None => text.insert_str(0, &summary.to_string()),
+    }
+    if !args.quiet {
+        report::print(&text);
+    }
+    Ok(())
+}
+
+/// The one place that knows every number type.
+fn dispatch(
+    args: &RunArgs,
+    scene: &SceneFile,
+    samples: impl Iterator<Item = Sample>,
+    sink: impl FnMut(Frame) -> Result<(), RunError>,
+) -> Result<Duration, RunError> {
+    match args.number {
+        Number::F32 => simulate::<f32, _>(scene.scene()?, args.evolution, samples, sink),
+        Number::F64 => simulate::<f64, _>(scene.scene()?, args.evolution, samples, sink),
+    }
+}
+
+fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+    if name.exists() {
+        return SceneFile::read(name, number);
+    }
+    match scenes::find(name) {
+        Some(source) => SceneFile::parse(source, number),
+        None => {
+            let problem = format!("no such file, allowed: a scene file, or one of {}", scenes::names());
+            Err(InputError::of_file(name, problem))
+        }
+    }
+}
+
+/// The hand's path and the rate to resample it to.
+fn open_path(args: &RunArgs, scene: &SceneFile) -> Result<(HandPath, Option<f64>), InputError> {
+    let rate = args.rate.or(scene.hand.rate);
+    let path = match (&args.hand, &scene.hand.motion) {
+        (Some(file), _) | (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
+        (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
+        (None, Some(Motion::Keyframes(_))) => {
+            let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
+            return Err(scene.error(problem));
+        }
+        (None, None) => {
+            let problem = "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
+            return Err(scene.error(problem));
+        }
+    };
+    let count = path.frame_count(rate);
+    if count > HandPath::LARGEST_COUNT {
+        let problem = format!("the rate gives {count} frames, allowed: at most {}", HandPath::LARGEST_COUNT);
+        return Err(scene.error(problem));
+    }
+    Ok((path, rate))
+}
+
+/// A progress bar that shows itself after a second, on a terminal.
+struct Progress {
+    begun: Instant,
+    done: u64,
+    total: u64,
+    bar: Option<ProgressBar>,
+    quiet: bool,
+}
+
+impl Progress {
+    /// The bar is looked after once in so many frames.
+    const INTERVAL: u64 = 1024;
+
+    fn new(total: usize, quiet: bool) -> Self {
+        Self {
+            begun: Instant::now(),
+            done: 0,
+            total: total as u64,
+            bar: None,
+            quiet,
+        }
+    }
+
+    fn advance(&mut self) {
+        self.done += 1;
+        if self.quiet || !self.done.is_multiple_of(Self::INTERVAL) {
+            return;
+        }
+        if self.bar.is_none() && self.begun.elapsed() > Duration::from_secs(1) {
+            let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} frames, {eta} left");
+            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+            self.bar = Some(ProgressBar::new(self.total).with_style(style));
+        }
+        if let Some(bar) = &self.bar {
+            bar.set_position(self.done);
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Numbers of a scene file: finite, within the number type, as many as the key takes.
+
+use super::document::{Number, Numbers};
+use crate::source::{InputError, Source};
+
+/// Checks values of one file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Check<'a> {
+    pub(super) source: &'a Source,
+    /// The largest size of a number.
+    pub(super) limit: f64,
+}
+
+impl Check<'_> {
+    /// A number.
+    pub(super) fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+        let value = *given.get_ref();
+        self.finite(value)
+            .map_err(|allowed| self.error(key, given, &allowed))?;
+        Ok(value)
+    }
+
+    /// A number that may be absent.
+    pub(super) fn number_or(
+        &self,
+        key: &str,
+        given: Option<&Number>,
+        default: f64,
+    ) -> Result<f64, InputError> {
+        given.map_or(Ok(default), |given| self.number(key, given))
+    }
+
+    /// A number above zero.
+    pub(super) fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+        let value = self.number(key, given)?;
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(self.error(key, given, "more than 0"))
+        }
+    }
+
+    /// N numbers; `names` says which.
+    pub(super) fn numbers<const N: usize>(
+        &self,
+        key: &str,
+        given: &Numbers,
+        names: &str,
+    ) -> Result<[f64; N], InputError> {
+        let values = <[f64; N]>::try_from(given.get_ref().as_slice())
+            .map_err(|_| self.error(key, given, &format!("{N} numbers, {names}")))?;
+        for value in values {
+            self.finite(value)
+                .map_err(|allowed| self.error(key, given, &allowed))?;
+        }
+        Ok(values)
+    }
+
+    /// What is allowed, where `value` is not.
+    pub(super) fn finite(&self, value: f64) -> Result<(), String> {
+        if value.abs() <= self.limit {
+            Ok(())
+        } else {
+            Err(format!("finite numbers up to {:.2e}", self.limit))
+        }
+    }
+
+    /// "`key` is value, allowed: ...", with the line.
+    pub(super) fn error<T: std::fmt::Debug>(
+        &self,
+        key: &str,
+        given: &toml::Spanned<T>,
+        allowed: &str,
+    ) -> InputError {
+        let problem = format!("`{key}` is {:?}, allowed: {allowed}", given.get_ref());
+        self.source.error_at(given.span().start, problem)
+    }
+}

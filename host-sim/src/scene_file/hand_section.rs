@@ -1,0 +1,117 @@
+//! `[hand]`: keyframes or a recorded path, its rate and its place in the scene.
+
+use std::path::{Path, PathBuf};
+
+use super::check::Check;
+use super::document;
+use crate::hand_path::{HandPath, Placement, Row, RowPose, parse_plane};
+use crate::source::InputError;
+
+/// Where the hand's motion comes from.
+#[derive(Clone, Debug)]
+pub enum Motion {
+    /// Straight lines between poses in the scene file.
+    Keyframes(HandPath),
+    /// A recorded path in a file of its own.
+    Recorded(PathBuf),
+}
+
+/// `[hand]`, checked.
+#[derive(Clone, Debug)]
+pub struct HandSection {
+    /// Frames per second [Hz] > 0.
+    pub rate: Option<f64>,
+    /// The motion; `None` where it has to come from elsewhere.
+    pub motion: Option<Motion>,
+    /// How a motion lies in the scene.
+    pub placement: Placement,
+}
+
+impl HandSection {
+    /// Checks the section; a path is taken relative to the scene file.
+    pub(super) fn new(check: Check<'_>, hand: &document::Hand) -> Result<Self, InputError> {
+        let rate = hand.rate.as_ref().map(|rate| check.positive("hand.rate", rate));
+        let placement = placement(check, hand)?;
+        Ok(Self {
+            rate: rate.transpose()?,
+            motion: motion(check, hand, &placement)?,
+            placement,
+        })
+    }
+}
+
+fn motion(check: Check<'_>, hand: &document::Hand, placement: &Placement) -> Result<Option<Motion>, InputError> {
+    match (&hand.keyframes, &hand.path) {
+        (Some(_), Some(path)) => Err(check.source.error_at(
+            path.span().start,
+            "`hand.path` is given besides `hand.keyframes`, allowed: one of the two",
+        )),
+        (None, None) => Ok(None),
+        (None, Some(path)) if path.get_ref().is_empty() => {
+            Err(check.error("hand.path", path, "the name of a file"))
+        }
+        (None, Some(path)) => {
+            let folder = check.source.file().parent().unwrap_or(Path::new(""));
+            Ok(Some(Motion::Recorded(folder.join(path.get_ref()))))
+        }
+        (Some(list), None) => {
+            let rows = keyframes(check, list.get_ref())?;
+            if rows.is_empty() {
+                return Err(check.error("hand.keyframes", list, "at least one keyframe"));
+            }
+            let samples = placement.place(check.source, &rows)?;
+            Ok(Some(Motion::Keyframes(HandPath::new(samples))))
+        }
+    }
+}
+
+fn keyframes(check: Check<'_>, list: &[document::Numbers]) -> Result<Vec<Row>, InputError> {
+    let mut rows: Vec<Row> = Vec::with_capacity(list.len());
+    for (i, given) in list.iter().enumerate() {
+        let key = format!("hand.keyframes[{i}]");
+        let row = keyframe(check, &key, given)?;
+        if rows.last().is_some_and(|last| row.t <= last.t) {
+            return Err(check.error(&key, given, "a time later than that of the keyframe before"));
+        }
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+fn keyframe(check: Check<'_>, key: &str, given: &document::Numbers) -> Result<Row, InputError> {
+    let ([t, pose @ ..], held) = if given.get_ref().len() == 5 {
+        let [t, x, y, phi, held] = check.numbers(key, given, "t, x, y, phi and held")?;
+        if held != 0.0 && held != 1.0 {
+            return Err(check.error(key, given, "0 or 1 for held"));
+        }
+        ([t, x, y, phi], held == 1.0)
+    } else {
+        (check.numbers(key, given, "t, x, y and phi, or 5 with held")?, true)
+    };
+    Ok(Row {
+        line: check.source.line_at(given.span().start),
+        t,
+        pose: RowPose::Planar(pose),
+        held,
+    })
+}
+
+fn placement(check: Check<'_>, hand: &document::Hand) -> Result<Placement, InputError> {
+    let mut placement = Placement {
+        limit: check.limit,
+        ..Placement::default()
+    };
+    if let Some(plane) = &hand.plane {
+        placement.axes = parse_plane(plane.get_ref()).ok_or_else(|| {
+            let allowed = "two different axes of x, y and z, each with an optional minus, as \"xy\" or \"-xz\"";
+            check.error("hand.plane", plane, allowed)
+        })?;
+    }
+    if let Some(scale) = &hand.scale {
+        placement.scale = check.positive("hand.scale", scale)?;
+    }
+    if let Some(origin) = &hand.origin {
+        placement.origin = check.numbers("hand.origin", origin, "x, y and phi")?;
+    }
+    Ok(placement)
+}

@@ -1,0 +1,38 @@
+//! The bundled scenes, built into the program.
+
+use std::path::Path;
+
+use crate::source::Source;
+
+/// The scene of a run without arguments.
+pub const DEFAULT: &str = "vertex-stick-slip";
+
+macro_rules! bundled {
+    ($($name:literal),* $(,)?) => {
+        &[$(($name, include_str!(concat!("../scenes/", $name, ".toml")))),*]
+    };
+}
+
+/// Name and text of every bundled scene.
+pub const ALL: &[(&str, &str)] = bundled![
+    "vertex-stick-slip",
+    "box-flat",
+    "corner-stick-slip",
+    "edge-about-to-slip",
+    "ladder",
+    "snap",
+    "locked",
+    "parallel-walls",
+];
+
+/// The bundled scene of a name.
+pub fn find(name: &Path) -> Option<Source> {
+    let (name, text) = ALL.iter().find(|(known, _)| Path::new(known) == name)?;
+    Some(Source::new(format!("{name}.toml"), *text))
+}
+
+/// The names of all bundled scenes.
+pub fn names() -> String {
+    let names: Vec<&str> = ALL.iter().map(|(name, _)| *name).collect();
+    names.join(", ")
+}

@@ -1,0 +1,57 @@
+//! The solver over a hand's motion, for any number type: samples in, recorded frames out.
+
+use std::time::{Duration, Instant};
+
+use stiction_core::{Evolution, Real, Solver};
+
+use crate::hand_path::Sample;
+use crate::number::{SiFloat, narrow_hand};
+use crate::record::Frame;
+use crate::scene_file::{HostScene, SURFACES, VERTICES};
+
+/// So many steps are timed together, so that the clock costs nothing beside them.
+const BATCH: usize = 64;
+
+/// Steps through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
+/// in it.
+///
+/// # Errors
+/// The first error of `sink`.
+pub fn simulate<R: Real, E>(
+    scene: HostScene<R>,
+    evolution: Evolution,
+    samples: impl Iterator<Item = Sample>,
+    mut sink: impl FnMut(Frame) -> Result<(), E>,
+) -> Result<Duration, E>
+where
+    R::Si: SiFloat,
+{
+    let solver: Solver<R, VERTICES, SURFACES> = Solver::new(scene, evolution);
+    let mut state = None;
+    let mut samples = samples.map(|sample| (sample.t, narrow_hand(&sample.hand)));
+    let mut batch = Vec::with_capacity(BATCH);
+    let mut outputs = Vec::with_capacity(BATCH);
+    let mut spent = Duration::ZERO;
+    loop {
+        batch.extend(samples.by_ref().take(BATCH));
+        if batch.is_empty() {
+            return Ok(spent);
+        }
+        let begun = Instant::now();
+        for (t, hand) in batch.drain(..) {
+            let output = match &mut state {
+                Some(state) => solver.step(state, hand),
+                None => {
+                    let (first, output) = solver.start(hand);
+                    state = Some(first);
+                    output
+                }
+            };
+            outputs.push((t, output));
+        }
+        spent += begun.elapsed();
+        for (t, output) in outputs.drain(..) {
+            sink(Frame::new(t, &output))?;
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! An input file held as text, and the message that says what is wrong in it and where.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Input that cannot be used: the file, the line, what is wrong there and what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputError {
+    file: PathBuf,
+    line: Option<(usize, String)>,
+    problem: String,
+}
+
+impl InputError {
+    /// A problem of a whole file.
+    pub fn of_file(file: &Path, problem: impl fmt::Display) -> Self {
+        Self {
+            file: file.to_owned(),
+            line: None,
+            problem: problem.to_string(),
+        }
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (file, problem) = (self.file.display(), &self.problem);
+        match &self.line {
+            None => write!(f, "{file}: {problem}"),
+            Some((number, text)) => {
+                write!(f, "{file}, line {number}: {problem}\n{number:>6} | {text}")
+            }
+        }
+    }
+}
+
+impl std::error::Error for InputError {}
+
+/// A text file with its name.
+#[derive(Clone, Debug)]
+pub struct Source {
+    file: PathBuf,
+    text: String,
+}
+
+impl Source {
+    /// The longest excerpt of a line in a message, in characters.
+    const EXCERPT: usize = 100;
+
+    /// Text that is there already.
+    pub fn new(file: impl Into<PathBuf>, text: impl Into<String>) -> Self {
+        let (file, text) = (file.into(), text.into());
+        Self { file, text }
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// The file cannot be read or is not UTF-8.
+    pub fn read(file: &Path) -> Result<Self, InputError> {
+        let bytes = std::fs::read(file)
+            .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();
+            InputError::of_file(file, format!("line {line} is not UTF-8 text"))
+        })?;
+        Ok(Self::new(file, text.trim_start_matches('\u{feff}')))
+    }
+
+    /// The name of the file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Its text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// A problem of the whole file.
+    pub fn error(&self, problem: impl fmt::Display) -> InputError {
+        InputError::of_file(&self.file, problem)
+    }
+
+    /// The line that holds the byte at `offset`, counted from 1.
+    pub fn line_at(&self, offset: usize) -> usize {
+        let before = self.text.get(..offset).unwrap_or(&self.text);
+        1 + before.matches('\n').count()
+    }
+
+    /// A problem in the line that holds the byte at `offset`.
+    pub fn error_at(&self, offset: usize, problem: impl fmt::Display) -> InputError {
+        self.error_in_line(self.line_at(offset), problem)
+    }
+
+    /// A problem in a line, counted from 1.
+    pub fn error_in_line(&self, line: usize, problem: impl fmt::Display) -> InputError {
+        let text = self.text.lines().nth(line.saturating_sub(1)).unwrap_or("");
+        let excerpt = text.trim_end().chars().take(Self::EXCERPT).collect();
+        InputError {
+            line: Some((line, excerpt)),
+            ..self.error(problem)
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Fixtures of the integration tests: scenes in f64 that any number type can run, a driver that leads the hand and
+//! gathers frames as f64, an independent judge of the laws, and random scenes.
+
+pub mod expect;
+pub mod laws;
+pub mod number;
+pub mod random;
+pub mod run;
+pub mod scenes;
+pub mod setup;
+
+pub use expect::{budget, close};
+pub use laws::judge;
+pub use number::Number;
+pub use random::Scenario;
+pub use run::{Frame, Run};
+pub use setup::Setup;
+
+use stiction_core::Evolution;
+
+/// Both evolutions.
+pub const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
+
+/// Makes a test of every generic function `name::<R>(evolution)`: both number types, both evolutions.
+#[macro_export]
+macro_rules! test_each {
+    ($($module:ident::$case:ident),* $(,)?) => {$(
+        #[test]
+        fn $case() {
+            for evolution in $crate::EVOLUTIONS {
+                $module::$case::<f64>(evolution);
+                $module::$case::<f32>(evolution);
+            }
+        }
+    )*};
+}

@@ -1,0 +1,61 @@
+//! The number types under test, and the bounds that hold for each of them.
+
+use stiction_core::{Angle, Real};
+
+/// A number type with its bounds. All bounds are relative to the characteristic size of what they bound.
+pub trait Number: Real {
+    /// Its name in messages.
+    const NAME: &'static str;
+    /// Largest error against a closed-form answer.
+    const ANALYTIC: f64;
+    /// Largest unbalanced force / largest force, and moment / (largest force · L).
+    const RESIDUAL: f64;
+    /// Largest gap of a contact and largest penetration / L.
+    const GAP: f64;
+    /// Half the spacing of numbers near 1: the error of one rounding.
+    const ROUNDING: f64;
+
+    /// From f64 to the float in which the type takes SI values.
+    fn si(x: f64) -> Self::Si;
+    /// From the float in which the type gives SI values.
+    fn wide(x: Self::Si) -> f64;
+
+    /// An unwrapped angle [rad] without the rounding of the narrow float.
+    fn wide_angle(angle: Angle<Self::Si>) -> f64 {
+        f64::from(angle.turns) * std::f64::consts::TAU + Self::wide(angle.rest)
+    }
+    /// What is left of `x` in the narrow float.
+    fn rounded(x: f64) -> f64 {
+        Self::wide(Self::si(x))
+    }
+}
+
+impl Number for f64 {
+    const NAME: &'static str = "f64";
+    const ANALYTIC: f64 = 1e-9;
+    const RESIDUAL: f64 = 1e-9;
+    const GAP: f64 = 1e-9;
+    const ROUNDING: f64 = f64::EPSILON / 2.0;
+
+    fn si(x: f64) -> f64 {
+        x
+    }
+    fn wide(x: f64) -> f64 {
+        x
+    }
+}
+
+impl Number for f32 {
+    const NAME: &'static str = "f32";
+    const ANALYTIC: f64 = 1e-4;
+    const RESIDUAL: f64 = 1e-4;
+    const GAP: f64 = 1e-5;
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    fn si(x: f64) -> f32 {
+        x as f32
+    }
+    fn wide(x: f32) -> f64 {
+        f64::from(x)
+    }
+}

@@ -1,0 +1,153 @@
+//! Named scenes with few events, one or more for every state and every way out of it.
+
+use crate::random::Scenario;
+use crate::setup::Setup;
+use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI};
+
+const FRICTION: [f64; 2] = [0.5, 0.3];
+
+/// All of them: name and scene.
+pub fn all() -> Vec<(&'static str, Scenario)> {
+    vec![
+        ("box on a vertex", box_on_a_vertex()),
+        ("box flat", box_flat()),
+        ("box as a ladder", box_as_a_ladder()),
+        ("block against a wall", block_against_a_wall()),
+        ("block lifted obliquely", block_lifted_obliquely()),
+        ("block tips", block_tips()),
+        ("block set down tilted", block_set_down_tilted()),
+        ("strut buckles", strut_buckles()),
+        ("strut falls on its edge", strut_falls_on_its_edge()),
+        ("rod slides between floor and wall", rod_between_floor_and_wall(0.9)),
+        ("rod lies down between floor and wall", rod_between_floor_and_wall(-3.0)),
+        ("rod taken off floor and wall", rod_taken_off()),
+        ("point in a corner", point_in_a_corner()),
+        ("tip slides along", tip_slides()),
+        ("frictionless tip", frictionless_tip()),
+    ]
+}
+
+fn scenario(setup: Setup, keyframes: &[[f64; 3]]) -> Scenario {
+    Scenario {
+        setup,
+        keyframes: keyframes.to_vec(),
+    }
+}
+
+/// The hand takes the body where it stands and moves by each of the offsets from there.
+fn from_grip(setup: Setup, offsets: &[[f64; 3]]) -> Scenario {
+    let ([x, y], theta) = (setup.grip(), setup.start[2]);
+    let hand = |[dx, dy, turn]: &[f64; 3]| [x + dx, y + dy, theta + turn];
+    let keyframes: Vec<_> = std::iter::once(&[0.0; 3]).chain(offsets).map(hand).collect();
+    scenario(setup, &keyframes)
+}
+
+/// The box of the benchmarks, tilted by 30 degrees, pressed 10 mm deep and dragged by 0.1 m.
+pub fn box_on_a_vertex() -> Scenario {
+    let setup = Setup::bench_box().standing(0, [0.0, 0.0], FRAC_PI_6).floor(FRICTION);
+    from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
+}
+
+/// The same box flat on the floor.
+pub fn box_flat() -> Scenario {
+    let setup = Setup::bench_box().standing(0, [0.0, 0.0], 0.0).floor(FRICTION);
+    from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
+}
+
+/// The same box, tilted by 30 degrees, with one vertex on the floor and one on a wall, pressed into both and dragged
+/// up along the wall.
+pub fn box_as_a_ladder() -> Scenario {
+    let setup = Setup::bench_box().standing(0, [0.0, 0.0], FRAC_PI_6).floor(FRICTION);
+    let [x, _] = setup.world(setup.start, [0.05, -0.03]);
+    from_grip(
+        setup.wall(x, FRICTION),
+        &[[0.0, -0.01, 0.0], [0.01, -0.01, 0.0], [0.01, -0.01, 0.6], [0.01, 0.05, 0.6]],
+    )
+}
+
+fn block() -> Setup {
+    Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor(FRICTION)
+}
+
+fn block_against_a_wall() -> Scenario {
+    from_grip(
+        block().at([0.0, 0.3, 0.0]).wall(1.5, FRICTION),
+        &[[0.0, -0.5, 0.0], [1.5, -0.5, 0.0], [-0.2, -0.5, 0.0], [0.8, -0.5, 0.0], [0.8, 0.5, 0.0]],
+    )
+}
+
+fn block_lifted_obliquely() -> Scenario {
+    from_grip(block(), &[[0.0, -0.2, 0.0], [0.4, 0.2, 0.0]])
+}
+
+fn block_tips() -> Scenario {
+    let setup = Setup::block(1.0, 1.6).held_at([0.0, 0.8]).floor([0.9, 0.4]);
+    from_grip(setup, &[[0.0, -0.2, 0.0], [0.16, -0.2, 0.0], [-0.16, -0.2, 0.0], [0.0, -0.2, -1.9]])
+}
+
+fn block_set_down_tilted() -> Scenario {
+    from_grip(
+        block().at([0.0, 1.0, 0.4]),
+        &[[0.0, -1.1, 0.0], [0.0, -1.1, -0.5], [0.3, -1.0, -0.5], [0.3, -0.2, 0.3]],
+    )
+}
+
+fn strut(kappa: f64, theta: f64) -> Setup {
+    Setup::triangle()
+        .held_at([0.0, 1.0])
+        .springs(1.0, 1.0 / kappa)
+        .standing(0, [0.0, 0.0], theta)
+        .floor([0.95, 0.5])
+}
+
+fn strut_buckles() -> Scenario {
+    scenario(strut(1.2, 1.23), &[[0.0, -1.0, 0.1], [0.0, -1.0, -0.12], [0.0, -1.0, 0.1]])
+}
+
+fn strut_falls_on_its_edge() -> Scenario {
+    scenario(strut(2.0, 1.19), &[[0.0, -1.0, -0.665], [0.0, -1.0, -0.7], [0.0, 1.5, 0.0]])
+}
+
+/// A rod that leans between floor and wall under a load, while the hand turns to `phi`.
+fn rod_between_floor_and_wall(phi: f64) -> Scenario {
+    let (sin, cos) = 1f64.sin_cos();
+    let friction = [0.4, 0.2];
+    let setup = Setup::new(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]])
+        .held_at([1.0, 0.0])
+        .springs(1.0, 4.0)
+        .standing(0, [-2.0 * cos, 0.0], 1.0)
+        .floor(friction)
+        .wall(0.0, friction);
+    scenario(setup, &[[-cos, sin - 2.0, 1.905], [-cos, sin - 2.0, phi]])
+}
+
+fn rod_taken_off() -> Scenario {
+    let friction = [1.2, 0.8];
+    let setup = Setup::rod(2.0)
+        .held_at([1.0, 0.0])
+        .standing(0, [2.0 * FRAC_PI_4.cos(), 0.0], PI - FRAC_PI_4)
+        .floor(friction)
+        .surface([1.0, 0.0], 0.0, friction);
+    from_grip(
+        setup,
+        &[[-0.2, -0.2, 0.0], [0.3, -0.3, 0.0], [-0.3, -0.3, 0.0], [-0.3, 0.4, 0.0], [0.4, 0.5, 0.0]],
+    )
+}
+
+/// A point that is pressed into a corner of 90 degrees and drawn out along either surface and straight away.
+fn point_in_a_corner() -> Scenario {
+    let setup = Setup::point().floor(FRICTION).wall(1.0, FRICTION);
+    let (press, away) = ([1.2, -0.2, 0.0], [0.5, 0.5, 0.0]);
+    let keyframes = [away, press, [0.5, -0.2, 0.0], press, [1.2, 0.5, 0.0], press, away];
+    scenario(setup.at(away), &keyframes)
+}
+
+fn tip_slides() -> Scenario {
+    let setup = Setup::triangle().held_at([0.0, 1.0]).springs(1.0, 0.5).at([0.0, 0.5, 0.0]);
+    from_grip(setup.floor([0.6, 0.3]), &[[0.0, -0.9, 0.0], [1.5, -0.9, 0.0], [1.5, 0.4, 0.0]])
+}
+
+fn frictionless_tip() -> Scenario {
+    let setup = Setup::triangle().held_at([0.0, 1.0]).springs(1.0, 0.5).at([0.0, 0.5, 0.3]);
+    from_grip(setup.floor([0.0, 0.0]), &[[0.0, -1.0, 0.0], [0.7, -1.0, 0.2]])
+}

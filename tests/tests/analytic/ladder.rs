@@ -1,0 +1,99 @@
+//! A rod between floor and wall: critical angle and load, jamming, the trammel slip.
+
+use super::threshold;
+use stiction_core::{Evolution, StateKind};
+use stiction_tests::{Number, Run, Setup, close, test_each};
+use std::f64::consts::{FRAC_PI_4, PI};
+
+test_each!(
+    cases::critical_angle,
+    cases::critical_load,
+    cases::jammed_rod_resists_every_wrench,
+    cases::trammel_slip_ends_at_the_first_root,
+);
+
+mod cases {
+    use super::*;
+
+    /// A rod of length 2 that leans at `alpha` from the floor against a wall at x = 0, held at a part of its length
+    /// from its foot. Slips reach far (mu_d = mu_s / 2), so that stick and slip are told apart by the pose.
+    fn ladder(alpha: f64, held: f64, mu: f64) -> Setup {
+        let friction = [mu, mu / 2.0];
+        Setup::rod(2.0)
+            .held_at([2.0 * held, 0.0])
+            .standing(0, [2.0 * alpha.cos(), 0.0], PI - alpha)
+            .floor(friction)
+            .surface([1.0, 0.0], 0.0, friction)
+    }
+
+    /// Sticks under a load of 1 straight down, without moment.
+    fn sticks<R: Number>(setup: &Setup, evolution: Evolution) -> bool {
+        let [x, y] = setup.grip();
+        let frame = Run::<R>::start(setup, evolution, [x, y - 1.0, setup.start[2]]).frame;
+        let moved = (frame.pose[2] - setup.start[2]).abs();
+        frame.state == StateKind::TwoVertex && moved < R::GAP
+    }
+
+    /// Case 7: mu, alpha.
+    pub(super) fn critical_angle<R: Number>(evolution: Evolution) {
+        for [mu, alpha] in [
+            [0.5, 0.643_501_108_793],
+            [0.3, 0.987_882_737_839],
+            [0.8, 0.221_314_442_348],
+        ] {
+            let steepest = threshold(1.5, 0.1, |alpha| sticks::<R>(&ladder(alpha, 0.5, mu), evolution));
+            close("critical angle", steepest, alpha, R::ANALYTIC);
+        }
+    }
+
+    /// Case 7b.
+    pub(super) fn critical_load<R: Number>(evolution: Evolution) {
+        let highest = threshold(0.2, 0.95, |part| sticks::<R>(&ladder(1.0, part, 0.4), evolution));
+        close("critical part", highest, 0.674_968_180_915, R::ANALYTIC);
+    }
+
+    /// Case 8: wrenches of size 1000 in all directions, evenly spread. Only one whose free motion opens both gaps,
+    /// which no friction can hold back, may take the rod away.
+    pub(super) fn jammed_rod_resists_every_wrench<R: Number>(evolution: Evolution) {
+        let setup = ladder(FRAC_PI_4, 0.5, 1.2).springs(1.0, 1000.0);
+        let ([x, y], theta) = (setup.grip(), setup.start[2]);
+        let mut stays = 0;
+        for i in 0..2000 {
+            let direction = f64::from(i) * 2.399_963;
+            let turn = 2.0 * (f64::from(i) * 0.754_877_666).fract() - 1.0;
+            let (fx, fy) = (1000.0 * direction.cos(), 1000.0 * direction.sin());
+            let mut run = Run::<R>::start(&setup, evolution, [x, y, theta]);
+            let start = run.frame.clone();
+            let frame = run.step([x + fx, y + fy, theta + turn]);
+            if frame.state == StateKind::TwoVertex && frame.pose == start.pose {
+                stays += 1;
+                continue;
+            }
+            let foot_rises = fy + turn * x > 0.0;
+            let head_leaves = fx - turn * y > 0.0;
+            assert!(foot_rises && head_leaves, "wrench {fx} {fy} {turn}: {frame:?}");
+        }
+        assert!(stays > 1000, "{stays} of 2000 stay");
+    }
+
+    /// Case 12: floor and a wall at x = 0 on the other side, under a load of 2 and a falling moment.
+    pub(super) fn trammel_slip_ends_at_the_first_root<R: Number>(evolution: Evolution) {
+        let (sin, cos) = 1f64.sin_cos();
+        let friction = [0.4, 0.2];
+        let setup = Setup::new(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]])
+            .held_at([1.0, 0.0])
+            .springs(1.0, 4.0)
+            .standing(0, [-2.0 * cos, 0.0], 1.0)
+            .floor(friction)
+            .wall(0.0, friction);
+        let hand = |phi: f64| [-cos, sin - 2.0, phi];
+        let mut run = Run::<R>::start(&setup, evolution, hand(1.905_464_288_4));
+        assert_eq!(run.frame.state, StateKind::TwoVertex);
+        let trigger = run.onset(hand(0.9), |f| f.slips > 0);
+        close("trigger", trigger.hand[2], 0.905_464_288_398, R::ANALYTIC);
+        close("before", trigger.before.pose[2], 1.0, R::ANALYTIC);
+        close("end", run.frame.pose[2], 0.761_291_830_571, R::ANALYTIC);
+        assert_eq!(run.frame.state, StateKind::TwoVertex);
+        assert_eq!(run.frame.slips, 1);
+    }
+}

@@ -1,0 +1,25 @@
+//! Whole evolutions with known answers. The values are those of an independent calculation, 12 digits; lengths,
+//! stiffnesses and forces are of order 1, so every bound is absolute: 1e-9 in f64, 1e-4 in f32.
+//!
+//! Two quantities obey a square-root law and get their own bounds where they appear: the angle just before a fold,
+//! which is a double root, and what a slip inherits from an angle close to one.
+
+mod edge;
+mod fold;
+mod ladder;
+mod vertex;
+
+/// The place between `low`, where `holds` is true, and `high`, where it is not, at which it ceases to hold.
+fn threshold(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    assert!(holds(low) && !holds(high), "no threshold between {low} and {high}");
+    let (mut low, mut high) = (low, high);
+    for _ in 0..60 {
+        let middle = (low + high) / 2.0;
+        if holds(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}

@@ -1,0 +1,209 @@
+//! The hand: taking hold, letting go, and samples that are no pose.
+
+use stiction_core::{Angle, Event, Evolution, Hand, StateKind, Status};
+use stiction_tests::laws::assert_lawful;
+use stiction_tests::run::planar;
+use stiction_tests::{Number, Run, Setup, close, test_each};
+
+test_each!(
+    cases::hand_takes_hold_where_it_is,
+    cases::reach_limits_the_grasp,
+    cases::released_body_stays,
+    cases::body_is_taken_hold_of_again_elsewhere,
+    cases::given_holding_point_pulls_from_the_start,
+    cases::bad_sample_is_held_and_forgotten,
+    cases::start_with_a_bad_sample_is_finite,
+    cases::hand_out_of_range_is_held,
+    cases::many_turns_cost_no_digits,
+    cases::depth_passes_through,
+);
+
+mod cases {
+    use super::*;
+
+    /// A block 2 × 1 in the air, to be taken hold of anywhere.
+    fn loose() -> Setup {
+        Setup {
+            holding_point: None,
+            ..Setup::block(2.0, 1.0).at([0.0, 2.0, 0.2]).floor([0.5, 0.3])
+        }
+    }
+
+    fn open<R: Number>(hand: [f64; 3]) -> Hand<R::Si> {
+        planar::<R>(hand).released()
+    }
+
+    pub(super) fn hand_takes_hold_where_it_is<R: Number>(evolution: Evolution) {
+        let setup = loose();
+        let ([x, y], phi) = (setup.world(setup.start, [0.6, 0.3]), 1.0);
+        let mut run = Run::<R>::start_with(&setup, evolution, open::<R>([x, y, phi]));
+        assert!(!run.frame.held);
+        let frame = run.step([x, y, phi]).clone();
+        assert!(frame.held && frame.saw(Event::Grasp), "{frame:?}");
+        for k in 0..3 {
+            close("the grasp moves nothing", frame.pose[k], setup.start[k], R::GAP);
+            close("the grasp pulls nothing", frame.wrench[k], 0.0, R::GAP);
+        }
+        let moved = run.step([x + 0.5, y + 0.2, phi]).pose;
+        close("x follows", moved[0], 0.5, R::ANALYTIC);
+        close("y follows", moved[1], 2.2, R::ANALYTIC);
+        let turned = run.step([x + 0.5, y + 0.2, phi + 0.4]).pose;
+        close("theta follows", turned[2], 0.6, R::ANALYTIC);
+        let [gx, gy] = setup.world(turned, [0.6, 0.3]);
+        close("turns about the hand: x", gx, x + 0.5, R::ANALYTIC);
+        close("turns about the hand: y", gy, y + 0.2, R::ANALYTIC);
+    }
+
+    pub(super) fn reach_limits_the_grasp<R: Number>(evolution: Evolution) {
+        let setup = Setup {
+            reach: 0.1,
+            ..loose().at([0.0, 2.0, 0.0])
+        };
+        for (beyond, held) in [(-0.3, true), (0.09, true), (0.11, false), (3.0, false)] {
+            let hand = [1.0 + beyond, 2.5, 0.0];
+            let run = Run::<R>::start(&setup, evolution, hand);
+            assert_eq!(run.frame.held, held, "{beyond} m outside");
+            let mut run = Run::<R>::start_with(&setup, evolution, open::<R>(hand));
+            let frame = run.step(hand);
+            assert_eq!((frame.held, frame.saw(Event::Grasp)), (held, held), "{beyond} m outside");
+        }
+        let mut missed = Run::<R>::start(&setup, evolution, [3.0, 2.5, 0.0]);
+        let frame = missed.step([5.0, 2.5, 0.0]);
+        assert_eq!((frame.pose, frame.wrench), ([0.0, 2.0, 0.0], [0.0; 3]));
+    }
+
+    pub(super) fn released_body_stays<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
+        let pressed = run.lead([1.0, 0.3, 0.0], 50).pop().expect("50 frames");
+        let released = run.feed(open::<R>([1.0, 0.3, 0.0])).clone();
+        assert!(released.saw(Event::Release) && !released.held, "{released:?}");
+        for hand in [[5.0, 5.0, 2.0], [-1.0, -1.0, 0.0]] {
+            let frame = run.feed(open::<R>(hand)).clone();
+            assert_eq!((frame.pose, frame.wrench), (pressed.pose, [0.0; 3]));
+            assert_lawful::<R>(&setup, &[frame]);
+        }
+    }
+
+    pub(super) fn body_is_taken_hold_of_again_elsewhere<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
+        run.feed(open::<R>([0.8, 0.9, 1.0]));
+        let frame = run.step([0.8, 0.9, 1.0]).clone();
+        assert!(frame.saw(Event::Grasp), "{frame:?}");
+        assert_eq!(frame.pose, [0.0; 3]);
+        close("new rest", frame.wrench[0].hypot(frame.wrench[1]), 0.0, R::GAP);
+        run.lead([0.8, 1.9, 1.0], 20);
+        assert_eq!(run.frame.state, StateKind::NonContact);
+        let [gx, gy] = setup.world(run.frame.pose, [0.8, 0.9]);
+        close("held at the new point: x", gx, 0.8, R::ANALYTIC);
+        close("held at the new point: y", gy, 1.9, R::ANALYTIC);
+        close("with the new rest angle", run.frame.pose[2], 0.0, R::ANALYTIC);
+    }
+
+    pub(super) fn given_holding_point_pulls_from_the_start<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).at([0.0, 3.0, 0.0]).floor([0.5, 0.3]);
+        let frame = Run::<R>::start(&setup, evolution, [4.0, 5.0, 0.5]).frame;
+        let [gx, gy] = setup.world(frame.pose, [0.0, 0.5]);
+        close("x", gx, 4.0, R::ANALYTIC);
+        close("y", gy, 5.0, R::ANALYTIC);
+        close("theta", frame.pose[2], 0.5, R::ANALYTIC);
+    }
+
+    /// The same hand, spoilt in one component.
+    fn spoilt<R: Number>(hand: Hand<R::Si>) -> Vec<Hand<R::Si>> {
+        let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(R::si);
+        let spoil = |bad| {
+            let [x, y] = hand.position;
+            let turned = Angle { rest: bad, ..hand.angle };
+            [
+                Hand { position: [bad, y], ..hand },
+                Hand { position: [x, bad], ..hand },
+                Hand { angle: turned, ..hand },
+                Hand { depth: bad, ..hand },
+            ]
+        };
+        bad.into_iter().flat_map(spoil).collect()
+    }
+
+    pub(super) fn bad_sample_is_held_and_forgotten<R: Number>(evolution: Evolution) {
+        let setup = Setup::bench_box().standing(0, [0.0, 0.0], 0.5).floor([0.5, 0.3]);
+        let ([x, y], phi) = (setup.grip(), 0.5);
+        let mut run = Run::<R>::start(&setup, evolution, [x, y, phi]);
+        let last = run.lead([x + 0.02, y - 0.01, phi], 50).pop().expect("50 frames");
+        let mut undisturbed = Run::<R>::start(&setup, evolution, [x, y, phi]);
+        undisturbed.lead([x + 0.02, y - 0.01, phi], 50);
+        for hand in spoilt::<R>(planar::<R>([x, y, phi])) {
+            let frame = run.feed(hand).clone();
+            assert_eq!(frame.status, Status::HeldLast, "{hand:?}");
+            assert_eq!((frame.pose, frame.hand, &frame.contacts), (last.pose, last.hand, &last.contacts));
+            assert_eq!((frame.state, frame.wrench, frame.slips), (last.state, last.wrench, 0));
+        }
+        let next = [x + 0.03, y - 0.01, phi];
+        assert_eq!(run.step(next), undisturbed.step(next));
+    }
+
+    pub(super) fn start_with_a_bad_sample_is_finite<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        for hand in spoilt::<R>(planar::<R>([0.0, 0.3, 0.0])) {
+            let mut run = Run::<R>::start_with(&setup, evolution, hand);
+            assert_eq!(run.frame.status, Status::HeldLast, "{hand:?}");
+            assert_eq!(run.frame.pose, [0.0; 3]);
+            assert_lawful::<R>(&setup, std::slice::from_ref(&run.frame));
+            let recovered = run.step([0.0, 0.3, 0.0]).clone();
+            assert_eq!(recovered.status, Status::Ok);
+            close("N", recovered.normal(), 0.2, R::ANALYTIC);
+        }
+    }
+
+    pub(super) fn hand_out_of_range_is_held<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
+        let last = run.frame.clone();
+        for far in [[1e30, 0.0, 0.0], [0.0, -1e30, 0.0], [1e14, 1e14, 0.0]] {
+            let frame = run.step(far).clone();
+            assert_eq!(frame.status, Status::Saturated, "{far:?}");
+            assert_eq!((frame.pose, frame.wrench), (last.pose, last.wrench));
+            assert_lawful::<R>(&setup, &[frame]);
+        }
+        for turns in [i32::MAX, i32::MIN] {
+            let hand = planar::<R>([0.0, 0.3, 0.0]);
+            let angle = Angle { turns, ..hand.angle };
+            let frame = run.feed(Hand { angle, ..hand }).clone();
+            assert!(frame.pose.iter().chain(&frame.wrench).all(|x| x.is_finite()), "{frame:?}");
+        }
+    }
+
+    /// After 10 000 turns in the air the body lands as if it had never turned, to the digits of a single turn.
+    pub(super) fn many_turns_cost_no_digits<R: Number>(evolution: Evolution) {
+        let setup = Setup::point().held_at([0.3, 0.0]).floor([0.5, 0.3]).at([0.0, 1.0, 1.2]);
+        let landed = |turns: i32| {
+            let twist = |x, y| {
+                let hand = planar::<R>([x, y, 1.2]);
+                let angle = Angle { turns, ..hand.angle };
+                Hand { angle, ..hand }
+            };
+            let mut run = Run::<R>::start_with(&setup, evolution, twist(0.3, 1.0));
+            run.feed(twist(0.1, 0.1)).clone()
+        };
+        let (near, far) = (landed(0), landed(10_000));
+        assert_eq!((near.state, far.state), (StateKind::SingleVertex, StateKind::SingleVertex));
+        let turned = far.pose[2] - 10_000.0 * std::f64::consts::TAU;
+        close("theta", turned, near.pose[2], R::ANALYTIC);
+        close("x", far.pose[0], near.pose[0], R::ANALYTIC);
+        close("N", far.normal(), near.normal(), R::ANALYTIC);
+    }
+
+    pub(super) fn depth_passes_through<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
+        for depth in [0.25, -3.0] {
+            let hand = Hand {
+                depth: R::si(depth),
+                ..planar::<R>([0.0, 0.3, 0.0])
+            };
+            close("depth", run.feed(hand).depth, depth, 0.0);
+            close("depth of an open hand", run.feed(hand.released()).depth, depth, 0.0);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The laws know no place, no direction, no side and no unit; and the path evolution knows no frame rate. Named scenes
+//! have few events, so rounding stays rounding: 1e-9 L over the whole run, in f64.
+
+use stiction_core::Evolution;
+use stiction_tests::run::{Frame, run};
+use stiction_tests::{EVOLUTIONS, Scenario, Setup, close, scenes};
+
+/// No event of a named scene falls on the end of such a frame.
+const FRAMES_PER_LEG: usize = 47;
+const BOUND: f64 = 1e-9;
+
+/// Runs a scene and its image in both evolutions and compares every frame: `pose` maps the pose of the scene, SI units,
+/// and `force` the size of its forces.
+fn compare(name: &str, scenario: &Scenario, image: &Scenario, pose: impl Fn([f64; 3]) -> [f64; 3], force: f64) {
+    let l = image.setup.size();
+    for evolution in EVOLUTIONS {
+        let original = run::<f64>(&scenario.setup, evolution, &scenario.hands(FRAMES_PER_LEG));
+        let mapped = run::<f64>(&image.setup, evolution, &image.hands(FRAMES_PER_LEG));
+        for (i, (a, b)) in original.iter().zip(&mapped).enumerate() {
+            let what = format!("{name}, {evolution:?}, frame {i}");
+            assert_eq!(a.state, b.state, "{what}");
+            let want = pose(a.pose);
+            close(&format!("{what}: x"), b.pose[0], want[0], BOUND * l);
+            close(&format!("{what}: y"), b.pose[1], want[1], BOUND * l);
+            close(&format!("{what}: theta"), b.pose[2], want[2], BOUND);
+            let scale = image.setup.stiffness_translation * l;
+            close(&format!("{what}: N"), b.normal(), a.normal() * force, BOUND * scale);
+        }
+    }
+}
+
+fn map_surfaces(setup: &Setup, map: impl Fn([f64; 2], f64) -> ([f64; 2], f64)) -> Setup {
+    let mut image = setup.clone();
+    for surface in &mut image.surfaces {
+        (surface.normal, surface.offset) = map(surface.normal, surface.offset);
+    }
+    image
+}
+
+#[test]
+fn mirror_image_evolves_as_a_mirror_image() {
+    let flip = |[x, y]: [f64; 2]| [-x, y];
+    let flip_pose = |[x, y, theta]: [f64; 3]| [-x, y, -theta];
+    for (name, scenario) in scenes::all() {
+        let mut setup = map_surfaces(&scenario.setup, |n, b| (flip(n), b));
+        setup.vertices = scenario.setup.vertices.iter().rev().map(|&v| flip(v)).collect();
+        setup.holding_point = scenario.setup.holding_point.map(flip);
+        setup.start = flip_pose(setup.start);
+        let keyframes = scenario.keyframes.iter().map(|&hand| flip_pose(hand)).collect();
+        compare(name, &scenario, &Scenario { setup, keyframes }, flip_pose, 1.0);
+    }
+}
+
+#[test]
+fn turned_and_shifted_world_evolves_alike() {
+    let (turn, shift) = (0.7f64, [0.3, -0.2]);
+    let (sin, cos) = turn.sin_cos();
+    let rotate = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
+    for (name, scenario) in scenes::all() {
+        let l = scenario.setup.size();
+        let pose = |[x, y, theta]: [f64; 3]| {
+            let [x, y] = rotate([x, y]);
+            [x + shift[0] * l, y + shift[1] * l, theta + turn]
+        };
+        let mut setup = map_surfaces(&scenario.setup, |n, b| {
+            let [x, y] = rotate(n);
+            ([x, y], b + (x * shift[0] + y * shift[1]) * l)
+        });
+        setup.start = pose(setup.start);
+        let keyframes = scenario.keyframes.iter().map(|&hand| pose(hand)).collect();
+        compare(name, &scenario, &Scenario { setup, keyframes }, pose, 1.0);
+    }
+}
+
+#[test]
+fn inches_and_pounds_evolve_as_metres_and_newtons() {
+    let (inch, pound) = (1.0 / 0.0254, 1.0 / 4.448_221_615);
+    let scaled = |p: [f64; 2]| p.map(|x| x * inch);
+    let pose = |[x, y, theta]: [f64; 3]| [x * inch, y * inch, theta];
+    for (name, scenario) in scenes::all() {
+        let mut setup = map_surfaces(&scenario.setup, |n, b| (n.map(|x| x * 3.0), b * inch));
+        setup.vertices = scenario.setup.vertices.iter().map(|&v| scaled(v)).collect();
+        setup.holding_point = scenario.setup.holding_point.map(scaled);
+        setup.start = pose(setup.start);
+        setup.weight *= pound;
+        setup.stiffness_translation *= pound / inch;
+        setup.stiffness_rotation *= pound * inch;
+        let keyframes = scenario.keyframes.iter().map(|&hand| pose(hand)).collect();
+        compare(name, &scenario, &Scenario { setup, keyframes }, pose, pound);
+    }
+}
+
+#[test]
+fn path_evolution_ends_alike_at_every_frame_rate() {
+    for (name, scenario) in scenes::all() {
+        let l = scenario.setup.size();
+        let end = |rate| run::<f64>(&scenario.setup, Evolution::Path, &scenario.hands(rate)).pop();
+        let want: Frame = end(1000).expect("a path has frames");
+        for rate in [31, 100] {
+            let got = end(rate).expect("a path has frames");
+            assert_eq!(got.state, want.state, "{name} at {rate} Hz");
+            close(&format!("{name} at {rate} Hz: x"), got.pose[0], want.pose[0], BOUND * l);
+            close(&format!("{name} at {rate} Hz: y"), got.pose[1], want.pose[1], BOUND * l);
+            close(&format!("{name} at {rate} Hz: theta"), got.pose[2], want.pose[2], BOUND);
+        }
+    }
+}
