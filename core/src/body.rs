@@ -6,7 +6,7 @@ use heapless::Vec;
 
 /// A rigid body in its own frame, lengths / L.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body<R, const V: usize> {
+pub(crate) struct Body<R, const V: usize> {
     vertices: Vec<Vec2<R>, V>,
     centroid: Vec2<R>,
 }
@@ -16,16 +16,6 @@ impl<R: Real, const V: usize> Body<R, V> {
     pub(crate) fn new(vertices: Vec<Vec2<R>, V>) -> Self {
         let centroid = centroid(&vertices);
         Self { vertices, centroid }
-    }
-
-    /// The number of vertices.
-    pub fn len(&self) -> usize {
-        self.vertices.len()
-    }
-
-    /// Never: a body has at least one vertex.
-    pub fn is_empty(&self) -> bool {
-        self.vertices.is_empty()
     }
 
     /// v_i, body frame; the origin where there is no such vertex.
@@ -43,7 +33,7 @@ impl<R: Real, const V: usize> Body<R, V> {
 
     /// The indices of all vertices.
     pub(crate) fn indices(&self) -> impl Iterator<Item = u8> + use<R, V> {
-        (0..=u8::MAX).take(self.vertices.len())
+        0..u8::try_from(self.vertices.len()).unwrap_or(u8::MAX)
     }
 
     /// The two neighbours of a vertex: on the surface that it touches nothing else can arrive first.

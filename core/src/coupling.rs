@@ -2,7 +2,7 @@
 //! load on the contacts. Lengths / L, forces / (k_h L): k_h is 1.
 
 use crate::detect::Placed;
-use crate::geometry::{Angle, Pose, Rotation, Vec2};
+use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::motion::Margin;
 use crate::real::Real;
 use crate::roots::PinnedMoment;
@@ -68,10 +68,25 @@ pub(crate) struct Pivot<R> {
     pub(crate) contact: Pair,
     /// t·c: where along the surface. It changes by slips alone.
     pub(crate) foot: R,
-    pub(crate) angle: Angle<R>,
+    pub(crate) orientation: Orientation<R>,
 }
 
 impl<R: Real> Pivot<R> {
+    /// Of a body in a pose at which the vertex of `contact` is on the surface.
+    pub(crate) fn at<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        pose: &Pose<R>,
+        contact: Pair,
+    ) -> Self {
+        let vertex = scene.body.vertex(contact.vertex);
+        let point = pose.position + pose.orientation.rotation().apply(vertex);
+        Self {
+            contact,
+            foot: scene.surface(contact.surface).tangent.dot(point),
+            orientation: pose.orientation,
+        }
+    }
+
     pub(crate) fn surface<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
@@ -92,13 +107,9 @@ impl<R: Real> Pivot<R> {
         Placed {
             point: self.point(scene),
             body_point: scene.body.vertex(self.contact.vertex),
-            rotation: self.angle.rotation(),
+            orientation: self.orientation,
             on: Some(self.contact.surface),
         }
-    }
-
-    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
-        self.placed(scene).pose(self.angle)
     }
 
     /// The same pivot after a slide along t and a turn.
@@ -106,7 +117,7 @@ impl<R: Real> Pivot<R> {
         Self {
             contact: self.contact,
             foot: self.foot + slide,
-            angle: self.angle.plus(turn),
+            orientation: self.orientation.plus(turn),
         }
     }
 }
@@ -135,11 +146,9 @@ impl<R: Real> Stance<R> {
     pub(crate) fn new<const V: usize, const S: usize>(
         scene: &Scene<R, V, S>,
         placed: Placed<R>,
-        angle: Angle<R>,
         grip: &Grip<R>,
     ) -> Self {
-        let Rotation { cos, sin } = placed.rotation;
-        let rotation = Rotation { cos, sin };
+        let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);
         let centroid = rotation.apply(scene.body.centroid() - placed.body_point);
         let hand = grip.hand - placed.point;
@@ -149,7 +158,7 @@ impl<R: Real> Stance<R> {
             lever,
             centroid,
             spring,
-            couple: scene.stiffness * grip.angle.minus(angle),
+            couple: scene.stiffness * grip.angle.minus(placed.orientation.angle()),
             hold: lever.conj_mul(hand) + centroid.conj_mul(scene.weight),
             force: spring + scene.weight,
             stiffness: scene.stiffness,

@@ -1,6 +1,6 @@
 //! 2: gaps between the body's vertices and the surfaces, and the first of them to close on a motion.
 
-use crate::geometry::{Angle, Pose, Rotation, Vec2};
+use crate::geometry::{Orientation, Pose, Vec2};
 use crate::motion::{Course, Margin, Motion};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -13,16 +13,26 @@ pub(crate) struct Placed<R> {
     pub(crate) point: Vec2<R>,
     /// The same point in the body frame.
     pub(crate) body_point: Vec2<R>,
-    pub(crate) rotation: Rotation<R>,
+    pub(crate) orientation: Orientation<R>,
     /// The surface on which the point lies exactly: gaps to it are counted from the point.
     pub(crate) on: Option<u8>,
 }
 
 impl<R: Real> Placed<R> {
-    pub(crate) fn pose(&self, angle: Angle<R>) -> Pose<R> {
+    /// By the origin of the body.
+    pub(crate) fn at(pose: &Pose<R>) -> Self {
+        Self {
+            point: pose.position,
+            body_point: Vec2::ZERO,
+            orientation: pose.orientation,
+            on: None,
+        }
+    }
+
+    pub(crate) fn pose(&self) -> Pose<R> {
         Pose {
-            position: self.point - self.rotation.apply(self.body_point),
-            angle,
+            position: self.point - self.orientation.rotation().apply(self.body_point),
+            orientation: self.orientation,
         }
     }
 
@@ -32,7 +42,8 @@ impl<R: Real> Placed<R> {
         scene: &Scene<R, V, S>,
         vertex: u8,
     ) -> Vec2<R> {
-        self.rotation
+        self.orientation
+            .rotation()
             .apply(scene.body.vertex(vertex) - self.body_point)
     }
 

@@ -164,11 +164,41 @@ impl<R: Real> Angle<R> {
     }
 }
 
+/// An angle together with its rotation, which is always the one of the angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Orientation<R> {
+    angle: Angle<R>,
+    rotation: Rotation<R>,
+}
+
+impl<R: Real> Orientation<R> {
+    pub(crate) fn new(angle: Angle<R>) -> Self {
+        Self {
+            angle,
+            rotation: angle.rotation(),
+        }
+    }
+    pub(crate) fn angle(&self) -> Angle<R> {
+        self.angle
+    }
+    pub(crate) fn rotation(&self) -> Rotation<R> {
+        self.rotation
+    }
+    /// Turned on by `radians`.
+    pub(crate) fn plus(&self, radians: R) -> Self {
+        if radians == R::ZERO {
+            *self
+        } else {
+            Self::new(self.angle.plus(radians))
+        }
+    }
+}
+
 /// A placement of the body frame in the world.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pose<R> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pose<R> {
     /// Position p of the body's origin.
-    pub position: Vec2<R>,
+    pub(crate) position: Vec2<R>,
     /// Orientation theta, unwrapped.
-    pub angle: Angle<R>,
+    pub(crate) orientation: Orientation<R>,
 }

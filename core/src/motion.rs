@@ -96,7 +96,7 @@ impl<R: Real> Motion<R> {
     /// Balanced about the contact: rotational stiffness k, z0 and zp of the module's text, and the hand's turn dphi.
     pub(crate) fn balanced(stiffness: R, hold: Vec2<R>, drive: Vec2<R>, dphi: R) -> Self {
         let start = stiffness * dphi + drive.y;
-        let scale = (stiffness + hold.length()).max(start.abs());
+        let scale = (stiffness + hold.reach()).max(start.abs());
         if scale == R::ZERO {
             return Self::straight();
         }
@@ -182,7 +182,7 @@ impl<R: Real> Motion<R> {
 
     /// To tau = 1, or to the fold before it, where ϑ would have to jump.
     pub(crate) fn course(&self) -> Course<R> {
-        let (z0, zp) = (self.hold.length(), self.drive.length());
+        let (z0, zp) = (self.hold.reach(), self.drive.reach());
         let whole = self.stiffness + z0;
         let rate = self.rate.abs();
         let window = if whole > R::ZERO {
@@ -257,12 +257,17 @@ impl<R: Real> Motion<R> {
     /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
     pub(crate) fn stop_at(&self, margin: &Margin<R>, course: &mut Course<R>) -> bool {
         let limit = course.end;
+        // The farthest that it can fall on the way: the ordinary frame is done here.
+        let fall = margin.along.abs() + margin.turning.reach() * limit.turn.abs();
+        if margin.start - fall > margin.rounding {
+            return false;
+        }
+        // It lies above its chord but for the sagitta of its curvature.
         let curvature = self.curvature(margin, &limit);
-        let start = self.slope(margin, &self.at_start(), curvature);
-        let end = self.slope(margin, &limit, curvature);
-        // Above its chord but for the sagitta of its curvature: the ordinary frame is done here.
+        let start = margin.start * self.scale;
+        let end = margin.at(&limit) * limit.d + margin.along * limit.h;
         let sagitta = curvature * limit.x * limit.x * (R::HALF * R::HALF * R::HALF);
-        if start.value > start.rounding && start.value.min(end.value) > sagitta {
+        if margin.start > margin.rounding && start.min(end) > sagitta {
             return false;
         }
         let found = first_zero(limit.x, R::HUGE, |x| {
@@ -279,20 +284,6 @@ impl<R: Real> Motion<R> {
             unsure: course.unsure || unsure,
         };
         true
-    }
-
-    /// The place x = 0.
-    fn at_start(&self) -> Place<R> {
-        Place {
-            x: R::ZERO,
-            turn: R::ZERO,
-            versine: R::ZERO,
-            sine: R::ZERO,
-            h: R::ZERO,
-            h_slope: self.stiffness + self.hold.x,
-            d: self.scale,
-            d_slope: -self.drive.x,
-        }
     }
 
     /// The course of a motion whose end is known: x from 0 to `x`.

@@ -69,7 +69,8 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
     for i in 0..MAX_STEPS {
         let mut step = window;
         let mut which = None;
-        for (k, function) in eval(x).iter().enumerate() {
+        let functions = eval(x);
+        for (k, function) in functions.iter().enumerate() {
             let safe = if i == 0 {
                 function.first_step()
             } else {
@@ -82,8 +83,12 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         }
         if let Some(which) = which {
             nearest = which;
-            if step <= R::EPSILON * x || step == R::ZERO {
-                return Found::Zero { x, which };
+            // After a certified step E is at most K step².
+            let closes = functions.get(which).is_none_or(|f| {
+                f.value > f.rounding && f.curvature * step * step <= f.rounding
+            });
+            if closes || step <= R::EPSILON * x {
+                return Found::Zero { x: x + step, which };
             }
         }
         x = x + step;
@@ -142,7 +147,7 @@ impl<R: Real> PinnedMoment<R> {
     }
 
     fn search(&self, direction: R, start: R) -> Downhill<R> {
-        let size = self.dot.hypot(self.cross);
+        let size = self.dot.abs() + self.cross.abs();
         let rounding = R::EPSILON * (size + self.couple.abs());
         let moment = self.now().abs();
         // Before this angle the springs' couple alone outweighs the load.
@@ -155,8 +160,9 @@ impl<R: Real> PinnedMoment<R> {
         let mut snapped = false;
         let found = first_zero(R::HUGE, R::HUGE, |y| {
             let turn = direction * (start + y);
-            let (sin, cos) = turn.sin_cos();
-            let versine = one_minus_cos(turn);
+            let (half_sin, half_cos) = (turn * R::HALF).sin_cos();
+            let versine = R::TWO * half_sin * half_sin;
+            let (sin, cos) = (R::TWO * half_sin * half_cos, R::ONE - versine);
             let value = self.now() - self.stiffness * turn - versine * self.cross - sin * self.dot;
             let slope = -(self.stiffness + cos * self.dot + sin * self.cross);
             snapped |= slope > R::ZERO && value * direction > rounding;
@@ -178,10 +184,4 @@ impl<R: Real> PinnedMoment<R> {
             unsure,
         }
     }
-}
-
-/// 1 - cos(a) without loss near 0.
-fn one_minus_cos<R: Real>(angle: R) -> R {
-    let (sin, _) = (angle * R::HALF).sin_cos();
-    R::TWO * sin * sin
 }

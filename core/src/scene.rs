@@ -3,8 +3,7 @@
 
 use crate::body::Body;
 use crate::friction::Coulomb;
-use crate::geometry::{Angle, Pose, Vec2};
-use crate::output::MAX_CONTACTS;
+use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::real::Real;
 use core::fmt;
 use heapless::Vec;
@@ -179,10 +178,10 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
         let theta = Angle::from_radians(theta);
         let start = Pose {
             position: nd([x, y]),
-            angle: Angle {
+            orientation: Orientation::new(Angle {
                 turns: theta.turns,
                 rest: R::from_si(theta.rest),
-            },
+            }),
         };
         let scene = Self {
             body: Body::new(d.vertices.iter().map(|&v| nd(v)).collect()),
@@ -218,7 +217,7 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
 
     /// The indices of all surfaces.
     pub(crate) fn surface_indices(&self) -> impl Iterator<Item = u8> + use<R, V, S> {
-        (0..=u8::MAX).take(self.surfaces.len())
+        0..u8::try_from(self.surfaces.len()).unwrap_or(u8::MAX)
     }
 
     /// Coordinates beyond the range of the number type are refused: their sums would carry no digits.
@@ -260,7 +259,7 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
 
     /// At the start no vertex is deeper than 1e-5 of the body size inside a surface.
     fn check_start(&self) -> Result<(), SceneError<R::Si>> {
-        let rotation = self.start.angle.rotation();
+        let rotation = self.start.orientation.rotation();
         for (s, surface) in self.surface_indices().zip(&self.surfaces) {
             let gap = |i: u8| {
                 let vertex = self.start.position + rotation.apply(self.body.vertex(i));
@@ -287,9 +286,6 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
     pub(crate) fn start_tolerance() -> R {
         R::ONE / R::from_int(100_000)
     }
-
-    /// The most contacts that a state can carry.
-    pub(crate) const CONTACTS: usize = MAX_CONTACTS;
 }
 
 type Checked<F> = Result<(), SceneError<F>>;

@@ -1,14 +1,15 @@
 //! 5: one step: hand -> contacts -> state -> transition -> output.
 
-use crate::coupling::{Grip, Stance};
+use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
-use crate::geometry::{Angle, Pose, Vec2};
+use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
-use crate::output::{Contact, Event, Log, Output, Status, Wrench, point};
+use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench, point};
 use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{ContactState, Free, Trigger};
-use crate::transition::{pivot_at, settle};
+use crate::transition::settle;
+use heapless::Vec;
 
 /// How a frame is evolved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -109,18 +110,12 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     /// The body at its start pose, seated on the surfaces that it touches.
     fn placed_at_start(&self) -> State<R> {
         let pose = self.scene.start;
-        let placed = Placed {
-            point: pose.position,
-            body_point: Vec2::ZERO,
-            rotation: pose.angle.rotation(),
-            on: None,
-        };
+        let placed = Placed::at(&pose);
         let touching = placed.touching(&self.scene, Scene::<R, V, S>::start_tolerance());
-        let free = ContactState::Free(Free { pose });
         let contact = match touching.split_first() {
-            None => free,
+            None => ContactState::Free(Free { pose }),
             Some((&first, others)) => {
-                let pivot = pivot_at(&self.scene, &free, first);
+                let pivot = Pivot::at(&self.scene, &pose, first);
                 ContactState::seated(&self.scene, pivot, others)
             }
         };
@@ -164,12 +159,12 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         let (holding_point, rest_offset) = match holding_point {
             Some(given) => (given, Angle::default()),
             None => {
-                let at = pose.angle.rotation().undo(position - pose.position);
+                let at = pose.orientation.rotation().undo(position - pose.position);
                 if self.scene.body.distance(at) > self.scene.reach {
                     return;
                 }
                 log.event(Event::Grasp);
-                (at, angle.offset_from(pose.angle))
+                (at, angle.offset_from(pose.orientation.angle()))
             }
         };
         state.held = true;
@@ -183,8 +178,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
 
     /// Comes to rest at the grip.
     fn rest(&self, state: &mut State<R>, log: &mut Log<R>) {
-        let begin = (state.contact.clone(), None);
-        state.contact = settle(&self.scene, &state.grip, begin, log);
+        settle(&self.scene, &state.grip, &mut state.contact, None, log);
     }
 
     /// The hand goes to `target` and the body with it.
@@ -213,18 +207,18 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
                 log.limit(Status::IterationLimit);
             }
             if moved.trigger == Trigger::Balanced {
-                state.contact = settle(&self.scene, to, (moved.state, Some(moved.trigger)), log);
+                settle(&self.scene, to, &mut state.contact, Some(moved.trigger), log);
                 return;
             }
             let way = state.grip.way_to(to).size();
             let at = state.grip.lerp(to, moved.part);
             let slides = matches!(moved.trigger, Trigger::Slide(_));
-            if slides && self.slides_continuously(&moved.state) {
+            if slides && self.slides_continuously(&state.contact) {
                 state.grip = at;
                 break;
             }
             let slipped = log.slips;
-            state.contact = settle(&self.scene, &at, (moved.state, Some(moved.trigger)), log);
+            settle(&self.scene, &at, &mut state.contact, Some(moved.trigger), log);
             state.grip = at;
             let idles = way * moved.part <= R::MICRO && log.slips == slipped
                 || log.slips > slipped && way * moved.part <= R::EPSILON;
@@ -263,21 +257,17 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             state.contact,
             ContactState::Edge(_) | ContactState::TwoVertex(_) | ContactState::Locked(_)
         );
-        let begin = if fixed {
-            // What yields first on the way tells the mode.
-            let moved = state.contact.advance(&self.scene, &state.grip, to);
-            (moved.state, Some(moved.trigger))
-        } else {
-            (state.contact.clone(), None)
-        };
-        state.contact = settle(&self.scene, to, begin, log);
+        // What yields first on the way tells the mode.
+        let trigger = fixed.then(|| state.contact.advance(&self.scene, &state.grip, to).trigger);
+        settle(&self.scene, to, &mut state.contact, trigger, log);
     }
 
     fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
         let units = self.scene.units;
-        let pose = state.contact.pose(&self.scene);
+        let placed = state.contact.placed(&self.scene);
+        let pose = placed.pose();
+        let stance = Stance::new(&self.scene, placed, &state.grip);
         let wrench = if state.held {
-            let stance = self.stance(state, &pose);
             Wrench {
                 force: point(stance.spring, units.force),
                 moment: stance.couple.to_si() * units.moment,
@@ -285,15 +275,15 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         } else {
             Wrench::default()
         };
-        let angle = Angle {
-            turns: pose.angle.turns,
-            rest: pose.angle.rest.to_si(),
-        };
+        let angle = pose.orientation.angle();
         Output {
             hand: state.hand,
             held: state.held,
             position: point(pose.position, units.length),
-            angle,
+            angle: Angle {
+                turns: angle.turns,
+                rest: angle.rest.to_si(),
+            },
             depth: state.hand.depth,
             state: state.contact.kind(),
             wrench,
@@ -301,42 +291,26 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             longest_slip: log.longest_slip.to_si() * units.length,
             status: log.status,
             transitions: log.transitions,
-            contacts: self.contacts(state, &pose),
+            contacts: self.contacts(state, &stance),
             events: log.events,
         }
-    }
-
-    /// The springs at the present pose, with all digits of the contact.
-    fn stance(&self, state: &State<R>, pose: &Pose<R>) -> Stance<R> {
-        let placed = match state.contact.pivot() {
-            Some(pivot) => pivot.placed(&self.scene),
-            None => Placed {
-                point: pose.position,
-                body_point: Vec2::ZERO,
-                rotation: pose.angle.rotation(),
-                on: None,
-            },
-        };
-        Stance::new(&self.scene, placed, pose.angle, &state.grip)
     }
 
     fn contacts(
         &self,
         state: &State<R>,
-        pose: &Pose<R>,
-    ) -> heapless::Vec<Contact<R::Si>, { crate::output::MAX_CONTACTS }> {
+        stance: &Stance<R>,
+    ) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
         let units = self.scene.units;
-        let rotation = pose.angle.rotation();
         let pairs = state.contact.contacts();
         let reactions = if state.held {
-            state.contact.reactions(&self.scene, &state.grip)
+            state.contact.reactions(&self.scene, stance)
         } else {
             pairs.iter().map(|_| [R::ZERO; 2]).collect()
         };
         let both = pairs.iter().zip(reactions);
         both.map(|(pair, [normal, friction])| {
-            let vertex = self.scene.body.vertex(pair.vertex);
-            let at = pose.position + rotation.apply(vertex);
+            let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
             Contact {
                 vertex: usize::from(pair.vertex),
                 surface: usize::from(pair.surface),

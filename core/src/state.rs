@@ -7,7 +7,8 @@
 //! * `slide`: hand frozen, slides to the end of the slip;
 //! * `reactions`: the forces of the contacts at rest.
 
-use crate::coupling::{Grip, Pivot};
+use crate::coupling::{Grip, Pivot, Stance};
+use crate::detect::Placed;
 use crate::geometry::Pose;
 use crate::output::{MAX_CONTACTS, StateKind};
 use crate::real::Real;
@@ -74,10 +75,9 @@ pub(crate) enum Trigger<R> {
     Undriven,
 }
 
-/// The outcome of a verb.
-#[derive(Clone, Debug)]
-pub(crate) struct Moved<R: Real> {
-    pub(crate) state: ContactState<R>,
+/// The outcome of a verb, which has moved the state.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Moved<R> {
     pub(crate) trigger: Trigger<R>,
     /// The part of the hand's way that was gone (`advance`).
     pub(crate) part: R,
@@ -90,9 +90,8 @@ pub(crate) struct Moved<R: Real> {
 }
 
 impl<R: Real> Moved<R> {
-    pub(crate) fn new(state: ContactState<R>, trigger: Trigger<R>) -> Self {
+    pub(crate) fn by(trigger: Trigger<R>) -> Self {
         Self {
-            state,
             trigger,
             part: R::ONE,
             slip: R::ZERO,
@@ -137,17 +136,24 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
-        match self {
-            Self::Free(s) => s.pose,
-            other => other
-                .pivot()
-                .map_or_else(Pose::default, |pivot| pivot.pose(scene)),
+    /// The body placed by the point that carries its pose.
+    pub(crate) fn placed<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+    ) -> Placed<R> {
+        match (self, self.pivot()) {
+            (Self::Free(free), _) => Placed::at(&free.pose),
+            (_, Some(pivot)) => pivot.placed(scene),
+            (_, None) => Placed::at(&scene.start),
         }
     }
 
+    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
+        self.placed(scene).pose()
+    }
+
     pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         from: &Grip<R>,
         to: &Grip<R>,
@@ -164,7 +170,7 @@ impl<R: Real> ContactState<R> {
 
     /// `sliding`: the direction in which the first contact is already in motion.
     pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sliding: Option<R>,
@@ -179,9 +185,23 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// From a fold of the branch, on in the direction of the sign. A free body finds its way from there by itself.
+    pub(crate) fn snap<const V: usize, const S: usize>(
+        &mut self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
+        match self {
+            Self::SingleVertex(s) => s.snap(scene, grip, direction),
+            Self::Corner(s) => s.snap(scene, grip, direction),
+            other => other.relax(scene, grip, None),
+        }
+    }
+
     /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
     pub(crate) fn slide<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sign: R,
@@ -190,24 +210,22 @@ impl<R: Real> ContactState<R> {
             Self::SingleVertex(s) => s.slide(scene, grip, sign),
             Self::Edge(s) => s.slide(scene, grip, sign),
             Self::TwoVertex(s) => s.slide(scene, grip),
-            Self::Free(_) | Self::Corner(_) | Self::Locked(_) => {
-                Moved::new(self.clone(), Trigger::Undriven)
-            }
+            Self::Free(_) | Self::Corner(_) | Self::Locked(_) => Moved::by(Trigger::Undriven),
         }
     }
 
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
         match self {
             Self::Free(_) => Reactions::new(),
-            Self::SingleVertex(s) => s.reactions(scene, grip),
-            Self::Edge(s) => s.reactions(scene, grip),
-            Self::TwoVertex(s) => s.reactions(scene, grip),
-            Self::Corner(s) => s.reactions(scene, grip),
-            Self::Locked(s) => s.reactions(scene, grip),
+            Self::SingleVertex(s) => s.reactions(scene, stance),
+            Self::Edge(s) => s.reactions(scene, stance),
+            Self::TwoVertex(s) => s.reactions(scene, stance),
+            Self::Corner(s) => s.reactions(scene, stance),
+            Self::Locked(s) => s.reactions(scene, stance),
         }
     }
 
@@ -239,7 +257,7 @@ impl<R: Real> ContactState<R> {
 
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
 /// are closed to the rounding. The pivot's foot stays unless the other contacts leave no choice.
-fn seat<R: Real, const V: usize, const S: usize>(
+pub(crate) fn seat<R: Real, const V: usize, const S: usize>(
     scene: &Scene<R, V, S>,
     mut pivot: Pivot<R>,
     others: &[Pair],

@@ -2,7 +2,7 @@
 //! at a frozen hand until the body rests.
 
 use crate::coupling::{Grip, Pivot, Stance};
-use crate::output::{Event, Log, Status};
+use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{ContactState, Free, Moved, Pair, Pairs, Trigger};
@@ -118,82 +118,162 @@ const MAX_TRANSITIONS: usize = 48;
 pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     scene: &Scene<R, V, S>,
     grip: &Grip<R>,
-    (state, trigger): (ContactState<R>, Option<Trigger<R>>),
+    state: &mut ContactState<R>,
+    trigger: Option<Trigger<R>>,
     log: &mut Log<R>,
-) -> ContactState<R> {
-    let (mut state, mut next) = match trigger {
-        Some(trigger) => apply(scene, grip, (state, trigger), log),
-        None => (state, Next::Relax(None)),
+) {
+    let at = At { scene, grip };
+    let mut next = match trigger {
+        Some(trigger) => at.apply(state, trigger, log),
+        None => Next::Relax(None),
     };
     for _ in 0..MAX_TRANSITIONS {
         let moved = match next {
-            Next::Rest => return state,
+            Next::Rest => return,
             Next::Relax(sliding) => state.relax(scene, grip, sliding),
             Next::Slide(sign) => state.slide(scene, grip, sign),
-            Next::Snap(direction) => match &state {
-                ContactState::SingleVertex(s) => s.snap(scene, grip, direction),
-                ContactState::Corner(s) => s.snap(scene, grip, direction),
-                other => other.relax(scene, grip, None),
-            },
+            Next::Snap(direction) => state.snap(scene, grip, direction),
         };
-        record(&moved, &next, log);
-        (state, next) = apply(scene, grip, (moved.state, moved.trigger), log);
+        record(state, &moved, &next, log);
+        next = at.apply(state, moved.trigger, log);
     }
     log.transitions.add(Transition::Stays);
     log.limit(Status::Ambiguous);
-    state
 }
 
 /// What a verb has done besides its trigger.
-fn record<R: Real>(moved: &Moved<R>, next: &Next<R>, log: &mut Log<R>) {
+fn record<R: Real>(
+    state: &ContactState<R>,
+    moved: &Moved<R>,
+    next: &Next<R>,
+    log: &mut Log<R>,
+) {
     if moved.unsure {
         log.limit(Status::IterationLimit);
     }
     if moved.snapped && !matches!(next, Next::Snap(_)) {
         log.event(Event::Snap);
-        log.transitions.add(match moved.state {
-            ContactState::Free(_) => Transition::FreeFolds,
-            ContactState::Corner(_) => Transition::CornerSnaps,
-            _ => Transition::VertexSnaps,
-        });
+        log.transitions.add(fold_arm(state));
     }
     if moved.trigger == Trigger::Stopped {
         log.slip(moved.slip);
     }
 }
 
-/// The table: the state after a trigger and what it does next.
-fn apply<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    grip: &Grip<R>,
-    (state, trigger): (ContactState<R>, Trigger<R>),
-    log: &mut Log<R>,
-) -> (ContactState<R>, Next<R>) {
-    let arms = &mut log.transitions;
-    match trigger {
-        Trigger::Balanced => {
-            arms.add(rest_arm(&state));
-            (state, Next::Rest)
+/// A scene with the hand frozen.
+#[derive(Clone, Copy)]
+struct At<'a, R: Real, const V: usize, const S: usize> {
+    scene: &'a Scene<R, V, S>,
+    grip: &'a Grip<R>,
+}
+
+impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
+    /// The table: the state after a trigger and what it does next.
+    fn apply(self, state: &mut ContactState<R>, trigger: Trigger<R>, log: &mut Log<R>) -> Next<R> {
+        match trigger {
+            Trigger::Balanced => {
+                log.transitions.add(rest_arm(state));
+                Next::Rest
+            }
+            Trigger::Stopped => {
+                log.transitions.add(slip_arm(state));
+                Next::Rest
+            }
+            Trigger::Slide(sign) => Next::Slide(sign),
+            Trigger::Fold(direction) => {
+                log.transitions.add(fold_arm(state));
+                log.event(Event::Snap);
+                Next::Snap(direction)
+            }
+            Trigger::Touch(pair) => {
+                self.touch(state, pair, log);
+                Next::Relax(None)
+            }
+            Trigger::Keep { contacts, sliding } => self.keep(state, contacts, sliding, log),
+            Trigger::Clear => {
+                log.transitions.add(clear_arm(state));
+                log.event(Event::Lift);
+                let pose = state.pose(self.scene);
+                *state = ContactState::Free(Free { pose });
+                Next::Relax(None)
+            }
+            Trigger::Undriven => self.undriven(state, log),
         }
-        Trigger::Stopped => {
-            arms.add(slip_arm(&state));
-            (state, Next::Rest)
+    }
+
+    /// A vertex reaches a surface; all that close together are taken together.
+    fn touch(self, state: &mut ContactState<R>, pair: Pair, log: &mut Log<R>) {
+        let before = state.kind();
+        let pivot = self.pivot_of(state, state.contacts().first().copied().unwrap_or(pair));
+        let touching = pivot.placed(self.scene).touching(self.scene, R::TOUCH);
+        let mut all = Pairs::new();
+        let old = state.contacts();
+        for contact in old.into_iter().chain([pair]).chain(touching) {
+            if !all.contains(&contact) {
+                // Contacts beyond the capacity are redundant in the plane.
+                let _ = all.push(contact);
+            }
         }
-        Trigger::Slide(sign) => (state, Next::Slide(sign)),
-        Trigger::Fold(direction) => {
-            arms.add(fold_arm(&state));
-            log.event(Event::Snap);
-            (state, Next::Snap(direction))
+        let others = all.get(1..).unwrap_or_default();
+        *state = ContactState::seated(self.scene, pivot, others);
+        let (arm, event) = touch_arm(before, state.kind());
+        log.transitions.add(arm);
+        log.event(event);
+    }
+
+    /// Only one or two contacts last.
+    fn keep(
+        self,
+        state: &mut ContactState<R>,
+        lasting: [usize; 2],
+        sliding: Option<R>,
+        log: &mut Log<R>,
+    ) -> Next<R> {
+        let contacts = state.contacts();
+        let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
+        let pivot = self.pivot_of(state, first);
+        let before = state.kind();
+        *state = if first == second {
+            ContactState::seated(self.scene, pivot, &[])
+        } else {
+            ContactState::seated(self.scene, pivot, &[second])
+        };
+        let (arm, event) = keep_arm(before, state.kind(), sliding.is_some());
+        log.transitions.add(arm);
+        log.event(event);
+        Next::Relax(sliding)
+    }
+
+    /// Friction gave way but no motion is driven: the contact that the load opens goes, the second one first; if none
+    /// does, the body stays.
+    fn undriven(self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
+        let contacts = state.contacts();
+        for (lasts, opens) in [(0, 1), (1, 0)] {
+            if let (Some(&lasting), Some(&opening)) = (contacts.get(lasts), contacts.get(opens)) {
+                let pivot = self.pivot_of(state, lasting);
+                let placed = pivot.placed(self.scene);
+                let stance = Stance::new(self.scene, placed, self.grip);
+                let arm = placed.arm(self.scene, opening.vertex);
+                let normal = self.scene.surface(opening.surface).normal;
+                if normal.dot(arm.turned()) * stance.moment() > R::ZERO {
+                    log.transitions.add(Transition::TwoUndriven);
+                    log.event(Event::Lift);
+                    *state = ContactState::seated(self.scene, pivot, &[]);
+                    return Next::Relax(None);
+                }
+            }
         }
-        Trigger::Touch(pair) => touch(scene, &state, pair, log),
-        Trigger::Keep { contacts, sliding } => keep(scene, &state, (contacts, sliding), log),
-        Trigger::Clear => {
-            arms.add(clear_arm(&state));
-            log.event(Event::Lift);
-            let pose = state.pose(scene);
-            (ContactState::Free(Free { pose }), Next::Relax(None))
+        log.transitions.add(Transition::Stays);
+        log.limit(Status::Ambiguous);
+        Next::Rest
+    }
+
+    /// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
+    fn pivot_of(self, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
+        match state.pivot() {
+            Some(pivot) if pivot.contact == pair => pivot,
+            _ => Pivot::at(self.scene, &state.pose(self.scene), pair),
         }
-        Trigger::Undriven => undriven(scene, grip, state, log),
     }
 }
 
@@ -232,41 +312,9 @@ fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-/// The state when a vertex reaches a surface; all that close together are taken together.
-fn touch<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    state: &ContactState<R>,
-    pair: Pair,
-    log: &mut Log<R>,
-) -> (ContactState<R>, Next<R>) {
-    let mut contacts = state.contacts();
-    let before = state.kind();
-    let pivot = state
-        .pivot()
-        .unwrap_or_else(|| pivot_at(scene, state, pair));
-    let mut all = Pairs::new();
-    let touching = pivot.placed(scene).touching(scene, R::TOUCH);
-    contacts.extend(core::iter::once(pair).chain(touching));
-    for contact in core::iter::once(pivot.contact).chain(contacts) {
-        if !all.contains(&contact) {
-            // Contacts beyond the capacity are redundant in the plane.
-            let _ = all.push(contact);
-        }
-    }
-    let others = all.get(1..).unwrap_or_default();
-    let state = ContactState::seated(scene, pivot, others);
-    let (arm, event) = touch_arm(before, &state);
-    log.transitions.add(arm);
-    log.event(event);
-    (state, Next::Relax(None))
-}
-
-fn touch_arm<R: Real>(
-    before: crate::output::StateKind,
-    after: &ContactState<R>,
-) -> (Transition, Event) {
-    use crate::output::StateKind as Kind;
-    match (before, after.kind()) {
+fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
+    use StateKind as Kind;
+    match (before, after) {
         (Kind::NonContact, Kind::Edge) => (Transition::FreeLands, Event::Land),
         (Kind::NonContact, Kind::TwoVertex) => (Transition::FreeTouchesTwo, Event::Touch),
         (Kind::NonContact, Kind::Corner) => (Transition::FreeCorners, Event::Touch),
@@ -282,102 +330,16 @@ fn touch_arm<R: Real>(
     }
 }
 
-/// The pivot of a free body whose vertex has just reached a surface.
-pub(crate) fn pivot_at<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    state: &ContactState<R>,
-    pair: Pair,
-) -> Pivot<R> {
-    let pose = state.pose(scene);
-    let vertex = scene.body.vertex(pair.vertex);
-    let point = pose.position + pose.angle.rotation().apply(vertex);
-    Pivot {
-        contact: pair,
-        foot: scene.surface(pair.surface).tangent.dot(point),
-        angle: pose.angle,
-    }
-}
-
-/// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
-fn pivot_of<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    state: &ContactState<R>,
-    pair: Pair,
-) -> Pivot<R> {
-    match state.pivot() {
-        Some(pivot) if pivot.contact == pair => pivot,
-        _ => pivot_at(scene, state, pair),
-    }
-}
-
-/// The state when only one or two contacts last.
-fn keep<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    state: &ContactState<R>,
-    (lasting, sliding): ([usize; 2], Option<R>),
-    log: &mut Log<R>,
-) -> (ContactState<R>, Next<R>) {
-    let contacts = state.contacts();
-    let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
-    let pivot = pivot_of(scene, state, first);
-    let after = if first == second {
-        ContactState::seated(scene, pivot, &[])
-    } else {
-        ContactState::seated(scene, pivot, &[second])
-    };
-    let (arm, event) = keep_arm(state, &after, sliding.is_some());
-    log.transitions.add(arm);
-    log.event(event);
-    // A corner is pinned: it cannot go on sliding.
-    let sliding = sliding.filter(|_| !matches!(after, ContactState::Corner(_)));
-    (after, Next::Relax(sliding))
-}
-
-fn keep_arm<R: Real>(
-    before: &ContactState<R>,
-    after: &ContactState<R>,
-    sliding: bool,
-) -> (Transition, Event) {
+fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, Event) {
     match (before, after) {
-        (ContactState::Edge(_), _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),
-        (ContactState::Edge(_), _) => (Transition::EdgeTips, Event::Tip),
-        (ContactState::TwoVertex(_), _) if sliding => (Transition::TwoOpensSliding, Event::Lift),
-        (ContactState::TwoVertex(_), _) => (Transition::TwoOpens, Event::Lift),
-        (ContactState::Corner(_), _) => (Transition::CornerSlides, Event::Lift),
-        (_, ContactState::Edge(_)) => (Transition::LockedSlidesEdge, Event::Lift),
-        (_, ContactState::TwoVertex(_)) => (Transition::LockedSlidesTwo, Event::Lift),
-        (_, ContactState::Corner(_)) => (Transition::LockedCorners, Event::Lift),
+        (StateKind::Edge, _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),
+        (StateKind::Edge, _) => (Transition::EdgeTips, Event::Tip),
+        (StateKind::TwoVertex, _) if sliding => (Transition::TwoOpensSliding, Event::Lift),
+        (StateKind::TwoVertex, _) => (Transition::TwoOpens, Event::Lift),
+        (StateKind::Corner, _) => (Transition::CornerSlides, Event::Lift),
+        (_, StateKind::Edge) => (Transition::LockedSlidesEdge, Event::Lift),
+        (_, StateKind::TwoVertex) => (Transition::LockedSlidesTwo, Event::Lift),
+        (_, StateKind::Corner) => (Transition::LockedCorners, Event::Lift),
         _ => (Transition::LockedTips, Event::Tip),
     }
-}
-
-/// Friction gave way but no motion is driven: the contact that the load opens goes, the second one first; if none
-/// does, the body stays.
-fn undriven<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    grip: &Grip<R>,
-    state: ContactState<R>,
-    log: &mut Log<R>,
-) -> (ContactState<R>, Next<R>) {
-    let contacts = state.contacts();
-    for (lasts, opens) in [(0, 1), (1, 0)] {
-        if let (Some(&lasting), Some(&opening)) = (contacts.get(lasts), contacts.get(opens)) {
-            let pivot = pivot_of(scene, &state, lasting);
-            let placed = pivot.placed(scene);
-            let stance = Stance::new(scene, placed, pivot.angle, grip);
-            let arm = placed.arm(scene, opening.vertex);
-            let normal = scene.surface(opening.surface).normal;
-            if normal.dot(arm.turned()) * stance.moment() > R::ZERO {
-                log.transitions.add(Transition::TwoUndriven);
-                log.event(Event::Lift);
-                return (
-                    ContactState::seated(scene, pivot, &[]),
-                    Next::Relax(None),
-                );
-            }
-        }
-    }
-    log.transitions.add(Transition::Stays);
-    log.limit(Status::Ambiguous);
-    (state, Next::Rest)
 }

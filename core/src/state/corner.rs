@@ -2,7 +2,7 @@
 //! two friction cones. Beyond an outer edge of that sum the vertex slides along the surface of that edge.
 
 use super::single_vertex::fold_or_end;
-use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
+use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Moving;
 use crate::geometry::Vec2;
@@ -40,7 +40,7 @@ impl<R: Real> Corner<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), self.pivot.angle, grip)
+        Stance::new(scene, self.pivot.placed(scene), grip)
     }
 
     /// The edges of the two cones: contact, side and direction.
@@ -87,7 +87,7 @@ impl<R: Real> Corner<R> {
 
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
     pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         from: &Grip<R>,
         to: &Grip<R>,
@@ -112,28 +112,25 @@ impl<R: Real> Corner<R> {
                 trigger = slides(&outer);
             }
         }
-        let mut state = self.turned(course.end.turn);
+        self.turn(course.end.turn);
         if trigger == Trigger::Balanced {
-            let correction = state.stance(scene, to).correction();
-            state = state.turned(correction);
+            let correction = self.stance(scene, to).correction();
+            self.turn(correction);
         }
         Moved {
             part: course.end.part(),
             unsure: course.unsure,
-            ..Moved::new(ContactState::Corner(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
-    fn turned(&self, turn: R) -> Self {
-        Self {
-            pivot: self.pivot.moved(R::ZERO, turn),
-            surface: self.surface,
-        }
+    fn turn(&mut self, turn: R) {
+        self.pivot = self.pivot.moved(R::ZERO, turn);
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
     pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Moved<R> {
@@ -143,7 +140,7 @@ impl<R: Real> Corner<R> {
 
     /// The same from a fold of the branch, on in the direction of the sign.
     pub(crate) fn snap<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         direction: R,
@@ -153,7 +150,7 @@ impl<R: Real> Corner<R> {
     }
 
     fn turn_by<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
@@ -168,15 +165,15 @@ impl<R: Real> Corner<R> {
         };
         let placed = self.pivot.placed(scene);
         let touch = placed.first_touch(scene, &mut course, &moving);
-        let state = self.turned(course.end.turn);
+        self.turn(course.end.turn);
         let trigger = match touch {
             Some(touch) => Trigger::Touch(touch),
-            None => state.test(scene, grip),
+            None => self.test(scene, grip),
         };
         Moved {
             snapped: downhill.snapped,
             unsure: downhill.unsure || course.unsure,
-            ..Moved::new(ContactState::Corner(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -205,9 +202,9 @@ impl<R: Real> Corner<R> {
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
-        super::locked::shared_reactions(scene, &self.pivot, &self.contacts(), grip)
+        super::locked::shared_reactions(scene, &self.contacts(), stance)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's way
 //! and in the slip, so every event is closed form.
 
-use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
+use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::detect::Moving;
 use crate::friction::Verdict;
@@ -42,7 +42,7 @@ impl<R: Real> Edge<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), self.pivot.angle, grip)
+        Stance::new(scene, self.pivot.placed(scene), grip)
     }
 
     fn reaction<const V: usize, const S: usize>(
@@ -101,7 +101,7 @@ impl<R: Real> Edge<R> {
         }
         Moved {
             part: course.end.part(),
-            ..Moved::new(ContactState::Edge(self.clone()), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -112,8 +112,7 @@ impl<R: Real> Edge<R> {
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
-        let trigger = self.test(scene, grip, sliding);
-        Moved::new(ContactState::Edge(self.clone()), trigger)
+        Moved::by(self.test(scene, grip, sliding))
     }
 
     fn test<const V: usize, const S: usize>(
@@ -151,7 +150,7 @@ impl<R: Real> Edge<R> {
 
     /// Slides along sign·t to the first of |T| = mu_d N, touch, N_i = 0.
     pub(crate) fn slide<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sign: R,
@@ -183,13 +182,10 @@ impl<R: Real> Edge<R> {
             }
         }
         let slip = sign * farthest * course.end.part();
-        let state = Self {
-            pivot: self.pivot.moved(slip, R::ZERO),
-            vertex: self.vertex,
-        };
+        self.pivot = self.pivot.moved(slip, R::ZERO);
         Moved {
             slip,
-            ..Moved::new(ContactState::Edge(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -197,10 +193,9 @@ impl<R: Real> Edge<R> {
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
-        let stance = self.stance(scene, grip);
-        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        let reaction = self.reaction(scene, stance, &Way::slide(Vec2::ZERO));
         let parts = reaction.parts.map(|part| part.start.max(R::ZERO));
         let normal = parts[0] + parts[1];
         let friction = reaction.friction.start;

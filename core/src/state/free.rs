@@ -1,9 +1,9 @@
 //! No contact (STATICS 2): the holding point hangs at the hand, the body turns with it.
 
-use super::{ContactState, Moved, Trigger};
+use super::{Moved, Trigger};
 use crate::coupling::{Grip, Stance};
 use crate::detect::{Moving, Placed};
-use crate::geometry::{Angle, Pose, Vec2};
+use crate::geometry::{Orientation, Pose, Vec2};
 use crate::motion::{Course, Motion};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -26,19 +26,19 @@ impl<R: Real> Free<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Stance<R> {
-        let rotation = self.pose.angle.rotation();
+        let orientation = self.pose.orientation;
         let placed = Placed {
-            point: self.pose.position + rotation.apply(grip.holding_point),
+            point: self.pose.position + orientation.rotation().apply(grip.holding_point),
             body_point: grip.holding_point,
-            rotation,
+            orientation,
             on: None,
         };
-        Stance::new(scene, placed, self.pose.angle, grip)
+        Stance::new(scene, placed, grip)
     }
 
     /// Along the hand's way, turning in balance with the weight.
     pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         from: &Grip<R>,
         to: &Grip<R>,
@@ -57,8 +57,8 @@ impl<R: Real> Free<R> {
         }
         if moved.trigger == Trigger::Balanced {
             // The end itself, free of the rounding of the way.
-            let angle = self.pose.angle.plus(course.end.turn);
-            moved.state = Self::balance(scene, to, angle);
+            let near = self.pose.orientation.plus(course.end.turn);
+            *self = Self::balance(scene, to, near);
         }
         moved
     }
@@ -67,49 +67,47 @@ impl<R: Real> Free<R> {
     fn balance<const V: usize, const S: usize>(
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
-        near: Angle<R>,
-    ) -> ContactState<R> {
+        near: Orientation<R>,
+    ) -> Self {
         let follows = scene.weight == Vec2::ZERO && scene.stiffness > R::ZERO;
-        let angle = if follows {
-            grip.angle
+        let orientation = if follows {
+            Orientation::new(grip.angle)
         } else {
             let pose = Pose {
                 position: grip.hand,
-                angle: near,
+                orientation: near,
             };
             near.plus(Self { pose }.stance(scene, grip).correction())
         };
         let holding_point = grip.hand + scene.weight;
-        let position = holding_point - angle.rotation().apply(grip.holding_point);
-        ContactState::Free(Self {
-            pose: Pose { position, angle },
-        })
+        let position = holding_point - orientation.rotation().apply(grip.holding_point);
+        Self {
+            pose: Pose {
+                position,
+                orientation,
+            },
+        }
     }
 
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where the
     /// vertex that has just opened blocks this line, the holding point goes first and the turn follows: both fall in
     /// energy by themselves.
     pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Moved<R> {
         let downhill = self.stance(scene, grip).pinned().downhill();
+        let near = self.pose.orientation.plus(downhill.turn);
         let mut moved = self.straight(scene, grip, downhill.turn, R::ONE);
         if moved.part == R::ZERO {
-            let shifted = self.straight(scene, grip, R::ZERO, R::ONE);
-            if shifted.part > R::ZERO {
-                moved = match &shifted.state {
-                    ContactState::Free(free) if shifted.trigger == Trigger::Balanced => {
-                        free.straight(scene, grip, downhill.turn, R::ZERO)
-                    }
-                    _ => shifted,
-                };
+            moved = self.straight(scene, grip, R::ZERO, R::ONE);
+            if moved.trigger == Trigger::Balanced {
+                moved = self.straight(scene, grip, downhill.turn, R::ZERO);
             }
         }
         if moved.trigger == Trigger::Balanced {
-            let angle = self.pose.angle.plus(downhill.turn);
-            moved.state = Self::balance(scene, grip, angle);
+            *self = Self::balance(scene, grip, near);
         }
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
@@ -118,7 +116,7 @@ impl<R: Real> Free<R> {
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
     fn straight<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         turn: R,
@@ -134,7 +132,7 @@ impl<R: Real> Free<R> {
     }
 
     fn sweep<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         stance: &Stance<R>,
         mut course: Course<R>,
@@ -147,20 +145,18 @@ impl<R: Real> Free<R> {
         };
         let touch = stance.placed.first_touch(scene, &mut course, &moving);
         let part = course.end.part();
-        let angle = self.pose.angle.plus(course.end.turn);
+        let orientation = self.pose.orientation.plus(course.end.turn);
         let point = stance.placed.point + sweep.shift * part;
         let placed = Placed {
             point,
-            rotation: angle.rotation(),
+            orientation,
             ..stance.placed
         };
-        let state = ContactState::Free(Self {
-            pose: placed.pose(angle),
-        });
+        self.pose = placed.pose();
         Moved {
             part,
             unsure: course.unsure,
-            ..Moved::new(state, touch.map_or(Trigger::Balanced, Trigger::Touch))
+            ..Moved::by(touch.map_or(Trigger::Balanced, Trigger::Touch))
         }
     }
 }

@@ -1,12 +1,13 @@
 //! Three or more contacts (STATICS 6): the pose is fixed while some combination of the friction cones bears the load. If
 //! none does, the facet of their common cone that yields first tells which contacts last and how they move.
 
-use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
+use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
+use crate::detect::Placed;
 use crate::output::MAX_CONTACTS;
 use crate::real::Real;
 use crate::scene::Scene;
-use crate::support::{Bearing, Screw, Support, Yield};
+use crate::support::{Bearing, Support, Yield};
 use heapless::Vec;
 
 /// The memory: where the first contact is held, the fixed angle, the other contacts.
@@ -32,7 +33,7 @@ impl<R: Real> Locked<R> {
         let (part, trigger) = first_yield(scene, &self.pivot, &self.contacts(), from, to);
         Moved {
             part,
-            ..Moved::new(ContactState::Locked(self.clone()), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -48,19 +49,18 @@ impl<R: Real> Locked<R> {
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
-        shared_reactions(scene, &self.pivot, &self.contacts(), grip)
+        shared_reactions(scene, &self.contacts(), stance)
     }
 }
 
 /// The common cone of contacts, moments about the pivot.
 fn support<R: Real, const V: usize, const S: usize>(
     scene: &Scene<R, V, S>,
-    pivot: &Pivot<R>,
+    placed: &Placed<R>,
     contacts: &[Pair],
 ) -> Support<R> {
-    let placed = pivot.placed(scene);
     let mut support = Support::default();
     for contact in contacts {
         let surface = scene.surface(contact.surface);
@@ -74,14 +74,6 @@ fn support<R: Real, const V: usize, const S: usize>(
     support
 }
 
-fn load<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
-    pivot: &Pivot<R>,
-    grip: &Grip<R>,
-) -> Screw<R> {
-    Stance::new(scene, pivot.placed(scene), pivot.angle, grip).load()
-}
-
 /// The part of the hand's way after which fixed contacts cannot bear the load, and what happens then.
 pub(super) fn first_yield<R: Real, const V: usize, const S: usize>(
     scene: &Scene<R, V, S>,
@@ -90,8 +82,9 @@ pub(super) fn first_yield<R: Real, const V: usize, const S: usize>(
     from: &Grip<R>,
     to: &Grip<R>,
 ) -> (R, Trigger<R>) {
-    let support = support(scene, pivot, contacts);
-    let (before, after) = (load(scene, pivot, from), load(scene, pivot, to));
+    let placed = pivot.placed(scene);
+    let support = support(scene, &placed, contacts);
+    let [before, after] = [from, to].map(|grip| Stance::new(scene, placed, grip).load());
     match support.first_yield(before, after) {
         None => (R::ONE, Trigger::Balanced),
         Some((part, Yield::Pivot { contact })) => (
@@ -114,11 +107,10 @@ pub(super) fn first_yield<R: Real, const V: usize, const S: usize>(
 /// Reactions of contacts that are statically indeterminate.
 pub(super) fn shared_reactions<R: Real, const V: usize, const S: usize>(
     scene: &Scene<R, V, S>,
-    pivot: &Pivot<R>,
     contacts: &[Pair],
-    grip: &Grip<R>,
+    stance: &Stance<R>,
 ) -> Reactions<R> {
-    let shares = support(scene, pivot, contacts).share(load(scene, pivot, grip));
+    let shares = support(scene, &stance.placed, contacts).share(stance.load());
     let pairs = contacts.iter().zip(shares);
     pairs
         .map(|(contact, [plus, minus])| {

@@ -1,7 +1,7 @@
 //! One vertex on one surface (STATICS 3): pinned it turns in balance of moments about the contact, the angle on its
 //! branch; it slips along the surface with the moment balanced at every place.
 
-use super::{ContactState, Moved, Pairs, Reactions, Trigger};
+use super::{Moved, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::detect::Moving;
 use crate::friction::Verdict;
@@ -33,7 +33,7 @@ impl<R: Real> SingleVertex<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), self.pivot.angle, grip)
+        Stance::new(scene, self.pivot.placed(scene), grip)
     }
 
     fn reaction(stance: &Stance<R>, surface: &Surface<R>, way: &Way<R>) -> Reaction<R> {
@@ -45,7 +45,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
     pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         from: &Grip<R>,
         to: &Grip<R>,
@@ -78,27 +78,25 @@ impl<R: Real> SingleVertex<R> {
         if motion.stop_at(&reaction.normal, &mut course) {
             trigger = Trigger::Clear;
         }
-        let mut state = self.turned(course.end.turn);
+        self.turn(course.end.turn);
         if trigger == Trigger::Balanced {
-            let correction = state.stance(scene, to).correction();
-            state = state.turned(correction);
+            let correction = self.stance(scene, to).correction();
+            self.turn(correction);
         }
         Moved {
             part: course.end.part(),
             unsure: course.unsure,
-            ..Moved::new(ContactState::SingleVertex(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
-    fn turned(&self, turn: R) -> Self {
-        Self {
-            pivot: self.pivot.moved(R::ZERO, turn),
-        }
+    fn turn(&mut self, turn: R) {
+        self.pivot = self.pivot.moved(R::ZERO, turn);
     }
 
     /// Turns downhill about the vertex to balance, then tests friction.
     pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sliding: Option<R>,
@@ -109,7 +107,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// The same from a fold of the branch, on in the direction of the sign.
     pub(crate) fn snap<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         direction: R,
@@ -119,7 +117,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     fn turn_by<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
@@ -135,15 +133,15 @@ impl<R: Real> SingleVertex<R> {
         };
         let placed = self.pivot.placed(scene);
         let touch = placed.first_touch(scene, &mut course, &moving);
-        let state = self.turned(course.end.turn);
+        self.turn(course.end.turn);
         let trigger = match touch {
             Some(touch) => Trigger::Touch(touch),
-            None => state.test(scene, grip, sliding),
+            None => self.test(scene, grip, sliding),
         };
         Moved {
             snapped: downhill.snapped,
             unsure: downhill.unsure || course.unsure,
-            ..Moved::new(ContactState::SingleVertex(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -174,7 +172,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// Slides along sign·t, the moment balanced, to the first of (E3), touch, lift-off, fold.
     pub(crate) fn slide<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sign: R,
@@ -212,22 +210,19 @@ impl<R: Real> SingleVertex<R> {
             trigger = Trigger::Clear;
         }
         let slip = sign * farthest * course.end.part();
-        let state = Self {
-            pivot: self.pivot.moved(slip, course.end.turn),
-        };
+        self.pivot = self.pivot.moved(slip, course.end.turn);
         Moved {
             slip,
             unsure: course.unsure,
-            ..Moved::new(ContactState::SingleVertex(state), trigger)
+            ..Moved::by(trigger)
         }
     }
 
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
-        let stance = self.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);

@@ -72,7 +72,7 @@ impl<R: Real> Trammel<R> {
     ) -> Option<Self> {
         let pivot = &state.pivot;
         let placed = pivot.placed(scene);
-        let stance = Stance::new(scene, placed, pivot.angle, grip);
+        let stance = Stance::new(scene, placed, grip);
         let arm = placed.arm(scene, state.other.vertex);
         let surfaces = [pivot.surface(scene), scene.surface(state.other.surface)];
         let [forth, back] = [R::ONE, -R::ONE].map(|sense| {

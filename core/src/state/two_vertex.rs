@@ -3,8 +3,8 @@
 
 use super::locked::{first_yield, shared_reactions};
 use super::trammel::{Ending, Trammel};
-use super::{ContactState, Moved, Pair, Pairs, Reactions, Trigger};
-use crate::coupling::{Grip, Pivot};
+use super::{Moved, Pair, Pairs, Reactions, Trigger, seat};
+use crate::coupling::{Grip, Pivot, Stance};
 use crate::real::Real;
 use crate::scene::Scene;
 
@@ -41,7 +41,7 @@ impl<R: Real> TwoVertex<R> {
         }
         Moved {
             part,
-            ..Moved::new(ContactState::TwoVertex(self.clone()), trigger)
+            ..Moved::by(trigger)
         }
     }
 
@@ -63,65 +63,43 @@ impl<R: Real> TwoVertex<R> {
 
     /// Slides on both surfaces to the first of (E6), N_i = 0, touch.
     pub(crate) fn slide<const V: usize, const S: usize>(
-        &self,
+        &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Moved<R> {
-        let mut state = self.clone();
-        let (mut slip, mut unsure) = (R::ZERO, false);
-        let mut trigger = Trigger::Undriven;
+        let mut moved = Moved::by(Trigger::Undriven);
         for _ in 0..WINDOWS {
-            let Some(trammel) = Trammel::driven(scene, &state, grip) else {
+            let Some(trammel) = Trammel::driven(scene, self, grip) else {
                 break;
             };
-            let (part, ending) = trammel.run(scene, &state);
-            slip = slip + part.slide;
-            unsure |= part.unsure;
-            state = state.moved(scene, part.slide, part.turn);
-            trigger = match ending {
-                Ending::Window | Ending::Reverses => Trigger::Stopped,
-                Ending::Stopped => return state.stopped(Trigger::Stopped, slip, unsure),
-                Ending::Touches(pair) => {
-                    return state.stopped(Trigger::Touch(pair), slip, unsure);
-                }
-                Ending::Opens { lasts, sliding } => {
-                    let trigger = Trigger::Keep {
-                        contacts: [lasts, lasts],
-                        sliding: Some(sliding),
-                    };
-                    return state.stopped(trigger, slip, unsure);
-                }
+            let (run, ending) = trammel.run(scene, self);
+            self.pivot = seat(
+                scene,
+                self.pivot.moved(run.slide, run.turn),
+                &[self.other],
+            );
+            moved.slip = moved.slip + run.slide;
+            moved.unsure |= run.unsure;
+            moved.trigger = match ending {
+                Ending::Window | Ending::Reverses | Ending::Stopped => Trigger::Stopped,
+                Ending::Touches(pair) => Trigger::Touch(pair),
+                Ending::Opens { lasts, sliding } => Trigger::Keep {
+                    contacts: [lasts, lasts],
+                    sliding: Some(sliding),
+                },
             };
+            if !matches!(ending, Ending::Window | Ending::Reverses) {
+                break;
+            }
         }
-        state.stopped(trigger, slip, unsure)
-    }
-
-    fn stopped(self, trigger: Trigger<R>, slip: R, unsure: bool) -> Moved<R> {
-        Moved {
-            slip,
-            unsure,
-            ..Moved::new(ContactState::TwoVertex(self), trigger)
-        }
-    }
-
-    fn moved<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        slide: R,
-        turn: R,
-    ) -> Self {
-        let pivot = self.pivot.moved(slide, turn);
-        match ContactState::seated(scene, pivot, &[self.other]) {
-            ContactState::TwoVertex(seated) => seated,
-            _ => self.clone(),
-        }
+        moved
     }
 
     pub(crate) fn reactions<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        stance: &Stance<R>,
     ) -> Reactions<R> {
-        shared_reactions(scene, &self.pivot, &self.contacts(), grip)
+        shared_reactions(scene, &self.contacts(), stance)
     }
 }
