@@ -14,7 +14,7 @@
 use crate::geometry::Vec2;
 use crate::jet::Jet;
 use crate::real::Real;
-use crate::roots::{Found, Slope, first_zero};
+use crate::roots::{Found, Look, Slope, first_zero};
 
 /// The curve x -> (tau, ϑ), x >= 0.
 #[derive(Clone, Copy, Debug)]
@@ -185,7 +185,7 @@ impl<R: Real> Motion<R> {
         let (z0, zp) = (self.hold.reach(), self.drive.reach());
         let whole = self.stiffness + z0;
         let rate = self.rate.abs();
-        let window = if whole > R::ZERO {
+        let least = if whole > R::ZERO {
             self.scale / whole
         } else {
             R::ONE
@@ -196,7 +196,7 @@ impl<R: Real> Motion<R> {
             curvature: rate * (z0 + zp),
             rounding: R::EPSILON * self.scale,
         };
-        let fold = |p: &Place<R>| {
+        let fold = |p: &Place<R>, window: R| {
             let (h2, d2) = self.second(p);
             let d_most = p.d.abs() + window * zp;
             let curved = z0 * (rate * d_most + zp) + zp * (whole + rate * d_most);
@@ -209,19 +209,23 @@ impl<R: Real> Motion<R> {
         };
         let found = if self.stiffness > z0 + zp {
             // kappa < 1 all the way: no fold.
-            match first_zero(R::HUGE, R::HUGE, |x| [end(&self.at(x))]) {
+            match first_zero(R::HUGE, |x| Look::far([end(&self.at(x))])) {
                 Found::Zero { x, .. } => Found::Zero { x, which: 1 },
                 other => other,
             }
         } else {
-            first_zero(R::HUGE, window, |x| {
+            first_zero(R::HUGE, |x| {
                 let p = self.at(x);
-                [fold(&p), end(&p)]
+                let window = least + R::TWO * x;
+                Look {
+                    functions: [fold(&p, window), end(&p)],
+                    window,
+                }
             })
         };
         let (x, folds, unsure) = match found {
             Found::Zero { x, which } => (x, which == 0, false),
-            Found::Unsure { x, which } => (x, which == 0, true),
+            Found::Unsure { x, .. } => (x, false, true),
             Found::Nothing => (R::ZERO, false, true),
         };
         Course {
@@ -236,11 +240,19 @@ impl<R: Real> Motion<R> {
         let cosine = R::ONE - p.versine;
         let e = margin.at(p);
         let turning = margin.turning.y * cosine - margin.turning.x * p.sine;
+        let rounding = margin.rounding * self.scale;
+        // A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero
+        // is taken where the margin is overdrawn beyond doubt.
+        let credit = if margin.start <= margin.rounding {
+            R::TWO * rounding
+        } else {
+            R::ZERO
+        };
         Slope {
-            value: e * p.d + margin.along * p.h,
+            value: e * p.d + margin.along * p.h + credit,
             slope: self.rate * turning * p.d + e * p.d_slope + margin.along * p.h_slope,
             curvature,
-            rounding: margin.rounding * self.scale,
+            rounding,
         }
     }
 
@@ -270,8 +282,8 @@ impl<R: Real> Motion<R> {
         if margin.start > margin.rounding && start.min(end) > sagitta {
             return false;
         }
-        let found = first_zero(limit.x, R::HUGE, |x| {
-            [self.slope(margin, &self.at(x), curvature)]
+        let found = first_zero(limit.x, |x| {
+            Look::far([self.slope(margin, &self.at(x), curvature)])
         });
         let (x, unsure) = match found {
             Found::Nothing => return false,

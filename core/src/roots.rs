@@ -19,7 +19,7 @@ impl<R: Real> Slope<R> {
     /// The longest step that cannot pass a zero.
     fn safe_step(&self) -> R {
         let (e, d, k) = (self.value, self.slope, self.curvature);
-        if e <= self.rounding {
+        if e <= R::ZERO || e <= self.rounding && d >= R::ZERO {
             return R::ZERO;
         }
         let root = (d * d + R::TWO * k * e).sqrt();
@@ -30,6 +30,11 @@ impl<R: Real> Slope<R> {
         } else {
             R::HUGE
         }
+    }
+
+    /// After a certified step E is at most K step²; true if that or E itself is within its rounding.
+    fn is_closed_by(&self, step: R) -> bool {
+        self.value <= self.rounding || self.curvature * step * step <= self.rounding
     }
 
     /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
@@ -57,20 +62,35 @@ pub(crate) enum Found<R> {
     Unsure { x: R, which: usize },
 }
 
-/// The first x in [0, limit) at which one of M functions is zero. `window` is the farthest that one step may go: the
-/// curvatures that `eval` gives need to hold up to there only. Of two zeros at one place the first listed counts.
+/// What a search sees at one place.
+pub(crate) struct Look<R, const M: usize> {
+    pub(crate) functions: [Slope<R>; M],
+    /// The farthest that the next step may go: the curvatures need to hold up to there only.
+    pub(crate) window: R,
+}
+
+impl<R: Real, const M: usize> Look<R, M> {
+    /// With curvatures that hold everywhere.
+    pub(crate) fn far(functions: [Slope<R>; M]) -> Self {
+        Self {
+            functions,
+            window: R::HUGE,
+        }
+    }
+}
+
+/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one place the first listed counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
     limit: R,
-    window: R,
-    mut eval: impl FnMut(R) -> [Slope<R>; M],
+    mut look: impl FnMut(R) -> Look<R, M>,
 ) -> Found<R> {
     let mut x = R::ZERO;
     let mut nearest = 0;
     for i in 0..MAX_STEPS {
+        let Look { functions, window } = look(x);
         let mut step = window;
-        let mut which = None;
-        let functions = eval(x);
-        for (k, function) in functions.iter().enumerate() {
+        let mut closest = None;
+        for (which, function) in functions.iter().enumerate() {
             let safe = if i == 0 {
                 function.first_step()
             } else {
@@ -78,23 +98,20 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
             };
             if safe < step {
                 step = safe;
-                which = Some(k);
+                closest = Some((which, function));
             }
         }
-        if let Some(which) = which {
+        if x + step >= limit {
+            return Found::Nothing;
+        }
+        if let Some((which, function)) = closest {
             nearest = which;
-            // After a certified step E is at most K step².
-            let closes = functions.get(which).is_none_or(|f| {
-                f.value > f.rounding && f.curvature * step * step <= f.rounding
-            });
-            if closes || step <= R::EPSILON * x {
+            let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
+            if !leaves && (step <= R::EPSILON * x || function.is_closed_by(step)) {
                 return Found::Zero { x: x + step, which };
             }
         }
         x = x + step;
-        if x >= limit {
-            return Found::Nothing;
-        }
     }
     Found::Unsure { x, which: nearest }
 }
@@ -158,7 +175,7 @@ impl<R: Real> PinnedMoment<R> {
         };
         let start = start.max(certain);
         let mut snapped = false;
-        let found = first_zero(R::HUGE, R::HUGE, |y| {
+        let found = first_zero(R::HUGE, |y| {
             let turn = direction * (start + y);
             let (half_sin, half_cos) = (turn * R::HALF).sin_cos();
             let versine = R::TWO * half_sin * half_sin;
@@ -166,12 +183,12 @@ impl<R: Real> PinnedMoment<R> {
             let value = self.now() - self.stiffness * turn - versine * self.cross - sin * self.dot;
             let slope = -(self.stiffness + cos * self.dot + sin * self.cross);
             snapped |= slope > R::ZERO && value * direction > rounding;
-            [Slope {
+            Look::far([Slope {
                 value: value * direction,
                 slope,
                 curvature: size,
                 rounding,
-            }]
+            }])
         });
         let (way, unsure) = match found {
             Found::Zero { x, .. } => (start + x, false),

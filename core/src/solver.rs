@@ -203,10 +203,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         let mut idle = 0;
         for _ in 0..MAX_EVENTS_ON_PATH {
             let moved = state.contact.advance(&self.scene, &state.grip, to);
-            if moved.unsure {
-                log.limit(Status::IterationLimit);
-            }
-            if moved.trigger == Trigger::Balanced {
+            if moved.trigger == Trigger::Balanced && !moved.unsure {
                 settle(&self.scene, to, &mut state.contact, Some(moved.trigger), log);
                 return;
             }

@@ -8,7 +8,7 @@ use crate::geometry::Vec2;
 use crate::jet::{Jet, JetVec};
 use crate::motion::{Motion, Place};
 use crate::real::Real;
-use crate::roots::{Found, Slope, first_zero};
+use crate::roots::{Found, Look, Slope, first_zero};
 use crate::scene::{Scene, Surface};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
@@ -194,7 +194,7 @@ impl<R: Real> Trammel<R> {
         let window = R::ONE;
         let start = self.quantities(&self.motion.at(R::ZERO), window);
         let sense = start.imbalance.value.sign();
-        let found = first_zero(window, R::HUGE, |x| {
+        let found = first_zero(window, |x| {
             let q = self.quantities(&self.motion.at(x), window);
             let turning_point = |k: usize| {
                 let sign = self.signs[k];
@@ -209,13 +209,13 @@ impl<R: Real> Trammel<R> {
                     q.velocities[k].as_slope(sign)
                 }
             };
-            [
+            Look::far([
                 q.imbalance.as_slope(sense),
                 q.normals[0].as_slope(R::ONE),
                 q.normals[1].as_slope(R::ONE),
                 turning_point(0),
                 turning_point(1),
-            ]
+            ])
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing => (window, Ending::Window, false),
