@@ -183,11 +183,11 @@ impl<R: Real> Stance<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The turn that takes the rounding out of a balance.
+    /// The turn that takes the rounding out of a balance; none where it would be more than that, next to a fold.
     pub(crate) fn correction(&self) -> R {
-        let stability = self.stability();
-        if stability > R::ZERO {
-            self.moment() / stability
+        let (moment, stability) = (self.moment(), self.stability());
+        if moment.abs() < R::from_int(16) * R::MICRO * stability {
+            moment / stability
         } else {
             R::ZERO
         }

@@ -106,6 +106,16 @@ impl<R: Real> JetVec<R> {
     }
 }
 
+impl<R: Real> Add for JetVec<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self {
+            x: self.x + b.x,
+            y: self.y + b.y,
+        }
+    }
+}
+
 impl<R: Real> Sub for JetVec<R> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {

@@ -250,13 +250,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
 
     /// The hand jumps.
     fn by_jump(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
-        let fixed = matches!(
-            state.contact,
-            ContactState::Edge(_) | ContactState::TwoVertex(_) | ContactState::Locked(_)
-        );
-        // What yields first on the way tells the mode.
-        let trigger = fixed.then(|| state.contact.advance(&self.scene, &state.grip, to).trigger);
-        settle(&self.scene, to, &mut state.contact, trigger, log);
+        settle(&self.scene, to, &mut state.contact, None, log);
     }
 
     fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {

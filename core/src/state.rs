@@ -15,6 +15,7 @@ use crate::real::Real;
 use crate::scene::Scene;
 use heapless::Vec;
 
+mod bracing;
 mod corner;
 mod edge;
 mod free;
@@ -73,6 +74,15 @@ pub(crate) enum Trigger<R> {
     Clear,
     /// No motion is driven although friction gives way.
     Undriven,
+}
+
+/// How a state comes to balance.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Relax<R> {
+    /// The direction in which the first contact is already in motion.
+    pub(crate) sliding: Option<R>,
+    /// How many motions were begun in vain from this very pose.
+    pub(crate) attempt: usize,
 }
 
 /// The outcome of a verb, which has moved the state.
@@ -168,20 +178,19 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// `sliding`: the direction in which the first contact is already in motion.
     pub(crate) fn relax<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
-        sliding: Option<R>,
+        how: Relax<R>,
     ) -> Moved<R> {
         match self {
             Self::Free(s) => s.relax(scene, grip),
-            Self::SingleVertex(s) => s.relax(scene, grip, sliding),
-            Self::Edge(s) => s.relax(scene, grip, sliding),
-            Self::TwoVertex(s) => s.relax(scene, grip, sliding),
+            Self::SingleVertex(s) => s.relax(scene, grip, how.sliding),
+            Self::Edge(s) => s.relax(scene, grip, how.sliding),
+            Self::TwoVertex(s) => s.relax(scene, grip, how),
             Self::Corner(s) => s.relax(scene, grip),
-            Self::Locked(s) => s.relax(scene, grip),
+            Self::Locked(s) => s.relax(scene, grip, how.attempt),
         }
     }
 
@@ -195,7 +204,7 @@ impl<R: Real> ContactState<R> {
         match self {
             Self::SingleVertex(s) => s.snap(scene, grip, direction),
             Self::Corner(s) => s.snap(scene, grip, direction),
-            other => other.relax(scene, grip, None),
+            other => other.relax(scene, grip, Relax::default()),
         }
     }
 

@@ -136,31 +136,44 @@ impl<R: Real> Support<R> {
         })
     }
 
-    /// The first part of the way from one load to another at which the contacts cannot bear it any more. A load that is
-    /// not borne from the beginning gives part 0 and the facet that is violated most.
-    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>) -> Option<(R, Yield<R>)> {
-        let rounding = R::from_int(8) * R::EPSILON * (from.size() + to.size());
-        let mut first: Option<(R, R, Yield<R>)> = None;
-        for (normal, mode) in self.facets() {
+    /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
+    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>) -> Option<R> {
+        let rounding = Self::rounding(from) + Self::rounding(to);
+        let mut first = None;
+        for (normal, _) in self.facets() {
             // The reactions are the opposite of the load.
             let (start, end) = (-normal.dot(from), -normal.dot(to));
-            if end >= -rounding {
-                continue;
-            }
-            let part = if start > R::ZERO {
-                start / (start - end)
-            } else {
-                R::ZERO
-            };
-            let sooner = match first {
-                None => true,
-                Some((p, e, _)) => part < p || (part == p && end < e),
-            };
-            if sooner {
-                first = Some((part, end, mode));
+            if end < -rounding {
+                let part = if start > R::ZERO {
+                    start / (start - end)
+                } else {
+                    R::ZERO
+                };
+                first = Some(first.map_or(part, |least: R| least.min(part)));
             }
         }
-        first.map(|(part, _, mode)| (part, mode))
+        first
+    }
+
+    /// The incipient motion at the facet that a load violates most, among those that `allows` lets pass.
+    pub(crate) fn yields(
+        &self,
+        load: Screw<R>,
+        mut allows: impl FnMut(&Yield<R>) -> bool,
+    ) -> Option<Yield<R>> {
+        let mut most: Option<(R, Yield<R>)> = None;
+        for (normal, mode) in self.facets() {
+            let excess = normal.dot(load);
+            let is_most = most.is_none_or(|(largest, _)| excess > largest);
+            if excess >= -Self::rounding(load) && is_most && allows(&mode) {
+                most = Some((excess, mode));
+            }
+        }
+        most.map(|(_, mode)| mode)
+    }
+
+    fn rounding(load: Screw<R>) -> R {
+        R::from_int(8) * R::EPSILON * load.size()
     }
 
     /// Shares a load out among the contacts: (normal, friction) parts per contact, the mean of all ways to bear it on

@@ -1,11 +1,12 @@
 //! 4: the transition table (STATICS 8): (state, trigger) -> (state, what to do next), and the bounded loop that applies it
 //! at a frozen hand until the body rests.
 
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::coupling::{Grip, Pivot};
 use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
 use crate::scene::Scene;
-use crate::state::{ContactState, Free, Moved, Pair, Pairs, Trigger};
+use crate::detect::Placed;
+use crate::state::{ContactState, Free, Moved, Pair, Pairs, Relax, Trigger};
 
 macro_rules! transitions {
     ($($name:ident: $text:literal),+ $(,)?) => {
@@ -53,10 +54,9 @@ transitions! {
     EdgeLifts: "Both N_i are negative: the edge leaves the surface.",
     EdgeJams: "A vertex reaches another surface: locked.",
     TwoSticks: "Some internal force keeps both reactions in their cones: the pose stays.",
-    TwoOpens: "One reaction vanishes: the other vertex remains.",
+    TwoOpens: "One reaction vanishes, or no slip is driven: the other vertex remains.",
     TwoSlips: "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
     TwoOpensSliding: "One reaction vanishes in mid-slip: the other vertex slides on.",
-    TwoUndriven: "Two cone edges bind but no motion is driven: one contact opens.",
     TwoJams: "A further vertex reaches a surface: locked.",
     CornerSticks: "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
     CornerSnaps: "The angle's branch folds: the body turns about the corner to the next balance.",
@@ -122,7 +122,8 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     trigger: Option<Trigger<R>>,
     log: &mut Log<R>,
 ) {
-    let at = At { scene, grip };
+    let at = At { scene };
+    let mut attempts = Attempts::default();
     let mut next = match trigger {
         Some(trigger) => at.apply(state, trigger, log),
         None => Next::Relax(None),
@@ -130,7 +131,10 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     for _ in 0..MAX_TRANSITIONS {
         let moved = match next {
             Next::Rest => return,
-            Next::Relax(sliding) => state.relax(scene, grip, sliding),
+            Next::Relax(sliding) => {
+                let attempt = attempts.count(&state.placed(scene), state.kind());
+                state.relax(scene, grip, Relax { sliding, attempt })
+            }
             Next::Slide(sign) => state.slide(scene, grip, sign),
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
@@ -139,6 +143,35 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     }
     log.transitions.add(Transition::Stays);
     log.limit(Status::Ambiguous);
+}
+
+/// Counts how often a state of several contacts gives way at one and the same pose.
+#[derive(Default)]
+struct Attempts<R: Real> {
+    two_vertex: Option<(Placed<R>, usize)>,
+    locked: Option<(Placed<R>, usize)>,
+}
+
+impl<R: Real> Attempts<R> {
+    fn count(&mut self, placed: &Placed<R>, kind: StateKind) -> usize {
+        let record = match kind {
+            StateKind::TwoVertex => &mut self.two_vertex,
+            StateKind::Locked => &mut self.locked,
+            _ => return 0,
+        };
+        let stays = |last: &Placed<R>| {
+            let (is, was) = (placed.pose(), last.pose());
+            let moved = (is.position - was.position).reach();
+            let turned = is.orientation.angle().minus(was.orientation.angle());
+            moved + turned.abs() <= R::MICRO
+        };
+        let count = match record {
+            Some((last, count)) if stays(last) => count.saturating_add(1),
+            _ => 0,
+        };
+        *record = Some((*placed, count));
+        count
+    }
 }
 
 /// What a verb has done besides its trigger.
@@ -164,7 +197,6 @@ fn record<R: Real>(
 #[derive(Clone, Copy)]
 struct At<'a, R: Real, const V: usize, const S: usize> {
     scene: &'a Scene<R, V, S>,
-    grip: &'a Grip<R>,
 }
 
 impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
@@ -197,7 +229,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
                 *state = ContactState::Free(Free { pose });
                 Next::Relax(None)
             }
-            Trigger::Undriven => self.undriven(state, log),
+            Trigger::Undriven => Next::Relax(None),
         }
     }
 
@@ -242,30 +274,6 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
         log.transitions.add(arm);
         log.event(event);
         Next::Relax(sliding)
-    }
-
-    /// Friction gave way but no motion is driven: the contact that the load opens goes, the second one first; if none
-    /// does, the body stays.
-    fn undriven(self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
-        let contacts = state.contacts();
-        for (lasts, opens) in [(0, 1), (1, 0)] {
-            if let (Some(&lasting), Some(&opening)) = (contacts.get(lasts), contacts.get(opens)) {
-                let pivot = self.pivot_of(state, lasting);
-                let placed = pivot.placed(self.scene);
-                let stance = Stance::new(self.scene, placed, self.grip);
-                let arm = placed.arm(self.scene, opening.vertex);
-                let normal = self.scene.surface(opening.surface).normal;
-                if normal.dot(arm.turned()) * stance.moment() > R::ZERO {
-                    log.transitions.add(Transition::TwoUndriven);
-                    log.event(Event::Lift);
-                    *state = ContactState::seated(self.scene, pivot, &[]);
-                    return Next::Relax(None);
-                }
-            }
-        }
-        log.transitions.add(Transition::Stays);
-        log.limit(Status::Ambiguous);
-        Next::Rest
     }
 
     /// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.

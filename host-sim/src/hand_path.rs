@@ -15,7 +15,7 @@ use crate::source::{InputError, Source};
 /// The planar hand at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Time [s].
+    /// Time (s).
     pub t: f64,
     /// The hand, world frame of the scene; a pose that was not finite in the input is not finite here.
     pub hand: Hand<f64>,
@@ -28,7 +28,7 @@ pub struct HandPath {
 }
 
 impl HandPath {
-    /// The largest size of a hand's angle [rad]: beyond it an f64 carries less than 1e-7 rad.
+    /// The largest size of a hand's angle (rad): beyond it an f64 carries less than 1e-7 rad.
     pub const LARGEST_ANGLE: f64 = 1e9;
     /// The most frames that a path can be resampled to.
     pub const LARGEST_COUNT: usize = 1_000_000_000;
@@ -61,7 +61,7 @@ impl HandPath {
         }
     }
 
-    /// The frames: every sample is one, or, with a `rate` [Hz], one every 1/rate from the first sample to the last.
+    /// The frames: every sample is one, or, with a `rate` (Hz), one every 1/rate from the first sample to the last.
     /// Poses in between are interpolated in straight lines (the angle unwrapped); a pose beside one that is not finite
     /// is not finite either. The switch is that of the last sample reached.
     pub fn frames(&self, rate: Option<f64>) -> impl ExactSizeIterator<Item = Sample> + '_ {

@@ -9,6 +9,7 @@ mod notes;
 mod plane;
 mod series;
 mod sheet;
+mod states;
 mod strip;
 mod style;
 mod timeline;
@@ -83,8 +84,8 @@ pub fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
     for (name, picture) in PICTURES {
         let drawing = |reason| PlotError::Drawing { name, reason };
         let svg = picture(run).map_err(|error| drawing(error.to_string()))?;
-        let png = rasterizer.png(&svg).map_err(drawing)?;
         files.push(save(dir.join(name).with_extension("svg"), svg.as_bytes())?);
+        let png = rasterizer.png(&svg).map_err(drawing)?;
         files.push(save(dir.join(name).with_extension("png"), &png)?);
     }
     Ok(files)

@@ -11,17 +11,17 @@ use crate::scene_file::SceneFile;
 pub struct Run {
     /// The scene's name: its file name without the extension.
     pub title: String,
-    /// Vertices of the body [m], body frame, counter-clockwise; 1: a point, 2: a rod.
+    /// Vertices of the body (m), body frame, counter-clockwise; 1: a point, 2: a rod.
     pub body: Vec<[f64; 2]>,
     /// The surfaces, in the order of the scene file.
     pub surfaces: Vec<SurfaceInfo>,
-    /// k_h [N/m]
+    /// k_h (N/m)
     pub stiffness_translation: f64,
-    /// k_theta [N·m/rad]
+    /// k_theta (N·m/rad)
     pub stiffness_rotation: f64,
-    /// Weight [N] at the centroid, along world -y.
+    /// Weight (N) at the centroid, along world -y.
     pub weight: f64,
-    /// The initial holding point [m], body frame; `None`: taken from the hand at the grasp.
+    /// The initial holding point (m), body frame; `None`: taken from the hand at the grasp.
     pub holding_point: Option<[f64; 2]>,
     /// The number type of the solver.
     pub number: Number,
@@ -56,7 +56,7 @@ pub struct SurfaceInfo {
     pub name: String,
     /// Unit normal to the free side.
     pub normal: [f64; 2],
-    /// Distance of the surface from the world's origin along the normal [m].
+    /// Distance of the surface from the world's origin along the normal (m).
     pub offset: f64,
     /// mu_s
     pub friction_static: f64,
@@ -67,25 +67,25 @@ pub struct SurfaceInfo {
 /// One hand frame and the equilibrium at its end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// Time of the hand's sample [s].
+    /// Time of the hand's sample (s).
     pub t: f64,
-    /// Hand: x, y [m], phi [rad]; the last good one where a bad one was held.
+    /// Hand: x, y (m), phi (rad); the last good one where a bad one was held.
     pub hand: [f64; 3],
     /// The hand holds the body.
     pub held: bool,
-    /// Body: x, y [m], theta [rad].
+    /// Body: x, y (m), theta (rad).
     pub pose: [f64; 3],
-    /// Depth coordinate [m].
+    /// Depth coordinate (m).
     pub depth: f64,
     /// The contact state.
     pub state: StateKind,
     /// The contacts.
     pub contacts: Vec<ContactRecord>,
-    /// Force [N] and moment about the holding point [N·m] of the hand on the body.
+    /// Force (N) and moment about the holding point (N·m) of the hand on the body.
     pub wrench: [f64; 3],
     /// Slips that ended in this frame.
     pub slips: u32,
-    /// The longest of them [m].
+    /// The longest of them (m).
     pub longest_slip: f64,
     /// What happened, in order.
     pub events: Vec<Event>,
@@ -100,16 +100,16 @@ pub struct ContactRecord {
     pub vertex: usize,
     /// Index into [`Run::surfaces`].
     pub surface: usize,
-    /// Where they touch [m].
+    /// Where they touch (m).
     pub point: [f64; 2],
-    /// Reaction N on the body along the surface's normal [N].
+    /// Reaction N on the body along the surface's normal (N).
     pub normal: f64,
-    /// Friction T on the body along the tangent (n_y, -n_x) [N].
+    /// Friction T on the body along the tangent (n_y, -n_x) (N).
     pub friction: f64,
 }
 
 impl Frame {
-    /// The frame at time `t` [s] with the solver's answer.
+    /// The frame at time `t` (s) with the solver's answer.
     pub fn new<F: SiFloat>(t: f64, output: &Output<F>) -> Self {
         let placed = |[x, y]: [F; 2], angle: F| [x.widen(), y.widen(), angle.widen()];
         Self {

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// Which plots were written, and where.
-pub fn plots(folder: &Path, files: &[PathBuf]) -> String {
+pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
     let mut text = format!("  {:<18}{}\n", "plots", folder.display());
     for file in files {
         // Writing to a string does not fail.
@@ -15,6 +15,6 @@ pub fn plots(folder: &Path, files: &[PathBuf]) -> String {
 }
 
 /// Prints; a reader that has gone is no error.
-pub fn print(text: &str) {
+pub(crate) fn print(text: &str) {
     let _ = io::stdout().write_all(text.as_bytes());
 }

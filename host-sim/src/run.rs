@@ -15,7 +15,7 @@ use crate::plot::{self, PlotError};
 use crate::record::{Frame, Run};
 use crate::scene_file::{Motion, SceneFile};
 use crate::simulate::simulate;
-use crate::source::{InputError, Source};
+use crate::source::InputError;
 use crate::summary::Summary;
 use crate::trace::{Format, TraceWriter};
 use crate::{report, scenes};
@@ -115,10 +115,17 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let mut record = Run::of(&scene, args.number, args.evolution);
     let mut summary = Summary::new(&record);
     let cannot_write = |error| RunError::Trace {
-        file: args.out.as_ref().map(|(file, _)| file.clone()).unwrap_or_default(),
+        file: args
+            .out
+            .as_ref()
+            .map(|(file, _)| file.clone())
+            .unwrap_or_default(),
         error,
     };
-    let trace = args.out.as_ref().map(|(file, format)| TraceWriter::create(file, *format, &record));
+    let trace = args
+        .out
+        .as_ref()
+        .map(|(file, format)| TraceWriter::create(file, *format, &record));
     let mut trace = trace.transpose().map_err(cannot_write)?;
     let frames = path.frames(rate);
     let mut progress = Progress::new(frames.len(), args.quiet);
@@ -149,7 +156,7 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
     Ok(())
 }
 
-/// The one place that knows every number type.
+/// From the name of a number type to the type.
 fn dispatch(
     args: &RunArgs,
     scene: &SceneFile,
@@ -169,7 +176,10 @@ fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     match scenes::find(name) {
         Some(source) => SceneFile::parse(source, number),
         None => {
-            let problem = format!("no such file, allowed: a scene file, or one of {}", scenes::names());
+            let problem = format!(
+                "no such file, allowed: a scene file, or one of {}",
+                scenes::names()
+            );
             Err(InputError::of_file(name, problem))
         }
     }
@@ -179,21 +189,27 @@ fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
 fn open_path(args: &RunArgs, scene: &SceneFile) -> Result<(HandPath, Option<f64>), InputError> {
     let rate = args.rate.or(scene.hand.rate);
     let path = match (&args.hand, &scene.hand.motion) {
-        (Some(file), _) | (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
+        (Some(file), _) | (None, Some(Motion::Recorded(file))) => {
+            HandPath::read(file, &scene.hand.placement)?
+        }
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
         (None, Some(Motion::Keyframes(_))) => {
             let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
             return Err(scene.error(problem));
         }
         (None, None) => {
-            let problem = "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
+            let problem =
+                "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
             return Err(scene.error(problem));
         }
     };
     let count = path.frame_count(rate);
     if count > HandPath::LARGEST_COUNT {
-        let problem = format!("the rate gives {count} frames, allowed: at most {}", HandPath::LARGEST_COUNT);
-        return Err(scene.error(problem));
+        let problem = format!(
+            "the rate gives {count} frames, allowed: at most {}",
+            HandPath::LARGEST_COUNT
+        );
+        return Err(scene.error(&problem));
     }
     Ok((path, rate))
 }
@@ -227,7 +243,8 @@ impl Progress {
             return;
         }
         if self.bar.is_none() && self.begun.elapsed() > Duration::from_secs(1) {
-            let style = ProgressStyle::with_template("{bar:40} {percent}% of {len} frames, {eta} left");
+            let style =
+                ProgressStyle::with_template("{bar:40} {percent}% of {len} frames, {eta} left");
             let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
             self.bar = Some(ProgressBar::new(self.total).with_style(style));
         }

@@ -32,19 +32,19 @@ pub type HostScene<R> = Scene<R, VERTICES, SURFACES>;
 pub struct SceneFile {
     /// The file name without its extension.
     pub title: String,
-    /// Vertices [m], body frame.
+    /// Vertices (m), body frame.
     pub vertices: Vec<[f64; 2]>,
-    /// x, y [m], theta [rad] of the body at the start.
+    /// x, y (m), theta (rad) of the body at the start.
     pub start: [f64; 3],
-    /// Weight [N].
+    /// Weight (N).
     pub weight: f64,
-    /// The initial holding point [m], body frame.
+    /// The initial holding point (m), body frame.
     pub holding_point: Option<[f64; 2]>,
-    /// How far outside the polygon a hand may be and still take hold [m].
+    /// How far outside the polygon a hand may be and still take hold (m).
     pub reach: f64,
-    /// k_h [N/m]
+    /// k_h (N/m)
     pub stiffness_translation: f64,
-    /// k_theta [N·m/rad]
+    /// k_theta (N·m/rad)
     pub stiffness_rotation: f64,
     /// The surfaces, their normals with length 1.
     pub surfaces: Vec<SurfaceInfo>,
@@ -158,9 +158,9 @@ fn vertices(check: Check<'_>, body: &document::Body) -> Result<Vec<[f64; 2]>, In
             rectangle.span().start,
             "`body.rectangle` is given besides `body.vertices`, allowed: one of the two",
         )),
-        (None, None) => Err(check.source.error(
-            "[body] has neither `vertices` nor `rectangle`, allowed: one of the two",
-        )),
+        (None, None) => Err(check
+            .source
+            .error("[body] has neither `vertices` nor `rectangle`, allowed: one of the two")),
     }
 }
 
@@ -180,8 +180,14 @@ fn surfaces(check: Check<'_>, document: &Document) -> Result<Vec<SurfaceInfo>, I
         let surface = surface(check, i, given, fallback)?;
         if let Some(first) = checked.iter().position(|other| other.name == surface.name) {
             let name = &surface.name;
-            let problem = format!("`surface[{i}].name` is {name:?}, as that of surface {first}, allowed: a name of its own");
-            let place = given.get_ref().name.as_ref().map_or(given.span(), Spanned::span);
+            let problem = format!(
+                "`surface[{i}].name` is {name:?}, as that of surface {first}, allowed: a name of its own"
+            );
+            let place = given
+                .get_ref()
+                .name
+                .as_ref()
+                .map_or(given.span(), Spanned::span);
             return Err(check.source.error_at(place.start, problem));
         }
         checked.push(surface);
@@ -196,7 +202,11 @@ struct Friction {
     slip: Option<f64>,
 }
 
-fn coefficient(check: Check<'_>, key: &str, given: Option<&document::Number>) -> Result<Option<f64>, InputError> {
+fn coefficient(
+    check: Check<'_>,
+    key: &str,
+    given: Option<&document::Number>,
+) -> Result<Option<f64>, InputError> {
     let Some(given) = given else {
         return Ok(None);
     };
@@ -216,10 +226,14 @@ fn surface(
     let surface = given.get_ref();
     let key = |name| format!("surface[{i}].{name}");
     let friction = |name, own: &Option<_>, default: Option<f64>| {
-        coefficient(check, &key(name), own.as_ref())?.or(default).ok_or_else(|| {
-            let problem = format!("surface {i} has no `{name}` friction, allowed: `{name}` here or in [friction]");
-            check.source.error_at(given.span().start, problem)
-        })
+        coefficient(check, &key(name), own.as_ref())?
+            .or(default)
+            .ok_or_else(|| {
+                let problem = format!(
+                    "surface {i} has no `{name}` friction, allowed: `{name}` here or in [friction]"
+                );
+                check.source.error_at(given.span().start, problem)
+            })
     };
     let normal = check.numbers(&key("normal"), &surface.normal, "x and y")?;
     let unit = unit_vector(normal).ok_or_else(|| {

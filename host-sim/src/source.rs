@@ -83,15 +83,10 @@ impl Source {
         InputError::of_file(&self.file, problem)
     }
 
-    /// The line that holds the byte at `offset`, counted from 1.
-    pub fn line_at(&self, offset: usize) -> usize {
-        let before = self.text.get(..offset).unwrap_or(&self.text);
-        1 + before.matches('\n').count()
-    }
-
     /// A problem in the line that holds the byte at `offset`.
     pub fn error_at(&self, offset: usize, problem: impl fmt::Display) -> InputError {
-        self.error_in_line(self.line_at(offset), problem)
+        let before = self.text.get(..offset).unwrap_or(&self.text);
+        self.error_in_line(1 + before.matches('\n').count(), problem)
     }
 
     /// A problem in a line, counted from 1.

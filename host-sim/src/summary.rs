@@ -20,7 +20,7 @@ pub struct Summary {
     slips: u64,
     longest_slip: f64,
     largest_force: f64,
-    worst: Residual,
+    imbalance: Imbalance,
     limited: BTreeMap<Status, u64>,
     solver_time: Duration,
 }
@@ -41,7 +41,7 @@ impl Summary {
             slips: 0,
             longest_slip: 0.0,
             largest_force: 0.0,
-            worst: Residual::default(),
+            imbalance: Imbalance::default(),
             limited: BTreeMap::new(),
             solver_time: Duration::ZERO,
         }
@@ -52,7 +52,10 @@ impl Summary {
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.t, frame.t));
         self.span = Some((first, frame.t));
-        if let Some(k) = StateKind::ALL.iter().position(|state| *state == frame.state) {
+        if let Some(k) = StateKind::ALL
+            .iter()
+            .position(|state| *state == frame.state)
+        {
             self.seconds[k] += frame.t - last;
         }
         self.slips += u64::from(frame.slips);
@@ -60,10 +63,10 @@ impl Summary {
         if frame.status != Status::Ok {
             *self.limited.entry(frame.status).or_default() += 1;
         }
-        let (largest, residual) = self.balance.of(frame);
+        let (largest, imbalance) = self.balance.of(frame);
         self.largest_force = self.largest_force.max(largest);
-        self.worst.force = self.worst.force.max(residual.force);
-        self.worst.moment = self.worst.moment.max(residual.moment);
+        self.imbalance.force = self.imbalance.force.max(imbalance.force);
+        self.imbalance.moment = self.imbalance.moment.max(imbalance.moment);
     }
 
     /// Sets the time that all steps of the solver took together.
@@ -77,31 +80,64 @@ impl fmt::Display for Summary {
         let (first, last) = self.span.unwrap_or_default();
         let duration = last - first;
         writeln!(f, "{}", self.title)?;
-        writeln!(f, "  {:<18}{:>10}   over {duration:.3} s", "frames", self.frames)?;
+        writeln!(
+            f,
+            "  {:<18}{:>10}   over {duration:.3} s",
+            "frames", self.frames
+        )?;
         for (state, seconds) in StateKind::ALL.iter().zip(self.seconds) {
             if seconds > 0.0 {
                 let percent = 100.0 * seconds / duration;
-                writeln!(f, "  {:<18}{seconds:>10.3} s {percent:>6.1} %", state.name())?;
+                writeln!(
+                    f,
+                    "  {:<18}{seconds:>10.3} s {percent:>6.1} %",
+                    state.name()
+                )?;
             }
         }
-        writeln!(f, "  {:<18}{:>10}   longest {:.3} mm", "slips", self.slips, 1e3 * self.longest_slip)?;
+        writeln!(
+            f,
+            "  {:<18}{:>10}   longest {:.3} mm",
+            "slips",
+            self.slips,
+            1e3 * self.longest_slip
+        )?;
         writeln!(f, "  {:<18}{:>10.4} N", "largest force", self.largest_force)?;
-        let Residual { force, moment } = self.worst;
-        writeln!(f, "  {:<18}{force:>10.1e}   of the frame's largest force", "worst residual")?;
-        writeln!(f, "  {:<18}{moment:>10.1e}   of that force times the body size, for moments", "")?;
+        let force = self.imbalance.force / self.largest_force.max(f64::MIN_POSITIVE);
+        let moment =
+            self.imbalance.moment / (self.largest_force * self.balance.size).max(f64::MIN_POSITIVE);
+        writeln!(
+            f,
+            "  {:<18}{force:>10.1e}   forces, of the largest force",
+            "worst residual"
+        )?;
+        writeln!(
+            f,
+            "  {:<18}{moment:>10.1e}   moments, of that force times the body size",
+            ""
+        )?;
         let limited: u64 = self.limited.values().sum();
         let kinds: Vec<String> = (self.limited.iter())
             .map(|(status, count)| format!("{} {count}", status.name()))
             .collect();
-        writeln!(f, "  {:<18}{limited:>10}   {}", "frames not ok", kinds.join(", "))?;
+        writeln!(
+            f,
+            "  {:<18}{limited:>10}   {}",
+            "frames not ok",
+            kinds.join(", ")
+        )?;
         let nanoseconds = self.solver_time.as_secs_f64() * 1e9 / self.frames.max(1) as f64;
-        writeln!(f, "  {:<18}{nanoseconds:>10.0} ns per frame, measured around the solver's steps", "mean time")
+        writeln!(
+            f,
+            "  {:<18}{nanoseconds:>10.0} ns per frame, measured around the solver's steps",
+            "mean time"
+        )
     }
 }
 
-/// By how much forces and moments miss balance, as parts of the largest force (times the body size).
+/// By how much forces (N) and moments (N·m) miss balance.
 #[derive(Clone, Copy, Debug, Default)]
-struct Residual {
+struct Imbalance {
     force: f64,
     moment: f64,
 }
@@ -112,7 +148,7 @@ struct Balance {
     stiffness_translation: f64,
     weight: f64,
     centroid: [f64; 2],
-    /// Largest distance of two vertices [m], 1 for a point.
+    /// Largest distance of two vertices (m), 1 for a point.
     size: f64,
     normals: Vec<[f64; 2]>,
 }
@@ -134,8 +170,8 @@ impl Balance {
         }
     }
 
-    /// The largest force [N] of a frame and its residual, the latter 0 where no hand holds the body.
-    fn of(&self, frame: &Frame) -> (f64, Residual) {
+    /// The largest force (N) of a frame, and what is left of the sums: nothing where no hand holds the body.
+    fn of(&self, frame: &Frame) -> (f64, Imbalance) {
         let [fx, fy, mut moment] = frame.wrench;
         // The holding point: the spring's force is k_h times the way from it to the hand.
         let grip = [
@@ -150,21 +186,34 @@ impl Balance {
             largest = largest.max(force[0].hypot(force[1]));
         };
         for contact in &frame.contacts {
-            let [nx, ny] = self.normals.get(contact.surface).copied().unwrap_or_default();
+            let [nx, ny] = self
+                .normals
+                .get(contact.surface)
+                .copied()
+                .unwrap_or_default();
             let (normal, friction) = (contact.normal, contact.friction);
-            add([normal * nx + friction * ny, normal * ny - friction * nx], contact.point);
+            add(
+                [normal * nx + friction * ny, normal * ny - friction * nx],
+                contact.point,
+            );
         }
         let ([x, y, theta], [cx, cy]) = (frame.pose, self.centroid);
         let (sin, cos) = theta.sin_cos();
-        add([0.0, -self.weight], [x + cos * cx - sin * cy, y + sin * cx + cos * cy]);
-        if !frame.held || largest == 0.0 {
-            return (largest, Residual::default());
+        add(
+            [0.0, -self.weight],
+            [x + cos * cx - sin * cy, y + sin * cx + cos * cy],
+        );
+        if !frame.held {
+            return (largest, Imbalance::default());
         }
-        let residual = Residual {
-            force: sum[0].hypot(sum[1]) / largest,
-            moment: moment.abs() / (largest * self.size),
-        };
-        (largest, residual)
+        let force = sum[0].hypot(sum[1]);
+        (
+            largest,
+            Imbalance {
+                force,
+                moment: moment.abs(),
+            },
+        )
     }
 }
 
@@ -178,7 +227,10 @@ fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
     let first = vertices.first().copied().unwrap_or_default();
     if count < 3 {
         let last = vertices.last().copied().unwrap_or_default();
-        return [f64::midpoint(first[0], last[0]), f64::midpoint(first[1], last[1])];
+        return [
+            f64::midpoint(first[0], last[0]),
+            f64::midpoint(first[1], last[1]),
+        ];
     }
     let from_first = |v: [f64; 2]| [v[0] - first[0], v[1] - first[1]];
     let (mut area, mut sum) = (0.0, [0.0; 2]);
@@ -186,7 +238,13 @@ fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
         let (a, b) = (from_first(pair[0]), from_first(pair[1]));
         let twice = cross(a, b);
         area += twice;
-        sum = [sum[0] + twice * (a[0] + b[0]), sum[1] + twice * (a[1] + b[1])];
+        sum = [
+            sum[0] + twice * (a[0] + b[0]),
+            sum[1] + twice * (a[1] + b[1]),
+        ];
     }
-    [first[0] + sum[0] / (3.0 * area), first[1] + sum[1] / (3.0 * area)]
+    [
+        first[0] + sum[0] / (3.0 * area),
+        first[1] + sum[1] / (3.0 * area),
+    ]
 }

@@ -142,7 +142,11 @@ impl TraceWriter {
         };
         Ok(Self {
             place: place.to_owned(),
-            surfaces: run.surfaces.iter().map(|surface| surface.name.clone()).collect(),
+            surfaces: run
+                .surfaces
+                .iter()
+                .map(|surface| surface.name.clone())
+                .collect(),
             single: run.number.is_single(),
             writer,
         })
@@ -169,7 +173,9 @@ impl TraceWriter {
     /// The file cannot be written or moved.
     pub fn finish(self) -> io::Result<()> {
         let file = match self.writer {
-            Writer::JsonLines(writer) => writer.into_inner().map_err(io::IntoInnerError::into_error),
+            Writer::JsonLines(writer) => {
+                writer.into_inner().map_err(io::IntoInnerError::into_error)
+            }
             Writer::Csv(writer) => writer.into_inner().map_err(|error| error.into_error()),
         }?;
         file.persist(&self.place)?;

@@ -12,5 +12,9 @@ pub fn close(what: &str, got: f64, want: f64, bound: f64) {
 
 /// The number of repetitions: `release` in an optimised build, `debug` otherwise.
 pub const fn budget(release: usize, debug: usize) -> usize {
-    if cfg!(debug_assertions) { debug } else { release }
+    if cfg!(debug_assertions) {
+        debug
+    } else {
+        release
+    }
 }

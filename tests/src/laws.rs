@@ -4,8 +4,8 @@
 use crate::number::Number;
 use crate::run::Frame;
 use crate::setup::Setup;
-use stiction_core::{Contact, StateKind, Status};
 use std::collections::BTreeSet;
+use stiction_core::{Contact, StateKind, Status};
 
 /// How far a frame is from one law.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,11 @@ impl Finding {
     /// The residual in units of its bound; infinite where it is not a number.
     pub fn severity(&self) -> f64 {
         let severity = self.residual / self.bound;
-        if severity.is_nan() { f64::INFINITY } else { severity }
+        if severity.is_nan() {
+            f64::INFINITY
+        } else {
+            severity
+        }
     }
     /// The law holds.
     pub fn holds(&self) -> bool {
@@ -45,7 +49,11 @@ pub fn worst(findings: impl IntoIterator<Item = Finding>) -> Finding {
 #[track_caller]
 pub fn assert_lawful<R: Number>(setup: &Setup, frames: &[Frame]) {
     for (i, frame) in frames.iter().enumerate() {
-        let Finding { law, residual, bound } = worst(judge::<R>(setup, frame));
+        let Finding {
+            law,
+            residual,
+            bound,
+        } = worst(judge::<R>(setup, frame));
         assert!(
             residual <= bound,
             "{} frame {i}: {law} off by {residual:.2e}, allowed {bound:.0e}: {frame:?}",
@@ -77,22 +85,39 @@ pub fn creep<R: Number>(setup: &Setup, last: &Frame, next: &Frame) -> Finding {
         quiet && surface.friction_static > surface.friction_dynamic
     };
     let moved = next.contacts.iter().filter(sticks).flat_map(|c| {
-        let same = last.contacts.iter().filter(|b| (b.vertex, b.surface) == (c.vertex, c.surface));
+        let same = last
+            .contacts
+            .iter()
+            .filter(|b| (b.vertex, b.surface) == (c.vertex, c.surface));
         same.map(|b| distance(b.point, c.point))
     });
     let farthest = moved.fold(0.0, f64::max);
-    law("a contact that sticks stays", farthest / extent::<R>(setup, next), 2.0 * R::GAP)
+    law(
+        "a contact that sticks stays",
+        farthest / extent(setup, next),
+        2.0 * R::GAP,
+    )
 }
 
 fn law(law: &'static str, residual: f64, bound: f64) -> Finding {
-    Finding { law, residual, bound: bound.max(f64::MIN_POSITIVE) }
+    Finding {
+        law,
+        residual,
+        bound: bound.max(f64::MIN_POSITIVE),
+    }
 }
 
 fn finite(frame: &Frame) -> Finding {
     let contact = |c: &Contact<f64>| [c.point[0], c.point[1], c.normal, c.friction];
     let scalars = [frame.depth, frame.longest_slip];
-    let mut numbers = frame.hand.into_iter().chain(frame.pose).chain(frame.wrench).chain(scalars);
-    let all = numbers.all(f64::is_finite) && frame.contacts.iter().flat_map(contact).all(f64::is_finite);
+    let mut numbers = frame
+        .hand
+        .into_iter()
+        .chain(frame.pose)
+        .chain(frame.wrench)
+        .chain(scalars);
+    let all =
+        numbers.all(f64::is_finite) && frame.contacts.iter().flat_map(contact).all(f64::is_finite);
     law("every number is finite", f64::from(!all), 0.0)
 }
 
@@ -107,11 +132,15 @@ fn name(frame: &Frame) -> Finding {
         (2, ..) => StateKind::TwoVertex,
         _ => StateKind::Locked,
     };
-    law("the state is named after its contacts", f64::from(frame.state != expected), 0.0)
+    law(
+        "the state is named after its contacts",
+        f64::from(frame.state != expected),
+        0.0,
+    )
 }
 
 fn geometry<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
-    let size = extent::<R>(setup, frame);
+    let size = extent(setup, frame);
     let (mut penetration, mut off, mut apart) = (0.0f64, 0.0f64, 0.0f64);
     for i in 0..setup.surfaces.len() {
         for &v in &setup.vertices {
@@ -131,7 +160,11 @@ fn geometry<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
 }
 
 fn statics<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
-    let (k_h, k_theta, l) = (setup.stiffness_translation, setup.stiffness_rotation, setup.size());
+    let (k_h, k_theta, l) = (
+        setup.stiffness_translation,
+        setup.stiffness_rotation,
+        setup.size(),
+    );
     let holding = setup.world(frame.pose, setup.holding_point.unwrap_or_default());
     let force = sub(frame.hand_position(), holding).map(|x| k_h * x);
     let moment = k_theta * (frame.hand[2] - frame.pose[2]);
@@ -143,7 +176,10 @@ fn statics<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
     let (mut outside, mut pulling) = (0.0f64, 0.0f64);
     for c in &frame.contacts {
         let n = unit(setup.surfaces[c.surface].normal);
-        let reaction = add(n.map(|x| x * c.normal), [n[1] * c.friction, -n[0] * c.friction]);
+        let reaction = add(
+            n.map(|x| x * c.normal),
+            [n[1] * c.friction, -n[0] * c.friction],
+        );
         let place = setup.world(frame.pose, setup.vertices[c.vertex]);
         let mu = setup.surfaces[c.surface].friction_static;
         sum = add(sum, reaction);
@@ -152,7 +188,13 @@ fn statics<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
         outside = outside.max((c.friction.abs() - mu * c.normal) / mu.hypot(1.0));
         pulling = pulling.max(-c.normal);
     }
-    let farthest = frame.hand.iter().chain(&frame.pose).take(2).chain(&frame.pose[..2]).fold(l, |m, x| m.max(x.abs()));
+    let farthest = frame
+        .hand
+        .iter()
+        .chain(&frame.pose)
+        .take(2)
+        .chain(&frame.pose[..2])
+        .fold(l, |m, x| m.max(x.abs()));
     let turns = frame.pose[2].abs().max(frame.hand[2].abs()).max(1.0);
     let carried = 64.0 * R::ROUNDING / R::RESIDUAL;
     let f = largest.max(carried * k_h * farthest).max(f64::MIN_POSITIVE);
@@ -164,16 +206,28 @@ fn statics<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
         law("forces balance", length(sum) / f, R::RESIDUAL),
         law("moments balance", turning.abs() / (m * l), R::RESIDUAL),
         law("the wrench is that of the springs", springs, R::RESIDUAL),
-        law("friction is in its cone", outside / reaction_scale, R::RESIDUAL),
-        law("surfaces do not pull", pulling / reaction_scale, R::RESIDUAL),
+        law(
+            "friction is in its cone",
+            outside / reaction_scale,
+            R::RESIDUAL,
+        ),
+        law(
+            "surfaces do not pull",
+            pulling / reaction_scale,
+            R::RESIDUAL,
+        ),
     ]
 }
 
-/// The length to which gaps are relative: L, and in a narrow type the farthest coordinate, if that is larger.
-fn extent<R: Number>(setup: &Setup, frame: &Frame) -> f64 {
+/// The length to which gaps are relative: L, or the farthest coordinate where that is larger.
+fn extent(setup: &Setup, frame: &Frame) -> f64 {
     let l = setup.size();
     let offsets = setup.surfaces.iter().map(|s| s.offset);
-    let far = frame.pose[..2].iter().copied().chain(offsets).fold(l, |m, x| m.max(x.abs()));
+    let far = frame.pose[..2]
+        .iter()
+        .copied()
+        .chain(offsets)
+        .fold(l, |m, x| m.max(x.abs()));
     far.max(l * frame.pose[2].abs())
 }
 
@@ -185,7 +239,7 @@ fn gap(setup: &Setup, surface: usize, place: [f64; 2]) -> f64 {
 }
 
 impl Frame {
-    /// x, y [m] of the hand.
+    /// x, y (m) of the hand.
     pub fn hand_position(&self) -> [f64; 2] {
         [self.hand[0], self.hand[1]]
     }

@@ -5,6 +5,7 @@ pub mod expect;
 pub mod laws;
 pub mod number;
 pub mod random;
+pub mod reference;
 pub mod run;
 pub mod scenes;
 pub mod setup;
@@ -28,9 +29,16 @@ macro_rules! test_each {
         #[test]
         fn $case() {
             for evolution in $crate::EVOLUTIONS {
+                println!("f64 {evolution:?}");
                 $module::$case::<f64>(evolution);
+                println!("f32 {evolution:?}");
                 $module::$case::<f32>(evolution);
             }
         }
     )*};
 }
+
+/// The example in the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;

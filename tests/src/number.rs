@@ -20,7 +20,7 @@ pub trait Number: Real {
     /// From the float in which the type gives SI values.
     fn wide(x: Self::Si) -> f64;
 
-    /// An unwrapped angle [rad] without the rounding of the narrow float.
+    /// An unwrapped angle (rad) without the rounding of the narrow float.
     fn wide_angle(angle: Angle<Self::Si>) -> f64 {
         f64::from(angle.turns) * std::f64::consts::TAU + Self::wide(angle.rest)
     }

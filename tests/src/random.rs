@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct Scenario {
     /// The scene.
     pub setup: Setup,
-    /// x, y [m], phi [rad]; the first one is at the holding point.
+    /// x, y (m), phi (rad); the first one is at the holding point.
     pub keyframes: Vec<[f64; 3]>,
 }
 
@@ -28,7 +28,8 @@ impl Scenario {
 /// k_theta / (k_h L²) 0.01 to 3, mu_s up to 1.5, weight up to 0.3 k_h L; `legs` straight lines of the hand, each
 /// reaching up to 1.2 L and 1.5 rad away from the start.
 pub fn scenario(legs: usize) -> impl Strategy<Value = Scenario> {
-    (body(), grip(), vec(surface(), 1..=3), vec(offset(), legs)).prop_map(assemble)
+    let parts = (body(), grip(), vec(surface(), 1..=3), vec(offset(), legs));
+    parts.prop_map(|(vertices, grip, planes, offsets)| assemble(vertices, grip, planes, offsets))
 }
 
 /// `count` scenarios, always the same ones.
@@ -36,7 +37,12 @@ pub fn scenarios(count: usize, legs: usize) -> impl Iterator<Item = Scenario> {
     let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(ProptestConfig::default(), rng);
     let strategy = scenario(legs);
-    (0..count).map(move |_| strategy.new_tree(&mut runner).expect("no filter rejects").current())
+    (0..count).map(move |_| {
+        strategy
+            .new_tree(&mut runner)
+            .expect("no filter rejects")
+            .current()
+    })
 }
 
 /// A configuration of proptest that draws the same `cases` in every run and writes no files.
@@ -81,21 +87,25 @@ fn body() -> impl Strategy<Value = Vec<[f64; 2]>> {
 fn grip() -> impl Strategy<Value = Grip> {
     let point = [-0.2..0.2f64, -0.2..0.2f64];
     let weight = prop_oneof![Just(0.0), 0.0..0.3f64];
-    (point, -3.0..3.0f64, 1.0..4.0f64, -2.0..0.5f64, weight).prop_map(|(point, theta, translation, rotation, weight)| Grip {
-        point,
-        theta,
-        translation: 10f64.powf(translation),
-        rotation: 10f64.powf(rotation),
-        weight,
-    })
+    (point, -3.0..3.0f64, 1.0..4.0f64, -2.0..0.5f64, weight).prop_map(
+        |(point, theta, translation, rotation, weight)| Grip {
+            point,
+            theta,
+            translation: 10f64.powf(translation),
+            rotation: 10f64.powf(rotation),
+            weight,
+        },
+    )
 }
 
 fn surface() -> impl Strategy<Value = Plane> {
     let clearance = prop_oneof![1 => Just(0.0), 3 => 0.0..0.6f64];
-    (-0.4..0.4f64, clearance, 0.0..1.5f64, 0.0..1.0f64).prop_map(|(turn, clearance, mu, ratio)| Plane {
-        turn,
-        clearance,
-        friction: [mu, mu * ratio],
+    (-0.4..0.4f64, clearance, 0.0..1.5f64, 0.0..1.0f64).prop_map(|(turn, clearance, mu, ratio)| {
+        Plane {
+            turn,
+            clearance,
+            friction: [mu, mu * ratio],
+        }
     })
 }
 
@@ -104,7 +114,12 @@ fn offset() -> impl Strategy<Value = [f64; 3]> {
 }
 
 /// Surfaces face the body from below, from the right and from the left, each turned a little.
-fn assemble((vertices, grip, planes, offsets): (Vec<[f64; 2]>, Grip, Vec<Plane>, Vec<[f64; 3]>)) -> Scenario {
+fn assemble(
+    vertices: Vec<[f64; 2]>,
+    grip: Grip,
+    planes: Vec<Plane>,
+    offsets: Vec<[f64; 3]>,
+) -> Scenario {
     let body = Setup::new(&vertices);
     let l = body.size();
     let force = grip.translation * l;
@@ -113,15 +128,23 @@ fn assemble((vertices, grip, planes, offsets): (Vec<[f64; 2]>, Grip, Vec<Plane>,
         .held_at(grip.point.map(|x| x * l))
         .springs(grip.translation, grip.rotation * force * l)
         .weighing(grip.weight * force);
-    let corners: Vec<_> = vertices.iter().map(|&v| setup.world(setup.start, v)).collect();
+    let corners: Vec<_> = vertices
+        .iter()
+        .map(|&v| setup.world(setup.start, v))
+        .collect();
     for (plane, facing) in planes.into_iter().zip([FRAC_PI_2, 0.0, 2.0 * FRAC_PI_2]) {
         let (sin, cos) = (facing + plane.turn).sin_cos();
-        let lowest = corners.iter().map(|c| cos * c[0] + sin * c[1]).fold(f64::INFINITY, f64::min);
+        let lowest = corners
+            .iter()
+            .map(|c| cos * c[0] + sin * c[1])
+            .fold(f64::INFINITY, f64::min);
         setup = setup.surface([cos, sin], lowest - plane.clearance * l, plane.friction);
     }
     let [x, y] = setup.grip();
     let start = [x, y, grip.theta];
     let hand = |[dx, dy, turn]: [f64; 3]| [x + dx * l, y + dy * l, grip.theta + turn];
-    let keyframes = std::iter::once(start).chain(offsets.into_iter().map(hand)).collect();
+    let keyframes = std::iter::once(start)
+        .chain(offsets.into_iter().map(hand))
+        .collect();
     Scenario { setup, keyframes }
 }

@@ -2,28 +2,30 @@
 
 use crate::number::Number;
 use crate::setup::{SURFACES, Setup, VERTICES};
-use stiction_core::{Angle, Contact, Event, Evolution, Hand, Output, Solver, State, StateKind, Status, Transitions};
+use stiction_core::{
+    Angle, Contact, Event, Evolution, Hand, Output, Solver, State, StateKind, Status, Transitions,
+};
 
 /// One answer of the solver, in f64; see [`Output`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// x, y [m], phi [rad] of the hand.
+    /// x, y (m), phi (rad) of the hand.
     pub hand: [f64; 3],
     /// The hand holds the body.
     pub held: bool,
-    /// x, y [m], theta [rad] of the body.
+    /// x, y (m), theta (rad) of the body.
     pub pose: [f64; 3],
-    /// Depth coordinate [m].
+    /// Depth coordinate (m).
     pub depth: f64,
     /// The contact state.
     pub state: StateKind,
     /// The contacts.
     pub contacts: Vec<Contact<f64>>,
-    /// Force [N] and moment [N·m] of the hand on the body.
+    /// Force (N) and moment (N·m) of the hand on the body.
     pub wrench: [f64; 3],
     /// Slips that ended at mu_d N.
     pub slips: u32,
-    /// The longest of them [m].
+    /// The longest of them (m).
     pub longest_slip: f64,
     /// What happened.
     pub events: Vec<Event>,
@@ -37,7 +39,8 @@ impl Frame {
     /// From the output of a number type.
     pub fn new<R: Number>(output: &Output<R::Si>) -> Self {
         let wide = R::wide;
-        let pose = |[x, y]: [R::Si; 2], angle: Angle<R::Si>| [wide(x), wide(y), R::wide_angle(angle)];
+        let pose =
+            |[x, y]: [R::Si; 2], angle: Angle<R::Si>| [wide(x), wide(y), R::wide_angle(angle)];
         let contact = |c: &Contact<R::Si>| Contact {
             vertex: c.vertex,
             surface: c.surface,
@@ -61,11 +64,11 @@ impl Frame {
             transitions: output.transitions,
         }
     }
-    /// The sum of the normal forces [N].
+    /// The sum of the normal forces (N).
     pub fn normal(&self) -> f64 {
         self.contacts.iter().map(|c| c.normal).sum()
     }
-    /// The sum of the frictions along the tangents [N].
+    /// The sum of the frictions along the tangents (N).
     pub fn friction(&self) -> f64 {
         self.contacts.iter().map(|c| c.friction).sum()
     }
@@ -88,14 +91,14 @@ pub struct Run<R: Number> {
 /// The place on a hand's way where something happens first.
 #[derive(Clone, Debug)]
 pub struct Onset {
-    /// x, y [m], phi [rad] of the hand: the first pose at which it has happened.
+    /// x, y (m), phi (rad) of the hand: the first pose at which it has happened.
     pub hand: [f64; 3],
     /// The answer for the last pose at which it had not.
     pub before: Frame,
 }
 
 impl<R: Number> Run<R> {
-    /// Starts a scene with the hand at x, y [m], phi [rad].
+    /// Starts a scene with the hand at x, y (m), phi (rad).
     ///
     /// # Panics
     /// If the scene is refused.
@@ -107,13 +110,19 @@ impl<R: Number> Run<R> {
     /// # Panics
     /// If the scene is refused.
     pub fn start_with(setup: &Setup, evolution: Evolution, hand: Hand<R::Si>) -> Self {
-        let scene = setup.scene::<R>().unwrap_or_else(|e| panic!("{}: {e}: {setup:?}", R::NAME));
+        let scene = setup
+            .scene::<R>()
+            .unwrap_or_else(|e| panic!("{}: {e}: {setup:?}", R::NAME));
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(hand);
         let frame = Frame::new::<R>(&output);
-        Self { solver, state, frame }
+        Self {
+            solver,
+            state,
+            frame,
+        }
     }
-    /// One frame with the hand at x, y [m], phi [rad].
+    /// One frame with the hand at x, y (m), phi (rad).
     pub fn step(&mut self, hand: [f64; 3]) -> &Frame {
         self.feed(planar::<R>(hand))
     }
@@ -137,7 +146,11 @@ impl<R: Number> Run<R> {
         let (from, state) = (self.frame.hand, self.state.clone());
         let (mut low, mut high) = (0.0, 1.0);
         let mut before = self.frame.clone();
-        assert!(happened(self.step(to)), "nothing happens on the way from {from:?} to {to:?}: {:?}", self.frame);
+        assert!(
+            happened(self.step(to)),
+            "nothing happens on the way from {from:?} to {to:?}: {:?}",
+            self.frame
+        );
         loop {
             let middle = (low + high) / 2.0;
             let hand = between(from, to, middle).map(R::rounded);
@@ -174,14 +187,16 @@ pub fn polyline(keyframes: &[[f64; 3]], frames_per_leg: usize) -> Vec<[f64; 3]> 
         let (from, to) = (pair[0], pair[1]);
         (1..=frames_per_leg).map(move |i| between(from, to, i as f64 / frames_per_leg as f64))
     };
-    std::iter::once(keyframes[0]).chain(keyframes.windows(2).flat_map(leg)).collect()
+    std::iter::once(keyframes[0])
+        .chain(keyframes.windows(2).flat_map(leg))
+        .collect()
 }
 
 fn between(from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
     std::array::from_fn(|k| from[k] + (to[k] - from[k]) * part)
 }
 
-/// A hand that holds, at x, y [m], phi [rad].
+/// A hand that holds, at x, y (m), phi (rad).
 pub fn planar<R: Number>([x, y, phi]: [f64; 3]) -> Hand<R::Si> {
     Hand::new(R::si(x), R::si(y), R::si(phi))
 }

@@ -13,14 +13,26 @@ pub fn all() -> Vec<(&'static str, Scenario)> {
         ("box flat", box_flat()),
         ("box as a ladder", box_as_a_ladder()),
         ("block against a wall", block_against_a_wall()),
+        ("block dropped into a corner", block_dropped_into_a_corner()),
+        ("block in a wide corner", block_in_a_wide_corner()),
+        ("block lifted straight", block_lifted_straight()),
         ("block lifted obliquely", block_lifted_obliquely()),
         ("block tips", block_tips()),
         ("block set down tilted", block_set_down_tilted()),
         ("strut buckles", strut_buckles()),
+        ("strut buckles in a groove", strut_buckles_in_a_groove()),
+        ("pendulum folds", pendulum_folds()),
         ("strut falls on its edge", strut_falls_on_its_edge()),
-        ("rod slides between floor and wall", rod_between_floor_and_wall(0.9)),
-        ("rod lies down between floor and wall", rod_between_floor_and_wall(-3.0)),
+        (
+            "rod slides between floor and wall",
+            rod_between_floor_and_wall(0.9),
+        ),
+        (
+            "rod lies down between floor and wall",
+            rod_between_floor_and_wall(-3.0),
+        ),
         ("rod taken off floor and wall", rod_taken_off()),
+        ("rod dropped between floor and wall", rod_dropped()),
         ("point in a corner", point_in_a_corner()),
         ("tip slides along", tip_slides()),
         ("frictionless tip", frictionless_tip()),
@@ -38,30 +50,44 @@ fn scenario(setup: Setup, keyframes: &[[f64; 3]]) -> Scenario {
 fn from_grip(setup: Setup, offsets: &[[f64; 3]]) -> Scenario {
     let ([x, y], theta) = (setup.grip(), setup.start[2]);
     let hand = |[dx, dy, turn]: &[f64; 3]| [x + dx, y + dy, theta + turn];
-    let keyframes: Vec<_> = std::iter::once(&[0.0; 3]).chain(offsets).map(hand).collect();
+    let keyframes: Vec<_> = std::iter::once(&[0.0; 3])
+        .chain(offsets)
+        .map(hand)
+        .collect();
     scenario(setup, &keyframes)
 }
 
 /// The box of the benchmarks, tilted by 30 degrees, pressed 10 mm deep and dragged by 0.1 m.
 pub fn box_on_a_vertex() -> Scenario {
-    let setup = Setup::bench_box().standing(0, [0.0, 0.0], FRAC_PI_6).floor(FRICTION);
+    let setup = Setup::bench_box()
+        .standing(0, [0.0, 0.0], FRAC_PI_6)
+        .floor(FRICTION);
     from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
 }
 
 /// The same box flat on the floor.
 pub fn box_flat() -> Scenario {
-    let setup = Setup::bench_box().standing(0, [0.0, 0.0], 0.0).floor(FRICTION);
+    let setup = Setup::bench_box()
+        .standing(0, [0.0, 0.0], 0.0)
+        .floor(FRICTION);
     from_grip(setup, &[[0.0, -0.01, 0.0], [0.1, -0.01, 0.0]])
 }
 
 /// The same box, tilted by 30 degrees, with one vertex on the floor and one on a wall, pressed into both and dragged
 /// up along the wall.
 pub fn box_as_a_ladder() -> Scenario {
-    let setup = Setup::bench_box().standing(0, [0.0, 0.0], FRAC_PI_6).floor(FRICTION);
+    let setup = Setup::bench_box()
+        .standing(0, [0.0, 0.0], FRAC_PI_6)
+        .floor(FRICTION);
     let [x, _] = setup.world(setup.start, [0.05, -0.03]);
     from_grip(
         setup.wall(x, FRICTION),
-        &[[0.0, -0.01, 0.0], [0.01, -0.01, 0.0], [0.01, -0.01, 0.6], [0.01, 0.05, 0.6]],
+        &[
+            [0.0, -0.01, 0.0],
+            [0.01, -0.01, 0.0],
+            [0.01, -0.01, 0.6],
+            [0.01, 0.05, 0.6],
+        ],
     )
 }
 
@@ -71,9 +97,47 @@ fn block() -> Setup {
 
 fn block_against_a_wall() -> Scenario {
     from_grip(
-        block().at([0.0, 0.3, 0.0]).wall(1.5, FRICTION),
-        &[[0.0, -0.5, 0.0], [1.5, -0.5, 0.0], [-0.2, -0.5, 0.0], [0.8, -0.5, 0.0], [0.8, 0.5, 0.0]],
+        block().at([0.0, 0.3, 0.0]).wall(1.487, [0.4, 0.2]),
+        &[
+            [0.0, -0.5, 0.0],
+            [1.513, -0.5, 0.0],
+            [-0.213, -0.5, 0.0],
+            [0.813, -0.513, 0.0],
+            [0.813, 0.5, 0.0],
+        ],
     )
+}
+
+/// Floor and wall are reached at the same instant.
+fn block_dropped_into_a_corner() -> Scenario {
+    from_grip(
+        block().at([0.0, 0.3, 0.0]).wall(1.3, [0.4, 0.2]),
+        &[
+            [0.6, -0.6, 0.0],
+            [0.6, -0.6, 0.3],
+            [0.6, -0.6, -0.3],
+            [-0.3, 0.6, 0.0],
+        ],
+    )
+}
+
+/// The wall leans back by 0.3 rad, so that the block can turn about the vertex in the corner.
+fn block_in_a_wide_corner() -> Scenario {
+    let (sin, cos) = 0.3f64.sin_cos();
+    let setup = block().surface([-cos, sin], -cos, [0.4, 0.2]);
+    from_grip(
+        setup,
+        &[
+            [0.3, -0.2, 0.0],
+            [0.3, -0.2, -1.5],
+            [0.3, -0.2, 0.2],
+            [-0.5, 0.4, 0.2],
+        ],
+    )
+}
+
+fn block_lifted_straight() -> Scenario {
+    from_grip(block().weighing(0.3), &[[0.0, -0.2, 0.0], [0.0, 0.6, 0.0]])
 }
 
 fn block_lifted_obliquely() -> Scenario {
@@ -82,13 +146,26 @@ fn block_lifted_obliquely() -> Scenario {
 
 fn block_tips() -> Scenario {
     let setup = Setup::block(1.0, 1.6).held_at([0.0, 0.8]).floor([0.9, 0.4]);
-    from_grip(setup, &[[0.0, -0.2, 0.0], [0.16, -0.2, 0.0], [-0.16, -0.2, 0.0], [0.0, -0.2, -1.9]])
+    from_grip(
+        setup,
+        &[
+            [0.0, -0.2, 0.0],
+            [0.16, -0.2, 0.0],
+            [-0.16, -0.2, 0.0],
+            [0.0, -0.2, -1.9],
+        ],
+    )
 }
 
 fn block_set_down_tilted() -> Scenario {
     from_grip(
         block().at([0.0, 1.0, 0.4]),
-        &[[0.0, -1.1, 0.0], [0.0, -1.1, -0.5], [0.3, -1.0, -0.5], [0.3, -0.2, 0.3]],
+        &[
+            [0.0, -1.1, 0.0],
+            [0.0, -1.1, -0.5],
+            [0.3, -1.0, -0.5],
+            [0.3, -0.2, 0.3],
+        ],
     )
 }
 
@@ -101,11 +178,46 @@ fn strut(kappa: f64, theta: f64) -> Setup {
 }
 
 fn strut_buckles() -> Scenario {
-    scenario(strut(1.2, 1.23), &[[0.0, -1.0, 0.1], [0.0, -1.0, -0.12], [0.0, -1.0, 0.1]])
+    scenario(
+        strut(1.2, 1.23),
+        &[[0.0, -1.0, 0.1], [0.0, -1.0, -0.12], [0.0, -1.0, 0.1]],
+    )
+}
+
+/// The strut's tip in a groove of two surfaces at 20 degrees.
+fn strut_buckles_in_a_groove() -> Scenario {
+    let (sin, cos) = 0.35f64.sin_cos();
+    let groove = Setup {
+        surfaces: Vec::new(),
+        ..strut(1.2, 0.9)
+    };
+    let setup = groove
+        .surface([sin, cos], 0.0, [0.95, 0.5])
+        .surface([-sin, cos], 0.0, [0.95, 0.5]);
+    scenario(
+        setup,
+        &[[0.0, -1.0, 0.05], [0.0, -1.0, -0.12], [0.0, -1.0, 0.1]],
+    )
+}
+
+/// A block held at its bottom, its weight above the hand.
+fn pendulum_folds() -> Scenario {
+    let setup = Setup::block(2.0, 1.0)
+        .springs(1.0, 0.25)
+        .weighing(1.0)
+        .at([0.0, 9.0, 0.0])
+        .floor(FRICTION);
+    from_grip(
+        setup,
+        &[[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, -8.0, -1.0]],
+    )
 }
 
 fn strut_falls_on_its_edge() -> Scenario {
-    scenario(strut(2.0, 1.19), &[[0.0, -1.0, -0.665], [0.0, -1.0, -0.7], [0.0, 1.5, 0.0]])
+    scenario(
+        strut(2.0, 1.19),
+        &[[0.0, -1.0, -0.665], [0.0, -1.0, -0.7], [0.0, 1.5, 0.0]],
+    )
 }
 
 /// A rod that leans between floor and wall under a load, while the hand turns to `phi`.
@@ -130,24 +242,64 @@ fn rod_taken_off() -> Scenario {
         .surface([1.0, 0.0], 0.0, friction);
     from_grip(
         setup,
-        &[[-0.2, -0.2, 0.0], [0.3, -0.3, 0.0], [-0.3, -0.3, 0.0], [-0.3, 0.4, 0.0], [0.4, 0.5, 0.0]],
+        &[
+            [-0.2, -0.2, 0.0],
+            [0.3, -0.3, 0.0],
+            [-0.3, -0.3, 0.0],
+            [-0.3, 0.4, 0.0],
+            [0.4, 0.5, 0.0],
+        ],
+    )
+}
+
+/// Floor and wall are reached at the same instant.
+fn rod_dropped() -> Scenario {
+    let foot = [0.3 + 2.0 * FRAC_PI_4.cos(), 0.3];
+    let setup = Setup::rod(2.0)
+        .held_at([1.0, 0.0])
+        .standing(0, foot, PI - FRAC_PI_4)
+        .floor(FRICTION)
+        .surface([1.0, 0.0], 0.0, FRICTION);
+    from_grip(
+        setup,
+        &[[-0.6, -0.6, 0.0], [-0.6, -0.6, 0.5], [-0.6, -0.6, -0.5]],
     )
 }
 
 /// A point that is pressed into a corner of 90 degrees and drawn out along either surface and straight away.
 fn point_in_a_corner() -> Scenario {
     let setup = Setup::point().floor(FRICTION).wall(1.0, FRICTION);
-    let (press, away) = ([1.2, -0.2, 0.0], [0.5, 0.5, 0.0]);
-    let keyframes = [away, press, [0.5, -0.2, 0.0], press, [1.2, 0.5, 0.0], press, away];
+    let (press, away) = ([1.203, -0.207, 0.0], [0.493, 0.511, 0.0]);
+    let keyframes = [
+        away,
+        press,
+        [0.487, -0.207, 0.0],
+        press,
+        [1.203, 0.509, 0.0],
+        press,
+        away,
+    ];
     scenario(setup.at(away), &keyframes)
 }
 
 fn tip_slides() -> Scenario {
-    let setup = Setup::triangle().held_at([0.0, 1.0]).springs(1.0, 0.5).at([0.0, 0.5, 0.0]);
-    from_grip(setup.floor([0.6, 0.3]), &[[0.0, -0.9, 0.0], [1.5, -0.9, 0.0], [1.5, 0.4, 0.0]])
+    let setup = Setup::triangle()
+        .held_at([0.0, 1.0])
+        .springs(1.0, 0.5)
+        .at([0.0, 0.5, 0.0]);
+    from_grip(
+        setup.floor([0.6, 0.3]),
+        &[[0.0, -0.9, 0.0], [1.5, -0.9, 0.0], [1.5, 0.4, 0.0]],
+    )
 }
 
 fn frictionless_tip() -> Scenario {
-    let setup = Setup::triangle().held_at([0.0, 1.0]).springs(1.0, 0.5).at([0.0, 0.5, 0.3]);
-    from_grip(setup.floor([0.0, 0.0]), &[[0.0, -1.0, 0.0], [0.7, -1.0, 0.2]])
+    let setup = Setup::triangle()
+        .held_at([0.0, 1.0])
+        .springs(1.0, 0.5)
+        .at([0.0, 0.5, 0.3]);
+    from_grip(
+        setup.floor([0.0, 0.0]),
+        &[[0.0, -1.0, 0.0], [0.7, -1.0, 0.2]],
+    )
 }

@@ -11,19 +11,19 @@ pub const SURFACES: usize = 4;
 /// The parameters of a scene, SI units; see [`Description`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
-    /// Body frame [m], counter-clockwise.
+    /// Body frame (m), counter-clockwise.
     pub vertices: Vec<[f64; 2]>,
-    /// x, y [m], theta [rad].
+    /// x, y (m), theta (rad).
     pub start: [f64; 3],
-    /// W [N]
+    /// W (N)
     pub weight: f64,
-    /// g [m], body frame.
+    /// g (m), body frame.
     pub holding_point: Option<[f64; 2]>,
-    /// How far outside the body a hand may take hold [m].
+    /// How far outside the body a hand may take hold (m).
     pub reach: f64,
-    /// k_h [N/m]
+    /// k_h (N/m)
     pub stiffness_translation: f64,
-    /// k_theta [N·m/rad]
+    /// k_theta (N·m/rad)
     pub stiffness_rotation: f64,
     /// The half-planes.
     pub surfaces: Vec<SurfaceDescription<f64>>,
@@ -66,7 +66,7 @@ impl Setup {
             .held_at([0.0, 0.02])
             .springs(500.0, 0.5)
     }
-    /// Start pose x, y [m], theta [rad].
+    /// Start pose x, y (m), theta (rad).
     #[must_use]
     pub fn at(self, start: [f64; 3]) -> Self {
         Self { start, ..self }
@@ -77,7 +77,7 @@ impl Setup {
         let [x, y] = turned(self.vertices[vertex], theta);
         self.at([place[0] - x, place[1] - y, theta])
     }
-    /// Held at a point of the body frame [m].
+    /// Held at a point of the body frame (m).
     #[must_use]
     pub fn held_at(self, point: [f64; 2]) -> Self {
         Self {
@@ -85,12 +85,12 @@ impl Setup {
             ..self
         }
     }
-    /// With the weight W [N].
+    /// With the weight W (N).
     #[must_use]
     pub fn weighing(self, weight: f64) -> Self {
         Self { weight, ..self }
     }
-    /// With k_h [N/m] and k_theta [N·m/rad].
+    /// With k_h (N/m) and k_theta (N·m/rad).
     #[must_use]
     pub fn springs(self, translation: f64, rotation: f64) -> Self {
         Self {
@@ -130,14 +130,17 @@ impl Setup {
         let [dx, dy] = turned(point, theta);
         [x + dx, y + dy]
     }
-    /// L [m]: the largest vertex distance; 1 for a point.
+    /// L (m): the largest vertex distance; 1 for a point.
     pub fn size(&self) -> f64 {
         let distance = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-        let pairs = self.vertices.iter().flat_map(|a| self.vertices.iter().map(move |b| distance(a, b)));
+        let pairs = self
+            .vertices
+            .iter()
+            .flat_map(|a| self.vertices.iter().map(move |b| distance(a, b)));
         let largest = pairs.fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
-    /// cg [m], body frame: of the area, of the rod, of the point.
+    /// cg (m), body frame: of the area, of the rod, of the point.
     pub fn centroid(&self) -> [f64; 2] {
         let n = self.vertices.len();
         if n < 3 {
@@ -149,7 +152,10 @@ impl Setup {
             let b = self.vertices[(i + 1) % n];
             let twice = a[0] * b[1] - a[1] * b[0];
             area += twice;
-            sum = [sum[0] + (a[0] + b[0]) * twice, sum[1] + (a[1] + b[1]) * twice];
+            sum = [
+                sum[0] + (a[0] + b[0]) * twice,
+                sum[1] + (a[1] + b[1]) * twice,
+            ];
         }
         [sum[0] / (3.0 * area), sum[1] / (3.0 * area)]
     }

@@ -3,7 +3,10 @@
 use stiction_core::{Evolution, StateKind};
 use stiction_tests::{Number, Run, Scenario, budget, scenes, test_each};
 
-test_each!(cases::still_hand_leaves_every_bit, cases::hand_within_the_cone_leaves_the_foot);
+test_each!(
+    cases::still_hand_leaves_every_bit,
+    cases::hand_within_the_cone_leaves_the_foot
+);
 
 const FRAMES: usize = budget(1_000_000, 100_000);
 
@@ -18,7 +21,11 @@ mod cases {
     use super::*;
 
     pub(super) fn still_hand_leaves_every_bit<R: Number>(evolution: Evolution) {
-        for scenario in [scenes::box_on_a_vertex(), scenes::box_flat(), scenes::box_as_a_ladder()] {
+        for scenario in [
+            scenes::box_on_a_vertex(),
+            scenes::box_flat(),
+            scenes::box_as_a_ladder(),
+        ] {
             let mut run = pressed::<R>(&scenario, evolution);
             let hand = *scenario.keyframes.last().expect("a path has keyframes");
             run.lead(hand, 100);
@@ -35,7 +42,13 @@ mod cases {
         for scenario in [scenes::box_on_a_vertex(), scenes::box_flat()] {
             let mut run = pressed::<R>(&scenario, evolution);
             let [x, y, phi] = scenario.keyframes[1];
-            let feet = |run: &Run<R>| run.frame.contacts.iter().map(|c| (c.vertex, c.point)).collect::<Vec<_>>();
+            let feet = |run: &Run<R>| {
+                run.frame
+                    .contacts
+                    .iter()
+                    .map(|c| (c.vertex, c.point))
+                    .collect::<Vec<_>>()
+            };
             let settled = feet(&run);
             for i in 0..FRAMES / 2 {
                 let (sin, cos) = (i as f64 * 0.1).sin_cos();

@@ -2,10 +2,10 @@
 //! the plane's normal, unwrapped over the path, depth passed through.
 
 use proptest::prelude::*;
+use std::f64::consts::TAU;
 use stiction_core::{Axis, Projection, TrackerSample};
 use stiction_tests::random::same_every_run;
 use stiction_tests::{Number, close};
-use std::f64::consts::TAU;
 
 type Quaternion = [f64; 4];
 
@@ -53,8 +53,14 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 
 /// All 24 planes.
 fn planes() -> impl Iterator<Item = [Axis; 2]> {
-    let axes = || [0, 1, 2].into_iter().flat_map(|i| [axis(i, false), axis(i, true)]);
-    axes().flat_map(move |a| axes().map(move |b| [a, b])).filter(|[a, b]| a.index != b.index)
+    let axes = || {
+        [0, 1, 2]
+            .into_iter()
+            .flat_map(|i| [axis(i, false), axis(i, true)])
+    };
+    axes()
+        .flat_map(move |a| axes().map(move |b| [a, b]))
+        .filter(|[a, b]| a.index != b.index)
 }
 
 fn xy<R: Number>() -> Projection<R::Si> {
@@ -67,10 +73,27 @@ fn every_plane<R: Number>(position: [f64; 3], angle: f64, tilt: f64) {
         let normal = cross(x, y);
         let tilted = product(about(x, tilt), about(normal, angle));
         let mut projection = Projection::new([a, b]).expect("two different axes");
-        let hand = projection.planar(&sample::<R>(position, tilted)).expect("a finite sample");
-        close("x", R::wide(hand.position[0]), dot(position, x), R::ANALYTIC);
-        close("y", R::wide(hand.position[1]), dot(position, y), R::ANALYTIC);
-        close("depth", R::wide(hand.depth), dot(position, normal), R::ANALYTIC);
+        let hand = projection
+            .planar(&sample::<R>(position, tilted))
+            .expect("a finite sample");
+        close(
+            "x",
+            R::wide(hand.position[0]),
+            dot(position, x),
+            R::ANALYTIC,
+        );
+        close(
+            "y",
+            R::wide(hand.position[1]),
+            dot(position, y),
+            R::ANALYTIC,
+        );
+        close(
+            "depth",
+            R::wide(hand.depth),
+            dot(position, normal),
+            R::ANALYTIC,
+        );
         close("phi", R::wide_angle(hand.angle), angle, R::ANALYTIC);
     }
 }
@@ -93,7 +116,9 @@ fn unwraps<R: Number>() {
             // A quaternion and its opposite are the same rotation; trackers jump between the two.
             let sign = if i % 3 == 0 { -1.0 } else { 1.0 };
             let turned = about([0.0, 0.0, 1.0], angle.rem_euclid(TAU)).map(|q| sign * q);
-            let hand = projection.planar(&sample::<R>([0.0; 3], turned)).expect("a finite sample");
+            let hand = projection
+                .planar(&sample::<R>([0.0; 3], turned))
+                .expect("a finite sample");
             close("phi", R::wide_angle(hand.angle), angle, R::ANALYTIC * 10.0);
         }
     }
@@ -137,7 +162,13 @@ fn undefined_twist_keeps_the_last_angle() {
     let turned = sample::<f64>([0.0; 3], about([0.0, 0.0, 1.0], 1.0));
     let last = projection.planar(&turned).expect("a finite sample").angle;
     let overturned = sample::<f64>([0.0; 3], [1.0, 0.0, 0.0, 0.0]);
-    assert_eq!(projection.planar(&overturned).expect("a finite sample").angle, last);
+    assert_eq!(
+        projection
+            .planar(&overturned)
+            .expect("a finite sample")
+            .angle,
+        last
+    );
 }
 
 #[test]
@@ -145,13 +176,21 @@ fn length_of_the_quaternion_does_not_matter() {
     let unit = about([0.0, 0.0, 1.0], 1.0);
     for size in [1e-3, 1e3] {
         let hand = xy::<f64>().planar(&sample::<f64>([0.0; 3], unit.map(|q| q * size)));
-        close("phi", hand.expect("a finite sample").angle.radians(), 1.0, 1e-9);
+        close(
+            "phi",
+            hand.expect("a finite sample").angle.radians(),
+            1.0,
+            1e-9,
+        );
     }
 }
 
 #[test]
 fn plane_needs_two_different_axes() {
     for [a, b] in [[0, 0], [2, 2], [0, 3], [3, 1]] {
-        assert_eq!(Projection::<f64>::new([axis(a, false), axis(b, true)]), None);
+        assert_eq!(
+            Projection::<f64>::new([axis(a, false), axis(b, true)]),
+            None
+        );
     }
 }

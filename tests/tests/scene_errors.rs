@@ -19,9 +19,15 @@ fn refused<R: Number>(setup: &Setup, parameter: Parameter, value: f64) {
     assert_eq!(error.parameter, parameter);
     let got = R::wide(error.value);
     let near = (got - value).abs() <= 1e-6 * value.abs();
-    assert!(near || got == value || (got.is_nan() && value.is_nan()), "{parameter}: {got} instead of {value}");
+    assert!(
+        near || got == value || (got.is_nan() && value.is_nan()),
+        "{parameter}: {got} instead of {value}"
+    );
     let message = error.to_string();
-    assert!(message.contains(&parameter.to_string()) && message.contains(error.allowed), "{message}");
+    assert!(
+        message.contains(&parameter.to_string()) && message.contains(error.allowed),
+        "{message}"
+    );
 }
 
 #[track_caller]
@@ -41,9 +47,15 @@ fn sound_scene_is_accepted() {
 
 #[test]
 fn number_of_vertices() {
-    let ring = |n: usize| (0..n).map(|i| (i as f64).sin_cos().into()).collect::<Vec<[f64; 2]>>();
+    let ring = |n: usize| {
+        (0..n)
+            .map(|i| (i as f64).sin_cos().into())
+            .collect::<Vec<[f64; 2]>>()
+    };
     refused_by_all(Parameter::VertexCount, 0.0, |s| s.vertices.clear());
-    refused_by_all(Parameter::VertexCount, (VERTICES + 1) as f64, |s| s.vertices = ring(VERTICES + 1));
+    refused_by_all(Parameter::VertexCount, (VERTICES + 1) as f64, |s| {
+        s.vertices = ring(VERTICES + 1)
+    });
 }
 
 #[test]
@@ -51,7 +63,9 @@ fn vertex() {
     for value in NOT_FINITE {
         refused_by_all(Parameter::Vertex(2), value, |s| s.vertices[2][1] = value);
     }
-    refused_by_all(Parameter::Vertex(1), -1.0, |s| s.vertices[1] = s.vertices[0]);
+    refused_by_all(Parameter::Vertex(1), -1.0, |s| {
+        s.vertices[1] = s.vertices[0]
+    });
     let dent = changed(|s| s.vertices[2] = [-0.5, 0.3]);
     let clockwise = changed(|s| s.vertices.reverse());
     for setup in [dent, clockwise] {
@@ -64,7 +78,9 @@ fn vertex() {
 fn start_pose() {
     for k in 0..3 {
         refused_by_all(Parameter::Start, f64::NAN, |s| s.start[k] = f64::NAN);
-        refused_by_all(Parameter::Start, f64::INFINITY, |s| s.start[k] = f64::INFINITY);
+        refused_by_all(Parameter::Start, f64::INFINITY, |s| {
+            s.start[k] = f64::INFINITY
+        });
     }
     refused_by_all(Parameter::Start, 1e13, |s| s.start[1] = 1e13);
 }
@@ -80,18 +96,30 @@ fn weight_and_reach() {
 #[test]
 fn holding_point() {
     for value in NOT_FINITE {
-        refused_by_all(Parameter::HoldingPoint, value, |s| s.holding_point = Some([0.0, value]));
+        refused_by_all(Parameter::HoldingPoint, value, |s| {
+            s.holding_point = Some([0.0, value])
+        });
     }
 }
 
 #[test]
 fn stiffnesses() {
     for value in NOT_FINITE.into_iter().chain([-1.0]) {
-        refused_by_all(Parameter::StiffnessTranslation, value, |s| s.stiffness_translation = value);
-        refused_by_all(Parameter::StiffnessRotation, value, |s| s.stiffness_rotation = value);
+        refused_by_all(Parameter::StiffnessTranslation, value, |s| {
+            s.stiffness_translation = value
+        });
+        refused_by_all(Parameter::StiffnessRotation, value, |s| {
+            s.stiffness_rotation = value
+        });
     }
-    refused_by_all(Parameter::StiffnessTranslation, 0.0, |s| s.stiffness_translation = 0.0);
-    assert!(changed(|s| s.stiffness_rotation = 0.0).scene::<f64>().is_ok());
+    refused_by_all(Parameter::StiffnessTranslation, 0.0, |s| {
+        s.stiffness_translation = 0.0
+    });
+    assert!(
+        changed(|s| s.stiffness_rotation = 0.0)
+            .scene::<f64>()
+            .is_ok()
+    );
 }
 
 #[test]
@@ -103,21 +131,47 @@ fn number_of_surfaces() {
 #[test]
 fn surface() {
     for value in NOT_FINITE {
-        refused_by_all(Parameter::Offset(0), value, |s| s.surfaces[0].offset = value);
-        refused_by_all(Parameter::FrictionStatic(0), value, |s| s.surfaces[0].friction_static = value);
-        refused_by_all(Parameter::FrictionDynamic(0), value, |s| s.surfaces[0].friction_dynamic = value);
+        refused_by_all(Parameter::Offset(0), value, |s| {
+            s.surfaces[0].offset = value
+        });
+        refused_by_all(Parameter::FrictionStatic(0), value, |s| {
+            s.surfaces[0].friction_static = value
+        });
+        refused_by_all(Parameter::FrictionDynamic(0), value, |s| {
+            s.surfaces[0].friction_dynamic = value
+        });
     }
-    refused_by_all(Parameter::Normal(0), 0.0, |s| s.surfaces[0].normal = [0.0; 2]);
-    refused_by_all(Parameter::Normal(0), f64::NAN, |s| s.surfaces[0].normal[0] = f64::NAN);
-    refused_by_all(Parameter::FrictionDynamic(0), -0.1, |s| s.surfaces[0].friction_dynamic = -0.1);
-    refused_by_all(Parameter::FrictionStatic(0), 0.2, |s| s.surfaces[0].friction_static = 0.2);
+    refused_by_all(Parameter::Normal(0), 0.0, |s| {
+        s.surfaces[0].normal = [0.0; 2]
+    });
+    refused_by_all(Parameter::Normal(0), f64::NAN, |s| {
+        s.surfaces[0].normal[0] = f64::NAN
+    });
+    refused_by_all(Parameter::FrictionDynamic(0), -0.1, |s| {
+        s.surfaces[0].friction_dynamic = -0.1
+    });
+    refused_by_all(Parameter::FrictionStatic(0), 0.2, |s| {
+        s.surfaces[0].friction_static = 0.2
+    });
 }
 
 #[test]
 fn penetration_at_the_start() {
-    let parameter = Parameter::Penetration { surface: 0, vertex: 1 };
-    refused_by_all(parameter, 0.25, |s| s.start = [0.0, -0.25 + 1f64.sin(), -1.0]);
+    let parameter = Parameter::Penetration {
+        surface: 0,
+        vertex: 1,
+    };
+    refused_by_all(parameter, 0.25, |s| {
+        s.start = [0.0, -0.25 + 1f64.sin(), -1.0]
+    });
     let within = 0.9e-5 * changed(|_| ()).size();
     assert!(changed(|s| s.start[1] = -within).scene::<f64>().is_ok());
-    refused_by_all(Parameter::Penetration { surface: 0, vertex: 0 }, 3e-5, |s| s.start[1] = -3e-5);
+    refused_by_all(
+        Parameter::Penetration {
+            surface: 0,
+            vertex: 0,
+        },
+        3e-5,
+        |s| s.start[1] = -3e-5,
+    );
 }

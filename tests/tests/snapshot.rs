@@ -3,7 +3,10 @@
 use stiction_core::Evolution;
 use stiction_tests::{Number, Run, scenes, test_each};
 
-test_each!(cases::restored_state_replays_bit_for_bit, cases::two_runs_are_equal_bit_for_bit);
+test_each!(
+    cases::restored_state_replays_bit_for_bit,
+    cases::two_runs_are_equal_bit_for_bit
+);
 
 const FRAMES_PER_LEG: usize = 50;
 
@@ -19,10 +22,20 @@ mod cases {
                 run.step(hand);
             });
             let snapshot = run.state.clone();
-            let mut play = || second.iter().map(|&hand| run.step(hand).clone()).collect::<Vec<_>>();
+            let mut play = || {
+                second
+                    .iter()
+                    .map(|&hand| run.step(hand).clone())
+                    .collect::<Vec<_>>()
+            };
             let once = play();
             run.state = snapshot;
-            let mut play = || second.iter().map(|&hand| run.step(hand).clone()).collect::<Vec<_>>();
+            let mut play = || {
+                second
+                    .iter()
+                    .map(|&hand| run.step(hand).clone())
+                    .collect::<Vec<_>>()
+            };
             assert_eq!(play(), once, "{name}");
         }
     }

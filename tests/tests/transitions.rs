@@ -7,8 +7,12 @@ use stiction_tests::{EVOLUTIONS, Scenario, scenes};
 
 #[test]
 fn every_transition_is_reached() {
-    let named = scenes::all().into_iter().map(|(name, scenario)| (name.to_string(), scenario));
-    let random = scenarios(300, 4).enumerate().map(|(i, scenario)| (format!("random scene {i}"), scenario));
+    let named = scenes::all()
+        .into_iter()
+        .map(|(name, scenario)| (name.to_string(), scenario));
+    let random = scenarios(300, 4)
+        .enumerate()
+        .map(|(i, scenario)| (format!("random scene {i}"), scenario));
     let mut missing: Vec<Transition> = Transition::ALL.to_vec();
     for (name, scenario) in named.chain(random) {
         if missing.is_empty() {
@@ -27,6 +31,10 @@ fn every_transition_is_reached() {
 }
 
 fn reached(scenario: &Scenario) -> Vec<Transition> {
-    let frames = EVOLUTIONS.iter().flat_map(|&e| run::<f64>(&scenario.setup, e, &scenario.hands(50)));
-    frames.flat_map(|frame| frame.transitions.iter().collect::<Vec<_>>()).collect()
+    let frames = EVOLUTIONS
+        .iter()
+        .flat_map(|&e| run::<f64>(&scenario.setup, e, &scenario.hands(50)));
+    frames
+        .flat_map(|frame| frame.transitions.iter().collect::<Vec<_>>())
+        .collect()
 }

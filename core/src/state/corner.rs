@@ -1,6 +1,7 @@
 //! One vertex on two surfaces (STATICS 6): pinned like a single vertex; the reaction may lie anywhere in the sum of the
 //! two friction cones. Beyond an outer edge of that sum the vertex slides along the surface of that edge.
 
+use super::bracing::Bracing;
 use super::single_vertex::fold_or_end;
 use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
@@ -204,7 +205,7 @@ impl<R: Real> Corner<R> {
         scene: &Scene<R, V, S>,
         stance: &Stance<R>,
     ) -> Reactions<R> {
-        super::locked::shared_reactions(scene, &self.contacts(), stance)
+        Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
     }
 }
 

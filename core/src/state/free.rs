@@ -57,8 +57,7 @@ impl<R: Real> Free<R> {
         }
         if moved.trigger == Trigger::Balanced {
             // The end itself, free of the rounding of the way.
-            let near = self.pose.orientation.plus(course.end.turn);
-            *self = Self::balance(scene, to, near);
+            *self = Self::balance(scene, to, self.pose.orientation);
         }
         moved
     }
@@ -100,7 +99,7 @@ impl<R: Real> Free<R> {
         let downhill = self.stance(scene, grip).pinned().downhill();
         let near = self.pose.orientation.plus(downhill.turn);
         let mut moved = self.straight(scene, grip, downhill.turn, R::ONE);
-        if moved.part == R::ZERO {
+        if moved.part <= R::MICRO && moved.trigger != Trigger::Balanced {
             moved = self.straight(scene, grip, R::ZERO, R::ONE);
             if moved.trigger == Trigger::Balanced {
                 moved = self.straight(scene, grip, downhill.turn, R::ZERO);

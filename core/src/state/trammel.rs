@@ -6,7 +6,7 @@ use crate::coupling::{Grip, Stance};
 use crate::detect::Moving;
 use crate::geometry::Vec2;
 use crate::jet::{Jet, JetVec};
-use crate::motion::{Motion, Place};
+use crate::motion::{Course, Motion, Place};
 use crate::real::Real;
 use crate::roots::{Found, Look, Slope, first_zero};
 use crate::scene::{Scene, Surface};
@@ -25,8 +25,10 @@ pub(crate) struct Trammel<R> {
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
     reactions: [Vec2<R>; 2],
-    /// The excess delta of drive over friction; the motion is driven iff it is positive.
+    /// The excess of drive over friction.
     excess: R,
+    /// The determinant that scales the excess and the reactions.
+    resistance: R,
 }
 
 /// How far a run went.
@@ -55,10 +57,12 @@ pub(crate) enum Ending<R> {
 
 /// The quantities of the motion at a place.
 struct Quantities<R> {
-    /// (E6): zero in balance.
+    /// (E6), delta times the resistance: zero in balance.
     imbalance: Jet<R>,
-    /// N_1, N_2 up to positive factors.
+    /// N_1, N_2 times the resistance.
     normals: [Jet<R>; 2],
+    /// det [w1 w2 drag]
+    resistance: Jet<R>,
     /// Velocities of the contacts along their tangents.
     velocities: [Jet<R>; 2],
 }
@@ -86,12 +90,21 @@ impl<R: Real> Trammel<R> {
                 signs: [R::ZERO; 2],
                 reactions: [Vec2::ZERO; 2],
                 excess: R::ZERO,
+                resistance: R::ZERO,
             };
-            trammel.meet_friction();
-            trammel
+            trammel.meets_friction().then_some(trammel)
         });
-        let best = if back.excess > forth.excess { back } else { forth };
-        (best.excess > stance.rounding()).then_some(best)
+        match (forth, back) {
+            (Some(f), Some(b)) if b.excess > f.excess => Some(b),
+            (Some(f), _) => Some(f),
+            (None, b) => b,
+        }
+    }
+
+    /// Slide along t1 and turn, per unit of the motion.
+    pub(super) fn twist(&self) -> (R, R) {
+        let start = self.motion.at(R::ZERO);
+        (self.motion.part_velocity(&start).value, self.motion.rate_jet().value)
     }
 
     /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
@@ -111,28 +124,27 @@ impl<R: Real> Trammel<R> {
         )
     }
 
-    /// Directions of friction and the excess of drive: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand.
-    fn meet_friction(&mut self) {
+    /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
+    /// a solution with delta > 0 and N_i >= 0.
+    fn meets_friction(&mut self) -> bool {
         let start = self.motion.at(R::ZERO);
         let velocities = self.velocities(&start).map(|v| v.value);
         let rest = R::from_int(16) * R::EPSILON;
         self.signs = velocities.map(|v| if v.abs() > rest { v.sign() } else { R::ZERO });
-        for k in 0..2 {
-            let surface = &self.surfaces[k];
-            let (n, t) = surface.friction.sliding_edge(self.signs[k]);
-            self.reactions[k] = surface.normal * n + surface.tangent * t;
-        }
-        let [first, second] = self.surfaces;
-        let drag = first.tangent * velocities[0] + second.tangent * velocities[1];
-        let drag_moment = self.arm.cross(second.tangent) * velocities[1];
-        let [f1, f2] = self.reactions;
-        let volume = |force: Vec2<R>, moment: R| {
-            moment * f1.cross(f2) - self.arm.cross(f2) * f1.cross(force)
-        };
-        let resistance = volume(drag, drag_moment);
-        if resistance.abs() > rest {
-            self.excess = volume(self.stance.force, self.stance.moment()) / resistance;
-        }
+        let [(first, s1), (second, s2)] = [
+            (self.surfaces[0], self.signs[0]),
+            (self.surfaces[1], self.signs[1]),
+        ];
+        self.reactions = [(first, s1), (second, s2)].map(|(surface, sign)| {
+            let (n, t) = surface.friction.sliding_edge(sign);
+            surface.normal * n + surface.tangent * t
+        });
+        let found = self.quantities(&start, R::ONE);
+        self.resistance = found.resistance.value;
+        let rounding = self.stance.rounding();
+        let [n1, n2] = found.normals.map(|n| n.value * self.resistance.sign());
+        self.excess = found.imbalance.value * self.resistance.sign();
+        self.resistance.abs() > rest && self.excess > rounding && n1 >= -rounding && n2 >= -rounding
     }
 
     fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
@@ -168,20 +180,20 @@ impl<R: Real> Trammel<R> {
         let couple = Jet::constant(self.stance.couple) - turn * Jet::constant(self.stiffness);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
         let [f1, f2] = self.reactions.map(JetVec::constant);
+        let [t1, t2] = self.surfaces.map(|s| JetVec::constant(s.tangent));
+        let velocities = self.velocities(p);
+        let second = arm.cross(f2);
+        let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
+        let drag_moment = arm.cross(t2) * velocities[1];
         let spread = f1.cross(f2);
-        let normals = if spread.value.abs() > R::ONE / R::from_int(64) {
-            let sign = Jet::constant(spread.value.sign());
-            [-(force.cross(f2) * sign), force.cross(f1) * sign]
-        } else {
-            // Reactions in one line: from the moments about the other contact.
-            let sign = Jet::constant(self.arm.cross(self.reactions[1]).sign());
-            let other = Jet::constant(self.arm.cross(self.reactions[0]).sign());
-            [(moment - arm.cross(force)) * other, -(moment * sign)]
-        };
         Quantities {
-            imbalance: moment * spread - arm.cross(f2) * f1.cross(force),
-            normals,
-            velocities: self.velocities(p),
+            imbalance: moment * spread - second * f1.cross(force),
+            normals: [
+                second * force.cross(drag) - moment * f2.cross(drag) - drag_moment * force.cross(f2),
+                moment * f1.cross(drag) - drag_moment * f1.cross(force),
+            ],
+            resistance: drag_moment * spread - second * f1.cross(drag),
+            velocities,
         }
     }
 
@@ -192,8 +204,7 @@ impl<R: Real> Trammel<R> {
         state: &TwoVertex<R>,
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
-        let start = self.quantities(&self.motion.at(R::ZERO), window);
-        let sense = start.imbalance.value.sign();
+        let sense = self.resistance.sign();
         let found = first_zero(window, |x| {
             let q = self.quantities(&self.motion.at(x), window);
             let turning_point = |k: usize| {
@@ -211,8 +222,8 @@ impl<R: Real> Trammel<R> {
             };
             Look::far([
                 q.imbalance.as_slope(sense),
-                q.normals[0].as_slope(R::ONE),
-                q.normals[1].as_slope(R::ONE),
+                q.normals[0].as_slope(sense),
+                q.normals[1].as_slope(sense),
                 turning_point(0),
                 turning_point(1),
             ])
@@ -220,7 +231,8 @@ impl<R: Real> Trammel<R> {
         let (x, mut ending, unsure) = match found {
             Found::Nothing => (window, Ending::Window, false),
             Found::Zero { x, which } => (x, self.ending(which), false),
-            Found::Unsure { x, which } => (x, self.ending(which), true),
+            // So far nothing ended it: it goes on from there.
+            Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
         let mut course = self.motion.course_to(x);
         let keeps = state.contacts();
@@ -243,7 +255,7 @@ impl<R: Real> Trammel<R> {
     fn first_touch<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        course: &mut crate::motion::Course<R>,
+        course: &mut Course<R>,
         moving: &Moving<'_, R>,
     ) -> Option<Pair> {
         self.stance.placed.first_touch(scene, course, moving)

@@ -1,9 +1,9 @@
 //! Two vertices on two surfaces (STATICS 5): the pose is locked while an internal force between the contacts keeps both
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
-use super::locked::{first_yield, shared_reactions};
+use super::bracing::Bracing;
 use super::trammel::{Ending, Trammel};
-use super::{Moved, Pair, Pairs, Reactions, Trigger, seat};
+use super::{Moved, Pair, Pairs, Reactions, Relax, Trigger, seat};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -23,6 +23,10 @@ impl<R: Real> TwoVertex<R> {
         [self.pivot.contact, self.other].into_iter().collect()
     }
 
+    fn bracing<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Bracing<R> {
+        Bracing::new(scene, &self.pivot, &self.contacts())
+    }
+
     /// Stays as the hand moves, as long as the interval of (E5) is not empty.
     pub(crate) fn advance<const V: usize, const S: usize>(
         &self,
@@ -30,18 +34,10 @@ impl<R: Real> TwoVertex<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let (part, mut trigger) = first_yield(scene, &self.pivot, &self.contacts(), from, to);
-        if let Trigger::Keep {
-            contacts: [a, b],
-            sliding: Some(sign),
-        } = trigger
-            && a != b
-        {
-            trigger = Trigger::Slide(sign);
-        }
+        let moved = self.bracing(scene).advance(scene, from, to);
         Moved {
-            part,
-            ..Moved::by(trigger)
+            trigger: slides(moved.trigger),
+            ..moved
         }
     }
 
@@ -50,15 +46,13 @@ impl<R: Real> TwoVertex<R> {
         &self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
-        sliding: Option<R>,
+        how: Relax<R>,
     ) -> Moved<R> {
-        let mut moved = self.advance(scene, grip, grip);
-        if let (Some(sign), Trigger::Balanced) = (sliding, moved.trigger)
-            && Trammel::driven(scene, self, grip).is_some()
-        {
-            moved.trigger = Trigger::Slide(sign);
-        }
-        moved
+        let driven = || Trammel::driven(scene, self, grip).is_some();
+        Moved::by(match how.sliding {
+            Some(sign) if driven() => Trigger::Slide(sign),
+            _ => slides(self.bracing(scene).test(scene, grip, how.attempt)),
+        })
     }
 
     /// Slides on both surfaces to the first of (E6), N_i = 0, touch.
@@ -100,6 +94,17 @@ impl<R: Real> TwoVertex<R> {
         scene: &Scene<R, V, S>,
         stance: &Stance<R>,
     ) -> Reactions<R> {
-        shared_reactions(scene, &self.contacts(), stance)
+        self.bracing(scene).reactions(scene, stance)
+    }
+}
+
+/// Where both contacts last, they slide.
+fn slides<R: Real>(trigger: Trigger<R>) -> Trigger<R> {
+    match trigger {
+        Trigger::Keep {
+            contacts: [a, b],
+            sliding: Some(sign),
+        } if a != b => Trigger::Slide(sign),
+        other => other,
     }
 }

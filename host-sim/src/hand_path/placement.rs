@@ -1,7 +1,7 @@
 //! How the hand's motion lies in the scene: the plane that six degrees of freedom are projected onto, the scale, the
 //! origin.
 
-use stiction_core::{Axis, Hand, Projection};
+use stiction_core::{Angle, Axis, Hand, Projection};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
@@ -14,9 +14,9 @@ pub struct Placement {
     pub axes: [Axis; 2],
     /// Factor > 0 on positions, the depth included.
     pub scale: f64,
-    /// Added after scaling: x, y [m], phi [rad].
+    /// Added after scaling: x, y (m), phi (rad).
     pub origin: [f64; 3],
-    /// The largest size of a coordinate in the scene [m].
+    /// The largest size of a coordinate in the scene (m).
     pub limit: f64,
 }
 
@@ -83,7 +83,9 @@ impl Placement {
 
     fn fits(&self, hand: &Hand<f64>) -> bool {
         let [x, y] = hand.position;
-        [x, y, hand.depth].iter().all(|value| value.abs() <= self.limit)
+        [x, y, hand.depth]
+            .iter()
+            .all(|value| value.abs() <= self.limit)
             && hand.angle.radians().abs() <= HandPath::LARGEST_ANGLE
     }
 }
@@ -91,7 +93,7 @@ impl Placement {
 /// The hand of a record that cannot be projected.
 const NOWHERE: Hand<f64> = Hand {
     position: [f64::NAN; 2],
-    angle: stiction_core::Angle {
+    angle: Angle {
         turns: 0,
         rest: f64::NAN,
     },

@@ -3,7 +3,6 @@
 
 use std::path::Path;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
 use stiction_core::TrackerSample;
 
 use crate::source::{InputError, Source};
@@ -15,7 +14,7 @@ const HELD: &str = "held";
 /// The pose of a row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum RowPose {
-    /// x, y [m], phi [rad]
+    /// x, y (m), phi (rad)
     Planar([f64; 3]),
     /// Six degrees of freedom.
     Spatial(TrackerSample<f64>),
@@ -46,8 +45,20 @@ impl Format {
             "tum" | "txt" => Ok(Self::Tum),
             _ => Err(InputError::of_file(
                 file,
-                format!("the extension of a recorded path is {extension:?}, allowed: csv, tum, txt"),
+                format!(
+                    "the extension of a recorded path is {extension:?}, allowed: csv, tum, txt"
+                ),
             )),
+        }
+    }
+
+    fn fields(self, line: &str) -> Vec<&str> {
+        match self {
+            Self::Csv => line
+                .split(',')
+                .map(|field| field.trim().trim_matches('"'))
+                .collect(),
+            Self::Tum => line.split_whitespace().collect(),
         }
     }
 }
@@ -60,19 +71,21 @@ struct Columns {
 }
 
 impl Columns {
-    /// From the header of a CSV file.
-    fn of(header: &StringRecord) -> Option<Self> {
-        let names: Vec<&str> = header.iter().collect();
-        let (pose, held) = match names.split_last() {
-            Some((&HELD, pose)) => (pose, true),
-            _ => (names.as_slice(), false),
-        };
-        let pose = [&PLANAR[..], &SPATIAL[..]].into_iter().find(|known| *known == pose)?;
-        Some(Self { pose, held })
-    }
+    const TUM: Self = Self {
+        pose: &SPATIAL,
+        held: false,
+    };
 
-    fn name(self, index: usize) -> &'static str {
-        self.pose.get(index).copied().unwrap_or(HELD)
+    /// From the header of a CSV file.
+    fn of(header: &[&str]) -> Option<Self> {
+        let (pose, held) = match header {
+            [pose @ .., HELD] => (pose, true),
+            _ => (header, false),
+        };
+        let pose = [&PLANAR[..], &SPATIAL[..]]
+            .into_iter()
+            .find(|known| *known == pose)?;
+        Some(Self { pose, held })
     }
 
     fn row(self, source: &Source, line: usize, fields: &[&str]) -> Result<Row, InputError> {
@@ -80,18 +93,14 @@ impl Columns {
         let (expected, count) = (self.pose.len() + usize::from(self.held), fields.len());
         if count != expected {
             let names = self.pose.join(", ") + if self.held { ", held" } else { "" };
-            return Err(error(format!("{count} values, allowed: {expected} ({names})")));
+            return Err(error(format!(
+                "{count} values, allowed: {expected} ({names})"
+            )));
         }
-        let mut values = Vec::with_capacity(count);
-        for (i, field) in fields.iter().enumerate() {
-            let value: f64 = field.parse().map_err(|_| {
-                error(format!("`{}` is {field:?}, allowed: a number", self.name(i)))
-            })?;
-            values.push(value);
-        }
+        let values = self.values(fields).map_err(error)?;
         let held = match values[self.pose.len()..] {
             [held] if held != 0.0 && held != 1.0 => {
-                return Err(error(format!("`held` is {held:?}, allowed: 0 or 1")));
+                return Err(error(format!("`{HELD}` is {held:?}, allowed: 0 or 1")));
             }
             [held] => held == 1.0,
             _ => true,
@@ -108,68 +117,61 @@ impl Columns {
             }),
             _ => RowPose::Planar([values[1], values[2], values[3]]),
         };
-        Ok(Row { line, t, pose, held })
+        Ok(Row {
+            line,
+            t,
+            pose,
+            held,
+        })
+    }
+
+    fn values(self, fields: &[&str]) -> Result<Vec<f64>, String> {
+        let names = self.pose.iter().chain([&HELD]);
+        let value = |(field, name): (&&str, _)| {
+            let number = field.parse();
+            number.map_err(|_| format!("`{name}` is {field:?}, allowed: a number"))
+        };
+        fields.iter().zip(names).map(value).collect()
     }
 }
 
-/// The rows of a file: at least one, their times increasing.
+/// The rows of a file: at least one, their times increasing. A `#` starts a comment.
 pub(super) fn rows(source: &Source, format: Format) -> Result<Vec<Row>, InputError> {
-    let rows = match format {
-        Format::Csv => csv_rows(source),
-        Format::Tum => tum_rows(source),
-    }?;
+    let mut lines = (1..)
+        .zip(source.text().lines())
+        .map(|(line, text)| (line, text.split('#').next().unwrap_or("").trim()))
+        .filter(|(_, text)| !text.is_empty())
+        .map(|(line, text)| (line, format.fields(text)));
+    let columns = match format {
+        Format::Tum => Columns::TUM,
+        Format::Csv => {
+            let Some((line, header)) = lines.next() else {
+                return Err(source.error("is empty, allowed: a header and at least one record"));
+            };
+            Columns::of(&header).ok_or_else(|| {
+                let (planar, spatial) = (PLANAR.join(","), SPATIAL.join(","));
+                let problem = format!(
+                    "the header is not known, allowed: {planar}[,held] or {spatial}[,held]"
+                );
+                source.error_in_line(line, problem)
+            })?
+        }
+    };
+    let rows: Vec<Row> = lines
+        .map(|(line, fields)| columns.row(source, line, &fields))
+        .collect::<Result<_, _>>()?;
     if rows.is_empty() {
         return Err(source.error("holds no record, allowed: at least one"));
     }
     for pair in rows.windows(2) {
         let (before, row) = (pair[0].t, &pair[1]);
         if row.t <= before {
-            let problem = format!("`t` is {:?} after {before:?}, allowed: times that increase", row.t);
+            let problem = format!(
+                "`t` is {:?} after {before:?}, allowed: times that increase",
+                row.t
+            );
             return Err(source.error_in_line(row.line, problem));
         }
     }
     Ok(rows)
-}
-
-fn csv_rows(source: &Source) -> Result<Vec<Row>, InputError> {
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .trim(Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(source.text().as_bytes());
-    let mut records = reader.records().map(|record| record.map_err(|error| source.error(error)));
-    let line = |record: &StringRecord| record.position().map_or(1, |position| position.line() as usize);
-    let header = match records.next() {
-        Some(header) => header?,
-        None => return Err(source.error("is empty, allowed: a header and at least one record")),
-    };
-    let columns = Columns::of(&header).ok_or_else(|| {
-        let (planar, spatial) = (PLANAR.join(","), SPATIAL.join(","));
-        let problem = format!("the header is not known, allowed: {planar}[,held] or {spatial}[,held]");
-        source.error_in_line(line(&header), problem)
-    })?;
-    records
-        .map(|record| {
-            let record = record?;
-            let fields: Vec<&str> = record.iter().collect();
-            columns.row(source, line(&record), &fields)
-        })
-        .collect()
-}
-
-fn tum_rows(source: &Source) -> Result<Vec<Row>, InputError> {
-    let columns = Columns {
-        pose: &SPATIAL,
-        held: false,
-    };
-    (1..)
-        .zip(source.text().lines())
-        .map(|(line, text)| (line, text.split('#').next().unwrap_or("")))
-        .filter(|(_, text)| !text.trim().is_empty())
-        .map(|(line, text)| {
-            let fields: Vec<&str> = text.split_whitespace().collect();
-            columns.row(source, line, &fields)
-        })
-        .collect()
 }

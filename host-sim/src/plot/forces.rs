@@ -27,7 +27,10 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         Entry::new(Mark::Line(HAND_FORCE, 2.0), "hand Fx"),
         Entry::new(Mark::Line(HAND_FORCE_Y, 2.0), "hand Fy"),
     ]);
-    let mut panels: Vec<Panel> = surfaces.iter().map(|&surface| reactions(run, surface)).collect();
+    let mut panels: Vec<Panel> = surfaces
+        .iter()
+        .map(|&surface| reactions(run, surface))
+        .collect();
     panels.push(hand(run));
     Timeline {
         run,
@@ -39,7 +42,10 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
 }
 
 fn touches(frame: &Frame, surface: usize) -> bool {
-    frame.contacts.iter().any(|contact| contact.surface == surface)
+    frame
+        .contacts
+        .iter()
+        .any(|contact| contact.surface == surface)
 }
 
 /// The panel of a surface.
@@ -47,18 +53,28 @@ fn reactions(run: &Run, index: usize) -> Panel {
     let surface = &run.surfaces[index];
     let sum = |force: fn(&crate::record::ContactRecord) -> f64| -> Vec<f64> {
         let of_surface = |frame: &Frame| {
-            let contacts = frame.contacts.iter().filter(|contact| contact.surface == index);
+            let contacts = frame
+                .contacts
+                .iter()
+                .filter(|contact| contact.surface == index);
             contacts.map(force).sum()
         };
         run.frames.iter().map(of_surface).collect()
     };
     let normal = sum(|contact| contact.normal);
     let friction = sum(|contact| contact.friction);
-    let largest = normal.iter().chain(&friction).fold(0.0, |largest: f64, force| largest.max(force.abs()));
+    let largest = normal
+        .iter()
+        .chain(&friction)
+        .fold(0.0, |largest: f64, force| largest.max(force.abs()));
     let limit = |color, width, coefficient: f64| {
         let values: Vec<f64> = normal.iter().map(|n| coefficient * n).collect();
         let makes_room = values.iter().all(|v| v.abs() <= ROOM_FOR_LIMITS * largest);
-        Line { limit: true, makes_room, ..Line::new(color, width, values) }
+        Line {
+            limit: true,
+            makes_room,
+            ..Line::new(color, width, values)
+        }
     };
     Panel {
         label: format!("{} [N]", surface.name),

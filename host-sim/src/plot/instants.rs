@@ -13,9 +13,17 @@ pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
     let new_state = |&index: &usize| index > 0 && frames[index].state != frames[index - 1].state;
     let tiers: [Vec<usize>; 4] = [
         ends.to_vec(),
-        StateKind::ALL.iter().filter_map(|&state| frames.iter().position(|frame| frame.state == state)).collect(),
-        indices().filter(|index| eventful(&frames[*index]) || new_state(index)).collect(),
-        indices().max_by(|&a, &b| frames[a].longest_slip.total_cmp(&frames[b].longest_slip)).into_iter().collect(),
+        StateKind::ALL
+            .iter()
+            .filter_map(|&state| frames.iter().position(|frame| frame.state == state))
+            .collect(),
+        indices()
+            .filter(|index| eventful(&frames[*index]) || new_state(index))
+            .collect(),
+        indices()
+            .max_by(|&a, &b| frames[a].longest_slip.total_cmp(&frames[b].longest_slip))
+            .into_iter()
+            .collect(),
     ];
     for tier in tiers {
         add(frames, &mut chosen, tier.into_iter(), count);
@@ -30,17 +38,27 @@ fn eventful(frame: &Frame) -> bool {
 }
 
 /// Adds candidates, the farthest in time from those chosen first, until there are `count` or none is left apart from them.
-fn add(frames: &[Frame], chosen: &mut Vec<usize>, candidates: impl Iterator<Item = usize> + Clone, count: usize) {
+fn add(
+    frames: &[Frame],
+    chosen: &mut Vec<usize>,
+    candidates: impl Iterator<Item = usize> + Clone,
+    count: usize,
+) {
     let duration = match frames {
         [first, .., last] => last.t - first.t,
         _ => 0.0,
     };
     while chosen.len() < count {
         let distance = |index: usize| {
-            let apart = chosen.iter().map(|&other: &usize| (frames[index].t - frames[other].t).abs());
+            let apart = chosen
+                .iter()
+                .map(|&other: &usize| (frames[index].t - frames[other].t).abs());
             apart.fold(f64::INFINITY, f64::min)
         };
-        let farthest = candidates.clone().map(|index| (index, distance(index))).max_by(|a, b| a.1.total_cmp(&b.1));
+        let farthest = candidates
+            .clone()
+            .map(|index| (index, distance(index)))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
         match farthest {
             Some((index, apart)) if apart > 0.005 * duration => chosen.push(index),
             _ => return,

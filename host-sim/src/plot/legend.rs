@@ -1,13 +1,18 @@
-//! Legends: rows of marks with their meaning, set from left to right and broken at the width of the sheet [px].
+//! Headings and legends: rows of marks with their meaning, set from left to right and broken at the width of the sheet.
+//! Lengths in px.
 
-use super::sheet::{Area, Drawn, px, stroke};
-use super::style::{INK, TEXT, font, text_width};
+use super::sheet::{self, Area, Drawn, part, px, stroke};
+use super::style::{INK, TEXT, TITLE, WIDTH, font, text_width};
 use plotters::prelude::*;
 
-/// Height of a row [px].
+/// Height of a row.
 const ROW: f64 = 19.0;
-/// Width of a mark other than a scale bar [px].
+/// Width of a mark other than a scale bar.
 const MARK: f64 = 24.0;
+/// Room right of a heading.
+const MARGIN: f64 = 14.0;
+/// Height of the title.
+const HEADER: f64 = 34.0;
 const GAP: f64 = 6.0;
 const SPACE: f64 = 14.0;
 
@@ -77,7 +82,7 @@ pub(super) fn height(entries: &[Entry], width: f64) -> f64 {
 
 /// Draws a legend that fills the area's width.
 pub(super) fn draw(area: &Area, entries: &[Entry]) -> Drawn {
-    let (width, _) = super::sheet::size(area);
+    let (width, _) = sheet::size(area);
     let (corners, _) = layout(entries, width);
     for (entry, (x, y)) in entries.iter().zip(corners) {
         let middle = y + ROW / 2.0;
@@ -86,6 +91,33 @@ pub(super) fn draw(area: &Area, entries: &[Entry]) -> Drawn {
         area.draw_text(&entry.text, &font(TEXT), start)?;
     }
     Ok(())
+}
+
+/// The title of a picture above its legend.
+pub(super) struct Heading {
+    pub(super) title: String,
+    pub(super) entries: Vec<Entry>,
+    /// Room left of it.
+    pub(super) margin: f64,
+}
+
+impl Heading {
+    fn width(&self) -> f64 {
+        WIDTH - self.margin - MARGIN
+    }
+
+    /// The height, with some room below.
+    pub(super) fn height(&self) -> f64 {
+        HEADER + height(&self.entries, self.width()) + 9.0
+    }
+
+    /// Draws it at the top of the sheet.
+    pub(super) fn draw(&self, sheet: &Area) -> Drawn {
+        let start = (px(self.margin), px(HEADER / 2.0));
+        sheet.draw_text(&self.title, &font(TITLE), start)?;
+        let size = (self.width(), self.height() - HEADER);
+        draw(&part(sheet, (self.margin, HEADER), size), &self.entries)
+    }
 }
 
 /// Draws a mark from its left end on.
@@ -104,7 +136,14 @@ fn draw_mark(area: &Area, mark: Mark, (x, y): (f64, f64)) -> Drawn {
         Mark::Ring(color) => area.draw(&Circle::new(centre, px(4.5), stroke(color, 2.0))),
         Mark::Scale(length) => {
             let at = |dx: f64, dy: f64| (px(x + dx), px(y + dy));
-            let bracket = [at(0.0, -4.0), at(0.0, 4.0), at(0.0, 0.0), at(length, 0.0), at(length, -4.0), at(length, 4.0)];
+            let bracket = [
+                at(0.0, -4.0),
+                at(0.0, 4.0),
+                at(0.0, 0.0),
+                at(length, 0.0),
+                at(length, -4.0),
+                at(length, 4.0),
+            ];
             area.draw(&PathElement::new(bracket, stroke(INK, 1.6)))
         }
     }

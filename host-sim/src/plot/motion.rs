@@ -2,16 +2,25 @@
 //! contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
 
 use super::legend::{Entry, Mark};
-use super::plane::holding_point;
+use super::plane::{hand_angle, holding_point};
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
 use crate::record::{Frame, Run};
 
+/// A smaller offset of the hand's angle is not told [rad].
+const LEAST_OFFSET: f64 = 0.01;
+
 /// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
+    let offset = |frame: &Frame| (hand_angle(run, frame) - frame.hand[2]).abs() > LEAST_OFFSET;
+    let hand_text = if run.frames.iter().any(offset) {
+        "hand (angle less its offset in the grip)"
+    } else {
+        "hand"
+    };
     let mut legend = vec![
-        Entry::new(Mark::Line(HAND, 1.4), "hand"),
+        Entry::new(Mark::Line(HAND, 1.4), hand_text),
         Entry::new(Mark::Line(BODY, 3.2), "body (angle, holding point)"),
     ];
     if run.frames.iter().any(|frame| !frame.held) {
@@ -24,7 +33,11 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         run,
         title: format!("{}: motion of hand and body", run.title),
         legend,
-        panels: vec![angles(run), positions(run, 0, "x [mm]"), positions(run, 1, "y [mm]")],
+        panels: vec![
+            angles(run),
+            positions(run, 0, "x [mm]"),
+            positions(run, 1, "y [mm]"),
+        ],
     }
     .svg()
 }
@@ -46,20 +59,35 @@ fn hand(run: &Run, value: impl Fn(&Frame) -> f64) -> [Line; 2] {
 fn angles(run: &Run) -> Panel {
     let body = values(run, |_| true, |frame| frame.pose[2].to_degrees());
     let mut lines = vec![Line::new(BODY, 3.2, body)];
-    lines.extend(hand(run, |frame| frame.hand[2].to_degrees()));
-    Panel { label: "angle [°]".to_owned(), height: 150.0, lines }
+    lines.extend(hand(run, |frame| hand_angle(run, frame).to_degrees()));
+    Panel {
+        label: "angle [°]".to_owned(),
+        height: 150.0,
+        lines,
+    }
 }
 
 fn positions(run: &Run, axis: usize, label: &str) -> Panel {
-    let held = values(run, |frame| frame.held, |frame| 1e3 * holding_point(run, frame)[axis]);
+    let held = values(
+        run,
+        |frame| frame.held,
+        |frame| 1e3 * holding_point(run, frame)[axis],
+    );
     let mut lines = vec![Line::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
     for vertex in 0..run.body.len() {
         let touching = |frame: &Frame| {
-            let contact = frame.contacts.iter().find(|contact| contact.vertex == vertex);
+            let contact = frame
+                .contacts
+                .iter()
+                .find(|contact| contact.vertex == vertex);
             contact.map_or(f64::NAN, |contact| 1e3 * contact.point[axis])
         };
         lines.push(Line::new(FRICTION, 2.4, values(run, |_| true, touching)));
     }
-    Panel { label: label.to_owned(), height: 190.0, lines }
+    Panel {
+        label: label.to_owned(),
+        height: 190.0,
+        lines,
+    }
 }

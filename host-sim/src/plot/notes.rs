@@ -36,17 +36,27 @@ impl Notes {
         let mut status = Status::Ok;
         let note = |frame: &Frame| {
             let before = std::mem::replace(&mut status, frame.status);
-            let limited = (frame.status != before && frame.status != Status::Ok).then(|| frame.status.name());
+            let limited =
+                (frame.status != before && frame.status != Status::Ok).then(|| frame.status.name());
             let events = frame.events.iter().filter(|&&event| event != Event::Slip);
-            let names: Vec<_> = events.map(|event| event.name()).chain(limited).collect();
-            let names = names.join(", ");
-            let x = place(frame.t);
-            let start = (x + 3.0).min(end - text_width(&names, SMALL));
-            (!names.is_empty()).then_some(Note { t: frame.t, x, names, start, row: None })
+            let names = tally(events.map(|event| event.name()).chain(limited));
+            let (x, width) = (place(frame.t), text_width(&names, SMALL));
+            let fits = x + SPACE + width <= end;
+            let start = if fits { x + SPACE } else { x - SPACE - width };
+            (!names.is_empty()).then_some(Note {
+                t: frame.t,
+                x,
+                names,
+                start,
+                row: None,
+            })
         };
         let mut notes: Vec<Note> = frames.iter().filter_map(note).collect();
         let most = if notes.is_empty() { 0 } else { MOST_ROWS };
-        let rows = (1..=most).find(|&rows| set(&mut notes, rows)).unwrap_or(most);
+        let rows = (1..=most)
+            .find(|&rows| set(&mut notes, rows))
+            .unwrap_or(most);
+        notes.dedup_by(|note, before| note.row.is_none() && note.x - before.x < 1.0);
         Self { notes, rows }
     }
 
@@ -58,7 +68,9 @@ impl Notes {
     /// Draws the notes with ticks down to the lower edge of the area.
     pub(super) fn draw(&self, area: &Area) -> Drawn {
         for note in &self.notes {
-            let top = note.row.map_or(self.height() - 5.0, |row| row as f64 * ROW + 2.0);
+            let top = note
+                .row
+                .map_or(self.height() - 5.0, |row| row as f64 * ROW + 2.0);
             let tick = vec![(px(note.x), px(top)), (px(note.x), px(self.height()))];
             area.draw(&PathElement::new(tick, stroke(FAINT, 1.0)))?;
             if let Some(row) = note.row {
@@ -70,12 +82,29 @@ impl Notes {
     }
 }
 
+/// Names in the order of their first use, with the number of their uses: "touch ×2, lift".
+pub(super) fn tally(names: impl Iterator<Item = &'static str>) -> String {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for name in names {
+        match counts.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((name, 1)),
+        }
+    }
+    let text = |(name, count): &(&str, usize)| match count {
+        1 => (*name).to_owned(),
+        count => format!("{name} ×{count}"),
+    };
+    counts.iter().map(text).collect::<Vec<_>>().join(", ")
+}
+
 /// Sets notes in rows from the top; a note may neither cover another one nor lead its tick through one below. Says whether
 /// all found room.
 fn set(notes: &mut [Note], rows: usize) -> bool {
     let mut ends = vec![0.0; rows];
     for note in notes.iter_mut() {
-        let clear = |row: &usize| ends[*row] <= note.start && ends[*row..].iter().all(|&end| end <= note.x);
+        let clear =
+            |row: &usize| ends[*row] <= note.start && ends[*row..].iter().all(|&end| end <= note.x);
         note.row = (0..rows).find(clear);
         if let Some(row) = note.row {
             ends[row] = note.start + text_width(&note.names, SMALL) + SPACE;

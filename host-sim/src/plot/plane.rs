@@ -16,19 +16,24 @@ pub(super) struct Bounds {
 impl Bounds {
     /// The smallest box around points; `None` without a point.
     pub(super) fn around(points: impl IntoIterator<Item = (f64, f64)>) -> Option<Self> {
-        points.into_iter().fold(None, |bounds: Option<Self>, (x, y)| {
-            let Some(Self { x: xs, y: ys }) = bounds else {
-                return Some(Self { x: x..x, y: y..y });
-            };
-            Some(Self {
-                x: xs.start.min(x)..xs.end.max(x),
-                y: ys.start.min(y)..ys.end.max(y),
+        points
+            .into_iter()
+            .fold(None, |bounds: Option<Self>, (x, y)| {
+                let Some(Self { x: xs, y: ys }) = bounds else {
+                    return Some(Self { x: x..x, y: y..y });
+                };
+                Some(Self {
+                    x: xs.start.min(x)..xs.end.max(x),
+                    y: ys.start.min(y)..ys.end.max(y),
+                })
             })
-        })
     }
 
     pub(super) fn centre(&self) -> (f64, f64) {
-        (0.5 * (self.x.start + self.x.end), 0.5 * (self.y.start + self.y.end))
+        (
+            0.5 * (self.x.start + self.x.end),
+            0.5 * (self.y.start + self.y.end),
+        )
     }
 
     pub(super) fn width(&self) -> f64 {
@@ -53,7 +58,12 @@ impl Bounds {
 
     fn corners(&self) -> [(f64, f64); 4] {
         let Self { x, y } = self;
-        [(x.start, y.start), (x.end, y.start), (x.end, y.end), (x.start, y.end)]
+        [
+            (x.start, y.start),
+            (x.end, y.start),
+            (x.end, y.end),
+            (x.start, y.end),
+        ]
     }
 }
 
@@ -69,30 +79,46 @@ impl<'a> View<'a> {
     /// The bounds on the whole of an area, which has their proportions.
     pub(super) fn new(area: &Area<'a>, bounds: Bounds) -> Drawn<Self> {
         let ranges = (bounds.x.clone(), bounds.y.clone());
-        let plane = ChartBuilder::on(area).build_cartesian_2d(ranges.0, ranges.1)?.plotting_area().clone();
+        let plane = ChartBuilder::on(area)
+            .build_cartesian_2d(ranges.0, ranges.1)?
+            .plotting_area()
+            .clone();
         let pixel = bounds.width() / size(area).0;
-        Ok(Self { plane, bounds, pixel })
+        Ok(Self {
+            plane,
+            bounds,
+            pixel,
+        })
     }
 
     /// A line through points, in a color and a width [px].
-    pub(super) fn line(&self, points: &[(f64, f64)], color: impl Into<RGBAColor>, width: f64) -> Drawn {
-        self.plane.draw(&PathElement::new(points.to_vec(), stroke(color, width)))
+    pub(super) fn line(
+        &self,
+        points: &[(f64, f64)],
+        color: impl Into<RGBAColor>,
+        width: f64,
+    ) -> Drawn {
+        self.plane
+            .draw(&PathElement::new(points.to_vec(), stroke(color, width)))
     }
 
     /// A filled polygon.
     pub(super) fn fill(&self, corners: &[(f64, f64)], color: impl Into<RGBAColor>) -> Drawn {
         let color: RGBAColor = color.into();
-        self.plane.draw(&Polygon::new(corners.to_vec(), color.filled()))
+        self.plane
+            .draw(&Polygon::new(corners.to_vec(), color.filled()))
     }
 
     /// A dot of this radius [px].
     pub(super) fn dot(&self, centre: (f64, f64), radius: f64, color: RGBColor) -> Drawn {
-        self.plane.draw(&Circle::new(centre, px(radius), color.filled()))
+        self.plane
+            .draw(&Circle::new(centre, px(radius), color.filled()))
     }
 
     /// A ring of this radius [px].
     pub(super) fn ring(&self, centre: (f64, f64), radius: f64, color: RGBColor) -> Drawn {
-        self.plane.draw(&Circle::new(centre, px(radius), stroke(color, 1.8)))
+        self.plane
+            .draw(&Circle::new(centre, px(radius), stroke(color, 1.8)))
     }
 
     /// The solid sides of surfaces, shaded, and the boundary of the free space, hatched.
@@ -109,7 +135,9 @@ impl<'a> View<'a> {
                 .into_iter()
                 .filter(|&point| height(surface, point) >= -tolerance)
                 .collect();
-            let free = surfaces.iter().fold(boundary, |line, other| clip(&line, |point| height(other, point) + tolerance));
+            let free = surfaces.iter().fold(boundary, |line, other| {
+                clip(&line, |point| height(other, point) + tolerance)
+            });
             self.boundary(surface, &free)?;
         }
         Ok(())
@@ -138,11 +166,18 @@ impl<'a> View<'a> {
     }
 
     /// The outline of the body: a polygon, a rod or a point, in a width [px].
-    pub(super) fn outline(&self, corners: &[(f64, f64)], color: impl Into<RGBAColor>, width: f64) -> Drawn {
+    pub(super) fn outline(
+        &self,
+        corners: &[(f64, f64)],
+        color: impl Into<RGBAColor>,
+        width: f64,
+    ) -> Drawn {
         let color = color.into();
         match corners {
             [] => Ok(()),
-            [point] => self.plane.draw(&Circle::new(*point, px(3.0), color.filled())),
+            [point] => self
+                .plane
+                .draw(&Circle::new(*point, px(3.0), color.filled())),
             [first, ..] => {
                 let closed: Vec<_> = corners.iter().chain([first]).copied().collect();
                 self.line(&closed, color, width)
@@ -151,7 +186,13 @@ impl<'a> View<'a> {
     }
 
     /// An arrow from a point along a vector [m], in a width [px]; one shorter than a pixel is left out.
-    pub(super) fn arrow(&self, from: (f64, f64), (x, y): (f64, f64), color: RGBColor, width: f64) -> Drawn {
+    pub(super) fn arrow(
+        &self,
+        from: (f64, f64),
+        (x, y): (f64, f64),
+        color: RGBColor,
+        width: f64,
+    ) -> Drawn {
         let length = x.hypot(y);
         if length < self.pixel {
             return Ok(());
@@ -183,7 +224,10 @@ impl<'a> View<'a> {
                 step if step % 2 == 0 => width,
                 _ => -width,
             };
-            (from.0 + along * x - across * y, from.1 + along * y + across * x)
+            (
+                from.0 + along * x - across * y,
+                from.1 + along * y + across * x,
+            )
         };
         let coil: Vec<_> = (0..=2 * TURNS).map(point).collect();
         self.line(&coil, color, 1.3)
@@ -224,7 +268,21 @@ pub(super) fn holding_point(run: &Run, frame: &Frame) -> [f64; 2] {
     [0, 1].map(|axis| frame.hand[axis] - frame.wrench[axis] / run.stiffness_translation)
 }
 
+/// Angle of the hand [rad]; while it holds the body less its offset in the grip, so that it differs from the body's angle
+/// only by what the rotational spring yields.
+pub(super) fn hand_angle(run: &Run, frame: &Frame) -> f64 {
+    if frame.held && run.stiffness_rotation > 0.0 {
+        frame.pose[2] + frame.wrench[2] / run.stiffness_rotation
+    } else {
+        frame.hand[2]
+    }
+}
+
 /// A length unit that suits an extent [m]: its name and how many of it make a metre.
 pub(super) fn length_unit(extent: f64) -> (&'static str, f64) {
-    if extent < 2.0 { ("mm", 1e3) } else { ("m", 1.0) }
+    if extent < 2.0 {
+        ("mm", 1e3)
+    } else {
+        ("m", 1.0)
+    }
 }

@@ -3,8 +3,8 @@
 /// A sample: t and a value.
 type Sample = (f64, f64);
 
-/// The samples as unbroken lines: cut where a value is not finite and, where there are more than `columns` can show,
-/// thinned to the first, lowest, highest and last sample of each column. Times must not decrease.
+/// The samples as unbroken lines, cut where values are not finite. More samples than `columns` can show are thinned to the
+/// first, lowest, highest and last of each column, and gaps within a column are closed. Times must not decrease.
 pub(super) fn envelope(times: &[f64], values: &[f64], columns: usize) -> Vec<Vec<Sample>> {
     thin(times, values, columns, extremes)
 }
@@ -12,27 +12,41 @@ pub(super) fn envelope(times: &[f64], values: &[f64], columns: usize) -> Vec<Vec
 /// Like [`envelope`], with only the sample of each column that is farthest from 0.
 pub(super) fn outline(times: &[f64], values: &[f64], columns: usize) -> Vec<Vec<Sample>> {
     thin(times, values, columns, |samples| {
-        let farthest = samples.iter().copied().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        let farthest = samples
+            .iter()
+            .copied()
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         farthest.into_iter().collect()
     })
 }
 
 /// Unbroken lines, of which `pick` keeps some samples per column.
-fn thin(times: &[f64], values: &[f64], columns: usize, pick: impl Fn(&[Sample]) -> Vec<Sample>) -> Vec<Vec<Sample>> {
+fn thin(
+    times: &[f64],
+    values: &[f64],
+    columns: usize,
+    pick: impl Fn(&[Sample]) -> Vec<Sample>,
+) -> Vec<Vec<Sample>> {
     let (Some(&begin), Some(&end)) = (times.first(), times.last()) else {
         return Vec::new();
     };
-    let crowded = times.len() > 4 * columns && end > begin;
-    let column = |t: f64| ((t - begin) / (end - begin) * columns as f64) as usize;
     let samples: Vec<Sample> = times.iter().copied().zip(values.iter().copied()).collect();
+    let finite = |sample: &Sample| sample.1.is_finite();
+    if times.len() <= 4 * columns || end <= begin {
+        let lines = samples.split(|sample| !finite(sample));
+        return lines
+            .filter(|line| !line.is_empty())
+            .map(<[_]>::to_vec)
+            .collect();
+    }
+    let column = |sample: &Sample| ((sample.0 - begin) / (end - begin) * columns as f64) as usize;
+    let samples: Vec<Sample> = samples.into_iter().filter(finite).collect();
     samples
-        .split(|(_, value)| !value.is_finite())
-        .filter(|line| !line.is_empty())
+        .chunk_by(|a, b| column(b) <= column(a) + 1)
         .map(|line| {
-            if !crowded {
-                return line.to_vec();
-            }
-            line.chunk_by(|a, b| column(a.0) == column(b.0)).flat_map(&pick).collect()
+            line.chunk_by(|a, b| column(a) == column(b))
+                .flat_map(&pick)
+                .collect()
         })
         .collect()
 }

@@ -44,17 +44,12 @@ pub(super) fn size(area: &Area) -> (f64, f64) {
 
 /// The part of an area from `corner` on, of the given width and height [px].
 pub(super) fn part<'a>(area: &Area<'a>, corner: (f64, f64), size: (f64, f64)) -> Area<'a> {
-    area.clone().shrink(
-        (px(corner.0), px(corner.1)),
-        (px(size.0), px(size.1)),
-    )
+    area.clone()
+        .shrink((px(corner.0), px(corner.1)), (px(size.0), px(size.1)))
 }
 
 /// The SVG of what `draw` draws on a white sheet of `width` × `height` pixels.
-pub(super) fn svg(
-    (width, height): (f64, f64),
-    draw: impl FnOnce(&Area) -> Drawn,
-) -> Drawn<String> {
+pub(super) fn svg((width, height): (f64, f64), draw: impl FnOnce(&Area) -> Drawn) -> Drawn<String> {
     let steps = (px(width) as u32, px(height) as u32);
     let mut text = String::new();
     {

@@ -2,16 +2,16 @@
 //! as bars. All snapshots have one scale of lengths and one of forces.
 
 use super::instants::choose;
-use super::legend::{self, Entry, Mark};
-use super::plane::{Bounds, View, corners, holding_point, length_unit};
+use super::legend::{Entry, Heading, Mark};
+use super::notes::tally;
+use super::plane::{Bounds, View, corners, hand_angle, holding_point, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use crate::record::{Frame, Run};
 use plotters::prelude::*;
 
-const WIDTH: f64 = 1000.0;
+/// Room left and right of the snapshots [px].
 const MARGIN: f64 = 14.0;
-const HEADER: f64 = 34.0;
 const COLUMNS: usize = 4;
 const SNAPSHOTS: usize = 8;
 /// Side of a snapshot and the room below it for its caption [px].
@@ -31,18 +31,21 @@ struct Scale {
 
 /// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
-    let frames: Vec<&Frame> = choose(run, SNAPSHOTS).into_iter().map(|index| &run.frames[index]).collect();
+    let frames: Vec<&Frame> = choose(run, SNAPSHOTS)
+        .into_iter()
+        .map(|index| &run.frames[index])
+        .collect();
     let scale = scale(run, &frames);
-    let entries = entries(&scale);
-    let inner = WIDTH - 2.0 * MARGIN;
-    let legend_height = legend::height(&entries, inner);
-    let top = HEADER + legend_height + 8.0;
+    let heading = Heading {
+        title: format!("{}: snapshots", run.title),
+        entries: entries(&scale),
+        margin: MARGIN,
+    };
+    let top = heading.height();
     let rows = frames.len().div_ceil(COLUMNS);
     let height = top + rows as f64 * (SIDE + CAPTION) + 4.0;
     sheet::svg((WIDTH, height), |area| {
-        let title = format!("{}: snapshots", run.title);
-        area.draw_text(&title, &font(TITLE), (px(MARGIN), px(HEADER / 2.0)))?;
-        legend::draw(&part(area, (MARGIN, HEADER), (inner, legend_height)), &entries)?;
+        heading.draw(area)?;
         for (index, frame) in frames.iter().enumerate() {
             let x = MARGIN + (index % COLUMNS) as f64 * (SIDE + GAP);
             let y = top + (index / COLUMNS) as f64 * (SIDE + CAPTION);
@@ -61,7 +64,8 @@ fn extent(run: &Run, frame: &Frame) -> Bounds {
 }
 
 fn scale(run: &Run, frames: &[&Frame]) -> Scale {
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest =
+        |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a: f64, b| a.max(b.abs()));
     let side = |frame: &&Frame| {
         let extent = extent(run, frame);
         extent.width().max(extent.height())
@@ -70,11 +74,19 @@ fn scale(run: &Run, frames: &[&Frame]) -> Scale {
     let window = if extent > 0.0 { 1.4 * extent } else { 1.0 };
     let contacts = frames.iter().flat_map(|frame| &frame.contacts);
     let reactions = largest(&mut contacts.flat_map(|contact| [contact.normal, contact.friction]));
-    let springs = largest(&mut frames.iter().map(|frame| frame.wrench[0].hypot(frame.wrench[1])));
+    let springs = largest(
+        &mut frames
+            .iter()
+            .map(|frame| frame.wrench[0].hypot(frame.wrench[1])),
+    );
     let force = reactions.max(springs);
     Scale {
         window,
-        per_newton: if force > 0.0 { 0.32 * window / force } else { 0.0 },
+        per_newton: if force > 0.0 {
+            0.32 * window / force
+        } else {
+            0.0
+        },
         moment: largest(&mut frames.iter().map(|frame| frame.wrench[2])),
     }
 }
@@ -103,7 +115,10 @@ fn scale_bar(one: f64, unit: &str) -> Entry {
     let decade = 10f64.powf((LONGEST / one).log10().floor());
     let fits = |step: &f64| step * decade * one <= LONGEST;
     let value = decade * [5.0, 2.0].into_iter().find(fits).unwrap_or(1.0);
-    Entry::new(Mark::Scale(value * one), format!("{} {unit}", number(value)))
+    Entry::new(
+        Mark::Scale(value * one),
+        format!("{} {unit}", number(value)),
+    )
 }
 
 fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
@@ -138,10 +153,15 @@ fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
 
 /// The hand with its spring, force and moment; the strokes at its ring and at the holding point show phi and theta.
 fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
-    let [x, y, phi] = frame.hand;
+    let [x, y, _] = frame.hand;
+    let phi = hand_angle(run, frame);
     let pointer = |(x, y): (f64, f64), angle: f64, color| {
         let length = 15.0 * view.pixel;
-        view.line(&[(x, y), (x + length * angle.cos(), y + length * angle.sin())], color, 1.8)
+        view.line(
+            &[(x, y), (x + length * angle.cos(), y + length * angle.sin())],
+            color,
+            1.8,
+        )
     };
     if !frame.held {
         pointer((x, y), phi, OPEN_HAND)?;
@@ -149,7 +169,12 @@ fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
     }
     let point = holding_point(run, frame).into();
     let [fx, fy, moment] = frame.wrench;
-    view.arrow(point, (fx * scale.per_newton, fy * scale.per_newton), HAND_FORCE, 3.2)?;
+    view.arrow(
+        point,
+        (fx * scale.per_newton, fy * scale.per_newton),
+        HAND_FORCE,
+        3.2,
+    )?;
     if scale.moment > 0.0 {
         arc(view, point, moment / scale.moment)?;
     }
@@ -170,7 +195,9 @@ fn arc(view: &View, (x, y): (f64, f64), share: f64) -> Drawn {
     }
     let point = |angle: f64| (x + radius * angle.cos(), y + radius * angle.sin());
     let begin = std::f64::consts::FRAC_PI_2;
-    let arc: Vec<_> = (0..=STEPS).map(|step| point(begin + sweep * step as f64 / STEPS as f64)).collect();
+    let arc: Vec<_> = (0..=STEPS)
+        .map(|step| point(begin + sweep * step as f64 / STEPS as f64))
+        .collect();
     view.line(&arc, HAND_FORCE, 2.2)?;
     let end = begin + sweep;
     let (tip, head) = (point(end), 8.0 * view.pixel * sweep.signum());
@@ -182,11 +209,24 @@ fn caption(area: &Area, frame: &Frame, scale: &Scale) -> Drawn {
     let (unit, per_metre) = length_unit(scale.window);
     let [x, y, theta] = frame.pose;
     let decimals = |value: f64| format!("{value:.1}").replace('-', "−");
-    let events: Vec<_> = frame.events.iter().map(|event| event.name()).collect();
     let lines = [
-        (font(TEXT), format!("t = {:.3} s: {}", frame.t, frame.state.name())),
-        (font(SMALL), format!("x {} {unit}, y {} {unit}, θ {}°", decimals(x * per_metre), decimals(y * per_metre), decimals(theta.to_degrees()))),
-        (font(SMALL).color(&FRICTION), events.join(", ")),
+        (
+            font(TEXT),
+            format!("t = {:.3} s: {}", frame.t, frame.state.name()),
+        ),
+        (
+            font(SMALL),
+            format!(
+                "x {} {unit}, y {} {unit}, θ {}°",
+                decimals(x * per_metre),
+                decimals(y * per_metre),
+                decimals(theta.to_degrees())
+            ),
+        ),
+        (
+            font(SMALL).color(&FRICTION),
+            tally(frame.events.iter().map(|event| event.name())),
+        ),
     ];
     let (width, _) = sheet::size(area);
     for ((style, text), y) in lines.iter().zip([11.0, 26.0, 40.0]) {

@@ -41,6 +41,16 @@ pub(super) fn state_color(state: StateKind) -> RGBColor {
     }
 }
 
+/// Width of a picture [px].
+pub(super) const WIDTH: f64 = 1000.0;
+/// Room around a plot for its axes: left with `EDGE` free of labels, right, and below [px].
+pub(super) const LEFT: f64 = 70.0;
+pub(super) const EDGE: f64 = 14.0;
+pub(super) const RIGHT: f64 = 16.0;
+pub(super) const AXIS: f64 = 40.0;
+/// Width of a plot [px].
+pub(super) const INNER: f64 = WIDTH - LEFT - RIGHT;
+
 /// Sizes of type [px].
 pub(super) const TITLE: f64 = 16.0;
 pub(super) const TEXT: f64 = 12.0;
@@ -76,7 +86,11 @@ pub(super) fn text_width(text: &str, size: f64) -> f64 {
 
 /// A tick label of an axis that spans `extent`: a value that is 0 but for rounding reads 0.
 pub(super) fn tick(value: f64, extent: f64) -> String {
-    number(if value.abs() < 1e-9 * extent { 0.0 } else { value })
+    number(if value.abs() < 1e-9 * extent {
+        0.0
+    } else {
+        value
+    })
 }
 
 /// A number without trailing zeros, with a true minus sign, and powers of ten where it is very large or small.

@@ -1,0 +1,320 @@
+//! The pictures of a made-up run: a box that is dragged over the floor by stick-slip, against a wall, and let go.
+
+use super::legend::{Entry, Mark};
+use super::series::{envelope, outline, sparse};
+use super::sheet::PNG_SCALE;
+use super::*;
+use crate::number::Number;
+use crate::record::{ContactRecord, Frame, SurfaceInfo};
+use resvg::tiny_skia::Pixmap;
+use resvg::usvg::roxmltree::Document;
+use stiction_core::{Event, Evolution, StateKind, Status};
+
+/// A size that an SVG stays below [bytes].
+const LARGEST_SVG: u64 = 1_000_000;
+
+fn surface(name: &str, normal: [f64; 2], offset: f64) -> SurfaceInfo {
+    SurfaceInfo {
+        name: name.to_owned(),
+        normal,
+        offset,
+        friction_static: 0.5,
+        friction_dynamic: 0.3,
+    }
+}
+
+/// A drag of one second in `count` frames: a saw-tooth of 20 slips that ends at the wall.
+fn drag(count: usize) -> Run {
+    let frame = |index: usize| {
+        let t = index as f64 / count as f64;
+        let phase = (20.0 * t).fract();
+        let slipped = index > 0 && phase < (20.0 * (t - 1.0 / count as f64)).fract();
+        let x = 0.01 * (20.0 * t).floor();
+        let (normal, friction) = (10.0, -3.0 - 2.0 * phase);
+        let contact = |vertex, x| ContactRecord {
+            vertex,
+            surface: 0,
+            point: [x, 0.0],
+            normal: 0.5 * normal,
+            friction: 0.5 * friction,
+        };
+        Frame {
+            t,
+            hand: [x - friction / 500.0, 0.05 - normal / 500.0, 0.1 * t],
+            held: t < 0.95,
+            pose: [x, 0.03, 0.0],
+            depth: 0.0,
+            state: if t < 0.1 {
+                StateKind::NonContact
+            } else {
+                StateKind::Edge
+            },
+            contacts: vec![contact(0, x - 0.05), contact(1, x + 0.05)],
+            wrench: [-friction, -normal, 0.5 * 0.1 * t],
+            slips: u32::from(slipped),
+            longest_slip: if slipped { 0.01 } else { 0.0 },
+            events: if slipped {
+                vec![Event::Slip, Event::Tip]
+            } else {
+                Vec::new()
+            },
+            status: if t > 0.9 {
+                Status::Ambiguous
+            } else {
+                Status::Ok
+            },
+        }
+    };
+    Run {
+        title: "drag <&> stop".to_owned(),
+        body: vec![[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+        surfaces: vec![
+            surface("floor", [0.0, 1.0], 0.0),
+            surface("wall", [-1.0, 0.0], -0.3),
+        ],
+        stiffness_translation: 500.0,
+        stiffness_rotation: 0.5,
+        weight: 0.0,
+        holding_point: Some([0.0, 0.02]),
+        number: Number::F32,
+        evolution: Evolution::Path,
+        frames: (0..count).map(frame).collect(),
+    }
+}
+
+/// The texts of an SVG, which must be well-formed.
+fn texts(svg: &str) -> Vec<String> {
+    let document = Document::parse(svg).expect("well-formed XML");
+    let texts = document
+        .descendants()
+        .filter(|node| node.has_tag_name("text"));
+    texts
+        .filter_map(|node| node.text())
+        .map(|text| text.trim().to_owned())
+        .collect()
+}
+
+#[test]
+fn every_picture_is_written_as_svg_and_png() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = write(&drag(2000), &folder.path().join("new/plots")).expect("plots");
+    let names: Vec<_> = files
+        .iter()
+        .filter_map(|file| file.file_name()?.to_str())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "trajectory.svg",
+            "trajectory.png",
+            "forces.svg",
+            "forces.png",
+            "motion.svg",
+            "motion.png",
+            "strip.svg",
+            "strip.png"
+        ]
+    );
+    for pair in files.chunks(2) {
+        let svg = fs::read_to_string(&pair[0]).expect("an SVG");
+        let document = Document::parse(&svg).expect("well-formed XML");
+        let side = |name| document.root_element().attribute(name)?.parse::<f64>().ok();
+        let (width, height) = (
+            side("width").expect("a width"),
+            side("height").expect("a height"),
+        );
+        let png = Pixmap::load_png(&pair[1]).expect("a PNG");
+        let pixels = |length: f64| length.ceil() as u32 * PNG_SCALE;
+        assert_eq!((png.width(), png.height()), (pixels(width), pixels(height)));
+    }
+}
+
+#[test]
+fn pictures_name_what_they_show_with_units() {
+    let run = drag(2000);
+    let expected: [(&str, &[&str]); 4] = [
+        (
+            "trajectory",
+            &[
+                "hand, holding",
+                "holding point",
+                "body at end",
+                "x [mm]",
+                "y [mm]",
+            ],
+        ),
+        (
+            "forces",
+            &[
+                "normal N",
+                "friction T",
+                "static limit ±μs N",
+                "slip end ±μd N",
+                "floor [N]",
+                "slip [mm]",
+                "time t [s]",
+            ],
+        ),
+        (
+            "motion",
+            &[
+                "hand",
+                "hand, open",
+                "vertices in contact",
+                "angle [°]",
+                "x [mm]",
+                "time t [s]",
+            ],
+        ),
+        (
+            "strip",
+            &[
+                "normal force",
+                "friction",
+                "hand and spring",
+                "20 mm",
+                "5 N",
+            ],
+        ),
+    ];
+    for ((name, picture), (same, entries)) in PICTURES.into_iter().zip(expected) {
+        assert_eq!(name, same);
+        let texts = texts(&picture(&run).expect("a picture"));
+        for entry in entries {
+            assert!(
+                texts.iter().any(|text| text == entry),
+                "{name} lacks {entry}: {texts:?}"
+            );
+        }
+        assert!(
+            texts[0].starts_with("drag <&> stop: "),
+            "{name} is called {}",
+            texts[0]
+        );
+    }
+}
+
+#[test]
+fn pictures_over_time_show_all_states_and_limited_answers() {
+    let texts = texts(&forces::svg(&drag(2000)).expect("a picture"));
+    for state in StateKind::ALL {
+        assert!(texts.iter().any(|text| text == state.name()));
+    }
+    assert!(texts.iter().any(|text| text.contains("ambiguous")));
+    assert!(
+        !texts.iter().any(|text| text == "wall [N]"),
+        "the wall is not touched"
+    );
+}
+
+#[test]
+fn clock_time_counts_from_a_round_time() {
+    let mut run = drag(200);
+    for frame in &mut run.frames {
+        frame.t += 1_305_031_098.6;
+    }
+    let texts = texts(&motion::svg(&run).expect("a picture"));
+    assert!(
+        texts.iter().any(|text| text == "time t − 1305031090 s [s]"),
+        "{texts:?}"
+    );
+    assert!(texts.iter().any(|text| text == "9.1"), "{texts:?}");
+}
+
+#[test]
+fn letters_need_no_font_of_the_machine() {
+    let rasterizer = sheet::Rasterizer::new();
+    let dark = |text: &str| {
+        let entry = [Entry::new(Mark::Dot(style::PAPER), text)];
+        let svg = sheet::svg((100.0, 20.0), |area| legend::draw(area, &entry)).expect("a drawing");
+        let png = Pixmap::decode_png(&rasterizer.png(&svg).expect("a PNG")).expect("a PNG");
+        png.pixels()
+            .iter()
+            .filter(|pixel| pixel.red() < 128)
+            .count()
+    };
+    assert_eq!(dark(""), 0);
+    assert!(dark("μθφ±") > 100);
+}
+
+#[test]
+fn a_long_run_stays_small() {
+    let run = drag(200_000);
+    for (name, picture) in PICTURES {
+        let size = picture(&run).expect("a picture").len() as u64;
+        assert!(size < LARGEST_SVG, "{name}: {size} bytes");
+    }
+}
+
+#[test]
+fn thinning_keeps_spikes_ends_and_gaps() {
+    let times: Vec<f64> = (0..10_000).map(f64::from).collect();
+    let mut values = vec![0.0; times.len()];
+    values[1234] = 5.0;
+    values[1235] = -7.0;
+    values[5000..5300].fill(f64::NAN);
+    let lines = envelope(&times, &values, 100);
+    assert_eq!(lines.len(), 2);
+    assert!(lines.iter().map(Vec::len).sum::<usize>() <= 404);
+    assert!(lines[0].contains(&(1234.0, 5.0)) && lines[0].contains(&(1235.0, -7.0)));
+    assert_eq!(lines[1].last(), Some(&(9999.0, 0.0)));
+    assert!(outline(&times, &values, 100)[0].contains(&(1235.0, -7.0)));
+}
+
+#[test]
+fn a_thinned_path_keeps_its_ends() {
+    let circle = |index: u32| f64::from(index).to_radians().sin_cos();
+    let path: Vec<_> = (0..100_000).map(circle).collect();
+    let kept = sparse(&path, 0.001, 500);
+    assert!(kept.len() <= 501);
+    assert_eq!((kept.first(), kept.last()), (path.first(), path.last()));
+}
+
+#[test]
+fn snapshots_show_the_ends_and_every_state() {
+    let run = drag(2000);
+    let chosen = instants::choose(&run, 8);
+    assert_eq!((chosen.len(), chosen[0], chosen[7]), (8, 0, 1999));
+    assert!(chosen.is_sorted());
+    assert!(chosen.contains(&200), "the first frame on the edge");
+}
+
+#[test]
+fn a_single_frame_a_point_body_and_no_surface_are_drawn() {
+    let mut run = drag(1);
+    run.body.truncate(1);
+    run.surfaces.clear();
+    run.frames[0].contacts.clear();
+    for (name, picture) in PICTURES {
+        assert!(
+            !texts(&picture(&run).expect("a picture")).is_empty(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn errors_name_the_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("taken");
+    fs::write(&file, "").expect("a file");
+    let error = write(&drag(10), &file)
+        .expect_err("not a directory")
+        .to_string();
+    assert!(
+        error.starts_with("cannot create the plot directory") && error.contains("taken"),
+        "{error}"
+    );
+    fs::create_dir(folder.path().join("trajectory.svg")).expect("a directory");
+    let error = write(&drag(10), folder.path())
+        .expect_err("not a file")
+        .to_string();
+    assert!(
+        error.starts_with("cannot write the plot") && error.contains("trajectory.svg"),
+        "{error}"
+    );
+    assert!(matches!(
+        write(&drag(0), folder.path()),
+        Err(PlotError::Empty)
+    ));
+}

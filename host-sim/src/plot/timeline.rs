@@ -1,33 +1,23 @@
 //! Pictures over time: panels stacked above one time axis, below them the slips, the events and the state as a colored band.
 
-use super::legend::{self, Entry, Mark};
+use super::legend::{self, Entry, Heading, Mark};
 use super::notes::Notes;
 use super::series::{envelope, outline};
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
+use super::states;
 use super::style::*;
 use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
-use stiction_core::StateKind;
 
-const WIDTH: f64 = 1000.0;
-/// Room left of the panels for the labels of their axes, and right of them [px].
-const LEFT: f64 = 70.0;
-const RIGHT: f64 = 16.0;
-/// Width of the panels [px].
-const INNER: f64 = WIDTH - LEFT - RIGHT;
-/// Room left of the labels [px].
-const EDGE: f64 = 14.0;
 /// Heights [px].
-const HEADER: f64 = 34.0;
 const GAP: f64 = 10.0;
 const SLIPS: f64 = 70.0;
 const BAND: f64 = 16.0;
-const AXIS: f64 = 40.0;
 /// Columns that a line is thinned to: one per pixel.
 const COLUMNS: usize = 900;
 /// More events than this are not led through the panels.
-const MOST_GUIDES: usize = 40;
+const MOST_GUIDES: usize = 24;
 
 /// A line of a panel.
 pub(super) struct Line {
@@ -80,22 +70,34 @@ impl Timeline<'_> {
         let time = span(&times);
         let place = |t| LEFT + INNER * (t - time.start) / (time.end - time.start);
         let notes = Notes::new(&self.run.frames, place, WIDTH - 4.0);
-        let states = states_legend();
-        let top = HEADER + legend::height(&self.legend, INNER) + GAP;
+        let states = states::legend();
+        let heading = Heading {
+            title: self.title,
+            entries: self.legend,
+            margin: LEFT,
+        };
+        let top = heading.height();
         let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
         let bottom = top + panels + slips.height() + notes.height() + BAND + AXIS + GAP;
         let height = bottom + legend::height(&states, INNER) + 6.0;
         sheet::svg((WIDTH, height), |area| {
-            area.draw_text(&self.title, &font(TITLE), (px(LEFT), px(HEADER / 2.0)))?;
-            legend::draw(&part(area, (LEFT, HEADER), (INNER, top - HEADER)), &self.legend)?;
-            let mut column = Column { area, times: &times, time, top };
+            heading.draw(area)?;
+            let mut column = Column {
+                area,
+                times: &times,
+                time,
+                top,
+            };
             for panel in &self.panels {
                 column.panel(panel, &notes)?;
             }
             column.slips(&slips)?;
             notes.draw(&column.block(notes.height(), 0.0))?;
             column.band(&self.run.frames)?;
-            legend::draw(&part(area, (LEFT, bottom), (INNER, height - bottom)), &states)
+            legend::draw(
+                &part(area, (LEFT, bottom), (INNER, height - bottom)),
+                &states,
+            )
         })
     }
 }
@@ -106,6 +108,17 @@ fn span(times: &[f64]) -> Range<f64> {
         (Some(&begin), Some(&end)) if end > begin => begin..end,
         (Some(&begin), _) => begin - 0.5..begin + 0.5,
         _ => 0.0..1.0,
+    }
+}
+
+/// What the labels of a time axis count from: 0, or a round time before it where they would be too long (clock time) [s].
+fn origin(time: &Range<f64>) -> f64 {
+    let step = 10f64.powf((time.end - time.start).log10().ceil() + 1.0);
+    let origin = (time.start / step).floor() * step;
+    if origin.abs() < 1e3 * step {
+        0.0
+    } else {
+        origin
     }
 }
 
@@ -120,29 +133,38 @@ struct Slips {
 
 impl Slips {
     fn of(run: &Run, times: &[f64]) -> Self {
-        let lengths: Vec<f64> = run.frames.iter().map(|frame| 1e3 * frame.longest_slip).collect();
+        let lengths: Vec<f64> = run
+            .frames
+            .iter()
+            .map(|frame| 1e3 * frame.longest_slip)
+            .collect();
         Self {
             count: run.frames.iter().map(|frame| u64::from(frame.slips)).sum(),
-            peaks: outline(times, &lengths, COLUMNS).into_iter().flatten().filter(|peak| peak.1 > 0.0).collect(),
+            peaks: outline(times, &lengths, COLUMNS)
+                .into_iter()
+                .flatten()
+                .filter(|peak| peak.1 > 0.0)
+                .collect(),
             longest: lengths.iter().copied().fold(0.0, f64::max),
         }
     }
 
     fn height(&self) -> f64 {
-        if self.peaks.is_empty() { 0.0 } else { SLIPS + GAP }
+        if self.peaks.is_empty() {
+            0.0
+        } else {
+            SLIPS + GAP
+        }
     }
 
     fn legend(&self) -> Option<Entry> {
-        let text = format!("{} slips, longest {} mm", self.count, number(round(self.longest)));
+        let text = format!(
+            "slips: {}, longest {} mm",
+            self.count,
+            number(round(self.longest))
+        );
         (self.longest > 0.0).then(|| Entry::new(Mark::Line(SLIP, 2.0), text))
     }
-}
-
-fn states_legend() -> Vec<Entry> {
-    StateKind::ALL
-        .iter()
-        .map(|&state| Entry::new(Mark::Box(state_color(state)), state.name()))
-        .collect()
 }
 
 /// The column of panels, drawn from top to bottom.
@@ -203,7 +225,11 @@ impl<'b> Column<'_, 'b> {
             }
         }
         for line in &panel.lines {
-            let cut: Vec<f64> = line.values.iter().map(|v| v.clamp(range.start, range.end)).collect();
+            let cut: Vec<f64> = line
+                .values
+                .iter()
+                .map(|v| v.clamp(range.start, range.end))
+                .collect();
             let thin = if line.limit { outline } else { envelope };
             for points in thin(self.times, &cut, COLUMNS) {
                 plane.draw(&PathElement::new(points, stroke(line.color, line.width)))?;
@@ -228,14 +254,21 @@ impl<'b> Column<'_, 'b> {
     fn band(&mut self, frames: &[Frame]) -> Drawn {
         let block = self.block(BAND + AXIS, GAP);
         let extent = self.time.end - self.time.start;
+        let origin = origin(&self.time);
+        let description = match origin {
+            0.0 => "time t [s]".to_owned(),
+            origin => format!("time t − {origin} s [s]"),
+        };
         let mut chart = ChartBuilder::on(&block)
             .set_label_area_size(LabelAreaPosition::Bottom, px(AXIS))
             .margin_left(px(LEFT))
             .margin_right(px(RIGHT))
             .build_cartesian_2d(self.time.clone(), 0.0..1.0)?;
-        for (range, state) in state_spans(frames, self.time.end) {
+        for (range, state) in states::spans(frames, self.time.end) {
             let corners = [(range.start, 0.0), (range.end, 1.0)];
-            chart.plotting_area().draw(&Rectangle::new(corners, state_color(state).filled()))?;
+            chart
+                .plotting_area()
+                .draw(&Rectangle::new(corners, state_color(state).filled()))?;
         }
         chart
             .configure_mesh()
@@ -245,8 +278,8 @@ impl<'b> Column<'_, 'b> {
             .axis_style(stroke(INK, 1.0))
             .label_style(font(SMALL))
             .axis_desc_style(font(TEXT))
-            .x_label_formatter(&|t| tick(*t, extent))
-            .x_desc("time t [s]")
+            .x_label_formatter(&|t| tick(*t - origin, extent))
+            .x_desc(description)
             .set_all_tick_mark_size(px(4.0))
             .draw()?;
         block.draw_text("state", &font(TEXT), (px(24.0), px(BAND / 2.0)))
@@ -265,27 +298,10 @@ fn range(lines: &[Line]) -> Range<f64> {
         return -1.0..1.0;
     }
     let extent = high - low;
-    let margin = if extent > 1e-9 * high.abs().max(low.abs()) { 0.06 * extent } else { high.abs().max(1.0) };
+    let margin = if extent > 1e-9 * high.abs().max(low.abs()) {
+        0.06 * extent
+    } else {
+        high.abs().max(1.0)
+    };
     low - margin..high + margin
-}
-
-/// Spans of time with one state. A column of many frames shows the one of its states that is rarest in the run, so that
-/// none is lost.
-fn state_spans(frames: &[Frame], end: f64) -> Vec<(Range<f64>, StateKind)> {
-    let count = |state| frames.iter().filter(|frame| frame.state == state).count();
-    let counts = StateKind::ALL.map(|state| (state, count(state)));
-    let rarity = |state: StateKind| counts.iter().find(|(s, _)| *s == state).map_or(0, |(_, n)| *n);
-    let group = frames.len().div_ceil(COLUMNS).max(1);
-    let mut spans: Vec<(Range<f64>, StateKind)> = Vec::new();
-    for (index, chunk) in frames.chunks(group).enumerate() {
-        let Some(rarest) = chunk.iter().map(|frame| frame.state).min_by_key(|&state| rarity(state)) else {
-            continue;
-        };
-        let end = frames.get((index + 1) * group).map_or(end, |next| next.t);
-        match spans.last_mut() {
-            Some((span, state)) if *state == rarest => span.end = end,
-            _ => spans.push((chunk[0].t..end, rarest)),
-        }
-    }
-    spans
 }

@@ -1,7 +1,7 @@
 //! The paths in the plane, to scale: the hand, the holding point, the vertices in contact, the body at the start and at
 //! the end, and the surfaces.
 
-use super::legend::{self, Entry, Mark};
+use super::legend::{Entry, Heading, Mark};
 use super::plane::{Bounds, View, corners, holding_point, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
@@ -9,33 +9,29 @@ use super::style::*;
 use crate::record::{ContactRecord, Frame, Run};
 use plotters::prelude::*;
 
-const WIDTH: f64 = 1000.0;
-const LEFT: f64 = 70.0;
-const EDGE: f64 = 14.0;
-const RIGHT: f64 = 16.0;
-const HEADER: f64 = 34.0;
-const AXIS: f64 = 42.0;
 /// The least and the greatest height of the plane [px].
 const HEIGHTS: (f64, f64) = (240.0, 760.0);
-/// Most points of a path, and dots of a vertex.
+/// Most points of a path, and dots of all vertices.
 const MOST_POINTS: usize = 12_000;
-const MOST_DOTS: usize = 1000;
+const MOST_DOTS: usize = 4000;
 
 /// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
     let bounds = bounds(run);
-    let width = WIDTH - LEFT - RIGHT;
-    let height = (width * bounds.height() / bounds.width()).clamp(HEIGHTS.0, HEIGHTS.1).round();
-    let pixel = (bounds.width() / width).max(bounds.height() / height);
-    let bounds = Bounds::centred(bounds.centre(), width * pixel, height * pixel);
-    let entries = entries(run);
-    let legend_height = legend::height(&entries, width);
-    let top = HEADER + legend_height + 10.0;
+    let height = (INNER * bounds.height() / bounds.width())
+        .clamp(HEIGHTS.0, HEIGHTS.1)
+        .round();
+    let pixel = (bounds.width() / INNER).max(bounds.height() / height);
+    let bounds = Bounds::centred(bounds.centre(), INNER * pixel, height * pixel);
+    let heading = Heading {
+        title: format!("{}: paths in the plane", run.title),
+        entries: entries(run),
+        margin: LEFT,
+    };
+    let top = heading.height();
     sheet::svg((WIDTH, top + height + AXIS + 6.0), |area| {
-        let title = format!("{}: paths in the plane", run.title);
-        area.draw_text(&title, &font(TITLE), (px(LEFT), px(HEADER / 2.0)))?;
-        legend::draw(&part(area, (LEFT, HEADER), (width, legend_height)), &entries)?;
-        let inner = part(area, (LEFT, top), (width, height));
+        heading.draw(area)?;
+        let inner = part(area, (LEFT, top), (INNER, height));
         let view = View::new(&inner, bounds.clone())?;
         view.surfaces(&run.surfaces)?;
         axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
@@ -66,18 +62,29 @@ fn contacts(run: &Run) -> impl Iterator<Item = &ContactRecord> {
     run.frames.iter().flat_map(|frame| &frame.contacts)
 }
 
-/// Everything that moves, with a margin for the surfaces.
+/// Everything that is drawn, with a margin for the surfaces.
 fn bounds(run: &Run) -> Bounds {
     let ends = [run.frames.first(), run.frames.last()];
-    let bodies = ends.into_iter().flatten().flat_map(|frame| corners(&run.body, frame.pose));
-    let hands = run.frames.iter().map(|frame| (frame.hand[0], frame.hand[1]));
-    let origins = run.frames.iter().map(|frame| (frame.pose[0], frame.pose[1]));
+    let bodies = ends
+        .into_iter()
+        .flatten()
+        .flat_map(|frame| corners(&run.body, frame.pose));
+    let hands = run
+        .frames
+        .iter()
+        .map(|frame| (frame.hand[0], frame.hand[1]));
+    let held = run.frames.iter().filter(|frame| frame.held);
+    let holding_points = held.map(|frame| holding_point(run, frame).into());
     let contacts = contacts(run).map(|contact| contact.point.into());
-    let bounds = Bounds::around(bodies.chain(hands).chain(origins).chain(contacts))
+    let bounds = Bounds::around(bodies.chain(hands).chain(holding_points).chain(contacts))
         .unwrap_or_else(|| Bounds::centred((0.0, 0.0), 0.0, 0.0));
     let extent = bounds.width().max(bounds.height());
     let margin = if extent > 0.0 { 0.06 * extent } else { 0.5 };
-    Bounds::centred(bounds.centre(), bounds.width() + 2.0 * margin, bounds.height() + 2.0 * margin)
+    Bounds::centred(
+        bounds.centre(),
+        bounds.width() + 2.0 * margin,
+        bounds.height() + 2.0 * margin,
+    )
 }
 
 fn axes(area: &Area, bounds: &Bounds) -> Drawn {
@@ -120,7 +127,7 @@ fn paths(view: &View, run: &Run) -> Drawn {
     for vertex in 0..run.body.len() {
         let contacts = contacts(run).filter(|contact| contact.vertex == vertex);
         let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
-        for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS) {
+        for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS / run.body.len()) {
             view.dot(point, 2.2, FRICTION)?;
         }
     }
@@ -142,5 +149,9 @@ fn paths(view: &View, run: &Run) -> Drawn {
 }
 
 fn path(view: &View, points: Vec<(f64, f64)>, color: RGBColor, width: f64) -> Drawn {
-    view.line(&sparse(&points, 0.3 * view.pixel, MOST_POINTS), color, width)
+    view.line(
+        &sparse(&points, 0.3 * view.pixel, MOST_POINTS),
+        color,
+        width,
+    )
 }

@@ -19,7 +19,7 @@ pub enum Motion {
 /// `[hand]`, checked.
 #[derive(Clone, Debug)]
 pub struct HandSection {
-    /// Frames per second [Hz] > 0.
+    /// Frames per second (Hz) > 0.
     pub rate: Option<f64>,
     /// The motion; `None` where it has to come from elsewhere.
     pub motion: Option<Motion>,
@@ -30,7 +30,10 @@ pub struct HandSection {
 impl HandSection {
     /// Checks the section; a path is taken relative to the scene file.
     pub(super) fn new(check: Check<'_>, hand: &document::Hand) -> Result<Self, InputError> {
-        let rate = hand.rate.as_ref().map(|rate| check.positive("hand.rate", rate));
+        let rate = hand
+            .rate
+            .as_ref()
+            .map(|rate| check.positive("hand.rate", rate));
         let placement = placement(check, hand)?;
         Ok(Self {
             rate: rate.transpose()?,
@@ -40,7 +43,11 @@ impl HandSection {
     }
 }
 
-fn motion(check: Check<'_>, hand: &document::Hand, placement: &Placement) -> Result<Option<Motion>, InputError> {
+fn motion(
+    check: Check<'_>,
+    hand: &document::Hand,
+    placement: &Placement,
+) -> Result<Option<Motion>, InputError> {
     match (&hand.keyframes, &hand.path) {
         (Some(_), Some(path)) => Err(check.source.error_at(
             path.span().start,
@@ -67,9 +74,13 @@ fn motion(check: Check<'_>, hand: &document::Hand, placement: &Placement) -> Res
 
 fn keyframes(check: Check<'_>, list: &[document::Numbers]) -> Result<Vec<Row>, InputError> {
     let mut rows: Vec<Row> = Vec::with_capacity(list.len());
+    let (mut line, mut offset) = (1, 0);
     for (i, given) in list.iter().enumerate() {
         let key = format!("hand.keyframes[{i}]");
-        let row = keyframe(check, &key, given)?;
+        let start = given.span().start;
+        line += check.source.text()[offset..start].matches('\n').count();
+        offset = start;
+        let row = keyframe(check, &key, given, line)?;
         if rows.last().is_some_and(|last| row.t <= last.t) {
             return Err(check.error(&key, given, "a time later than that of the keyframe before"));
         }
@@ -78,7 +89,12 @@ fn keyframes(check: Check<'_>, list: &[document::Numbers]) -> Result<Vec<Row>, I
     Ok(rows)
 }
 
-fn keyframe(check: Check<'_>, key: &str, given: &document::Numbers) -> Result<Row, InputError> {
+fn keyframe(
+    check: Check<'_>,
+    key: &str,
+    given: &document::Numbers,
+    line: usize,
+) -> Result<Row, InputError> {
     let ([t, pose @ ..], held) = if given.get_ref().len() == 5 {
         let [t, x, y, phi, held] = check.numbers(key, given, "t, x, y, phi and held")?;
         if held != 0.0 && held != 1.0 {
@@ -86,10 +102,13 @@ fn keyframe(check: Check<'_>, key: &str, given: &document::Numbers) -> Result<Ro
         }
         ([t, x, y, phi], held == 1.0)
     } else {
-        (check.numbers(key, given, "t, x, y and phi, or 5 with held")?, true)
+        (
+            check.numbers(key, given, "t, x, y and phi, or 5 with held")?,
+            true,
+        )
     };
     Ok(Row {
-        line: check.source.line_at(given.span().start),
+        line,
         t,
         pose: RowPose::Planar(pose),
         held,

@@ -49,14 +49,20 @@ impl SceneFile {
                 ("body.vertices".to_owned(), list.span().start, count)
             }),
             Parameter::Vertex(i) => match &body.vertices {
-                Some(list) => (list.get_ref().get(i)).map(|v| place(format!("body.vertices[{i}]"), v)),
+                Some(list) => {
+                    (list.get_ref().get(i)).map(|v| place(format!("body.vertices[{i}]"), v))
+                }
                 None => body.rectangle.as_ref().map(|r| place("body.rectangle", r)),
             },
-            Parameter::Start | Parameter::Penetration { .. } => Some(place("body.start", &body.start)),
+            Parameter::Start | Parameter::Penetration { .. } => {
+                Some(place("body.start", &body.start))
+            }
             Parameter::Weight => body.weight.as_ref().map(|w| place("body.weight", w)),
             Parameter::HoldingPoint => grasp.point.as_ref().map(|p| place("grasp.point", p)),
             Parameter::Reach => grasp.reach.as_ref().map(|r| place("grasp.reach", r)),
-            Parameter::StiffnessTranslation => Some(place("spring.translation", &spring.translation)),
+            Parameter::StiffnessTranslation => {
+                Some(place("spring.translation", &spring.translation))
+            }
             Parameter::StiffnessRotation => Some(place("spring.rotation", &spring.rotation)),
             Parameter::SurfaceCount => document.surface.last().map(|last| {
                 let count = format!("given {} times", document.surface.len());
@@ -73,17 +79,17 @@ impl SceneFile {
     fn surface_place(&self, i: usize, name: &str) -> Option<Place> {
         let surface = self.document.surface.get(i)?.get_ref();
         let default = &self.document.friction;
-        let own = format!("surface[{i}].{name}");
-        let friction = |own_value, default_value: &Option<_>| match (own_value, default_value) {
-            (&Some(ref given), _) => Some(place(own.clone(), given)),
-            (None, Some(given)) => Some(place(format!("friction.{name}"), given)),
-            (None, None) => None,
+        let key = format!("surface[{i}].{name}");
+        let (own, default) = match name {
+            "normal" => return Some(place(key, &surface.normal)),
+            "offset" => return Some(place(key, &surface.offset)),
+            "static" => (&surface.stick, &default.stick),
+            _ => (&surface.slip, &default.slip),
         };
-        match name {
-            "normal" => Some(place(own, &surface.normal)),
-            "offset" => Some(place(own, &surface.offset)),
-            "static" => friction(&surface.stick, &default.stick),
-            _ => friction(&surface.slip, &default.slip),
-        }
+        let default = default
+            .as_ref()
+            .map(|given| (format!("friction.{name}"), given));
+        let (key, given) = own.as_ref().map(|given| (key, given)).or(default)?;
+        Some(place(key, given))
     }
 }

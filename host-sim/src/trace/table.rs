@@ -6,8 +6,23 @@ use super::{ContactEntry, Record, Value};
 const CONTACTS: usize = 4;
 const CONTACT_COLUMNS: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
 const COLUMNS: [&str; 17] = [
-    "t", "hand_x", "hand_y", "hand_phi", "held", "pose_x", "pose_y", "pose_theta", "depth", "state", "wrench_x",
-    "wrench_y", "wrench_moment", "slips", "events", "status", "contacts",
+    "t",
+    "hand_x",
+    "hand_y",
+    "hand_phi",
+    "held",
+    "pose_x",
+    "pose_y",
+    "pose_theta",
+    "depth",
+    "state",
+    "wrench_x",
+    "wrench_y",
+    "wrench_moment",
+    "slips",
+    "events",
+    "status",
+    "contacts",
 ];
 
 /// The names of the columns.
@@ -35,7 +50,10 @@ pub(super) fn row(record: &Record<'_>) -> Vec<String> {
     for contact in record.contacts.iter().take(CONTACTS) {
         row.extend(contact_columns(contact));
     }
-    row.resize(COLUMNS.len() + CONTACTS * CONTACT_COLUMNS.len(), String::new());
+    row.resize(
+        COLUMNS.len() + CONTACTS * CONTACT_COLUMNS.len(),
+        String::new(),
+    );
     row
 }
 

@@ -4,9 +4,9 @@
 //! this one angle is bounded by 1e-6 in f64 and 5e-3 in f32. The hand's place of the fold, where the body lands and
 //! where it ends are simple roots.
 
+use std::f64::consts::PI;
 use stiction_core::{Event, Evolution, StateKind};
 use stiction_tests::{Number, Run, Setup, close, test_each};
-use std::f64::consts::PI;
 
 test_each!(
     cases::buckling_folds_and_lands,
@@ -88,7 +88,12 @@ mod cases {
             close("start", run.frame.pose[2], case.start, R::ANALYTIC);
             let fold = run.onset(to, snapped);
             close("fold: phi", fold.hand[2], case.fold_phi, R::ANALYTIC);
-            close("fold: theta", fold.before.pose[2], case.fold_theta, double_root::<R>());
+            close(
+                "fold: theta",
+                fold.before.pose[2],
+                case.fold_theta,
+                double_root::<R>(),
+            );
             close("lands", run.frame.pose[2], case.lands, R::ANALYTIC);
             let later = run.lead(to, 10);
             assert!(!later.iter().any(snapped));

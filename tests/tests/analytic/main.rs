@@ -11,7 +11,10 @@ mod vertex;
 
 /// The place between `low`, where `holds` is true, and `high`, where it is not, at which it ceases to hold.
 fn threshold(low: f64, high: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    assert!(holds(low) && !holds(high), "no threshold between {low} and {high}");
+    assert!(
+        holds(low) && !holds(high),
+        "no threshold between {low} and {high}"
+    );
     let (mut low, mut high) = (low, high);
     for _ in 0..60 {
         let middle = (low + high) / 2.0;

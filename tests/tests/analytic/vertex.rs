@@ -16,10 +16,30 @@ mod cases {
     /// Case 3: kappa, theta, N, T.
     const STICK: [[f64; 4]; 5] = [
         [0.5, 0.413_829_085_628, 0.115_587_793_94, 0.197_881_868_616],
-        [0.99, 0.470_458_503_603, 0.091_360_544_493_8, 0.146_704_974_967],
-        [1.01, 0.472_184_565_128, 0.090_576_801_970_5, 0.145_167_107_839],
-        [5.0, 0.586_224_831_198, 0.033_035_109_652_9, 0.046_779_875_559_9],
-        [50.0, 0.636_765_743_008, 0.004_023_042_923_79, 0.005_401_861_382_36],
+        [
+            0.99,
+            0.470_458_503_603,
+            0.091_360_544_493_8,
+            0.146_704_974_967,
+        ],
+        [
+            1.01,
+            0.472_184_565_128,
+            0.090_576_801_970_5,
+            0.145_167_107_839,
+        ],
+        [
+            5.0,
+            0.586_224_831_198,
+            0.033_035_109_652_9,
+            0.046_779_875_559_9,
+        ],
+        [
+            50.0,
+            0.636_765_743_008,
+            0.004_023_042_923_79,
+            0.005_401_861_382_36,
+        ],
     ];
 
     pub(super) fn stick_balances_at_every_stiffness_ratio<R: Number>(evolution: Evolution) {
@@ -89,16 +109,29 @@ mod cases {
             run.lead([0.0, case.height, 0.0], 10);
             let start = run.onset([case.trigger + 0.01, case.height, 0.0], |f| f.slips > 0);
             close("trigger", start.hand[0], case.trigger, R::ANALYTIC);
-            close("theta before", start.before.pose[2], case.theta_before, R::ANALYTIC);
+            close(
+                "theta before",
+                start.before.pose[2],
+                case.theta_before,
+                R::ANALYTIC,
+            );
             close("slip", run.frame.pose[0], case.slip, R::ANALYTIC);
-            close("theta after", run.frame.pose[2], case.theta_after, R::ANALYTIC);
+            close(
+                "theta after",
+                run.frame.pose[2],
+                case.theta_after,
+                R::ANALYTIC,
+            );
             assert_eq!(run.frame.slips, 1);
         }
     }
 
     /// Case 9.
     pub(super) fn frictionless_vertex_follows_the_hand<R: Number>(evolution: Evolution) {
-        let setup = Setup::triangle().held_at([0.0, 1.0]).springs(1.0, 0.5).floor([0.0, 0.0]);
+        let setup = Setup::triangle()
+            .held_at([0.0, 1.0])
+            .springs(1.0, 0.5)
+            .floor([0.0, 0.0]);
         let (sin, cos) = 0.3f64.sin_cos();
         let mut run = Run::<R>::start(&setup.at([sin, 1.5 - cos, 0.3]), evolution, [0.0, 1.5, 0.3]);
         run.lead([0.0, 0.5, 0.3], 100);

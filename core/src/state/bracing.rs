@@ -1,0 +1,223 @@
+//! Contacts that fix the pose together, two of two surfaces or more (STATICS 5, 6): how long they bear the load, and the
+//! motion that begins when they do not. A motion is only begun if it is consistent: driven by the load, and closing no
+//! gap of a contact that it leaves.
+
+use super::trammel::Trammel;
+use super::{Moved, Pair, Pairs, Reactions, Trigger, TwoVertex};
+use crate::coupling::{Grip, Pivot, Stance};
+use crate::geometry::Vec2;
+use crate::real::Real;
+use crate::scene::{Scene, Surface};
+use crate::support::{Bearing, Support, Yield};
+
+/// The contacts, placed by a pivot that is the first of them.
+pub(super) struct Bracing<R: Real> {
+    pivot: Pivot<R>,
+    contacts: Pairs,
+    support: Support<R>,
+}
+
+/// An incipient motion: the contacts that last, and the direction in which the first of them slides.
+type Mode<R> = ([usize; 2], Option<R>);
+
+/// The instantaneous velocity of the body: of the pivot, and the turn.
+#[derive(Clone, Copy)]
+struct Twist<R> {
+    velocity: Vec2<R>,
+    turn: R,
+}
+
+impl<R: Real> Bracing<R> {
+    pub(super) fn new<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        pivot: &Pivot<R>,
+        contacts: &Pairs,
+    ) -> Self {
+        let placed = pivot.placed(scene);
+        let mut support = Support::default();
+        for contact in contacts {
+            let surface = scene.surface(contact.surface);
+            support.add(&Bearing {
+                lever: placed.arm(scene, contact.vertex),
+                normal: surface.normal,
+                tangent: surface.tangent,
+                edges: [R::ONE, -R::ONE].map(|edge| surface.friction.static_edge(edge)),
+            });
+        }
+        Self {
+            pivot: *pivot,
+            contacts: contacts.clone(),
+            support,
+        }
+    }
+
+    fn stance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Stance<R> {
+        Stance::new(scene, self.pivot.placed(scene), grip)
+    }
+
+    /// To the end of the hand's way, or to where the load is not borne any more.
+    pub(super) fn advance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        let [before, after] = [from, to].map(|grip| self.stance(scene, grip).load());
+        match self.support.first_yield(before, after) {
+            None => Moved::by(Trigger::Balanced),
+            Some(part) => Moved {
+                part,
+                ..Moved::by(self.give_way(scene, &from.lerp(to, part), 0))
+            },
+        }
+    }
+
+    /// At rest, or what begins. `attempt`: how many motions were tried in vain.
+    pub(super) fn test<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        attempt: usize,
+    ) -> Trigger<R> {
+        let load = self.stance(scene, grip).load();
+        if self.support.first_yield(load, load).is_none() {
+            Trigger::Balanced
+        } else {
+            self.give_way(scene, grip, attempt)
+        }
+    }
+
+    /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
+    fn give_way<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        attempt: usize,
+    ) -> Trigger<R> {
+        let stance = self.stance(scene, grip);
+        let is_consistent = |mode: &Mode<R>| self.is_consistent(scene, grip, &stance, mode);
+        let facet = self.support.yields(stance.load(), |yields| is_consistent(&mode_of(yields)));
+        let count = self.contacts.len();
+        let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
+        let pairs = ordered.clone().filter(|(i, k)| i < k);
+        let slides = |(i, k): (usize, usize)| [R::ONE, -R::ONE].map(|sign| ([i, k], Some(sign)));
+        let modes = (facet.iter().map(mode_of))
+            .chain(pairs.flat_map(slides))
+            .chain((0..count).map(|i| ([i, i], None)))
+            .chain((0..count).flat_map(|i| slides((i, i))))
+            .filter(is_consistent);
+        match modes.skip(attempt).next() {
+            Some((contacts, sliding)) => Trigger::Keep { contacts, sliding },
+            None => Trigger::Clear,
+        }
+    }
+
+    fn contact(&self, index: usize) -> Pair {
+        self.contacts.get(index).copied().unwrap_or_default()
+    }
+
+    /// Driven by the load, and no gap of another contact closes.
+    fn is_consistent<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        stance: &Stance<R>,
+        mode: &Mode<R>,
+    ) -> bool {
+        let ([first, second], sliding) = *mode;
+        let [a, b] = [first, second].map(|i| self.contact(i));
+        let surface = scene.surface(a.surface);
+        let twist = match sliding {
+            None => self.pivoting(scene, stance, a),
+            Some(sign) if a.surface == b.surface => {
+                self.sliding(stance, &surface, sign)
+            }
+            Some(_) if a.vertex == b.vertex => None,
+            Some(_) => self.on_two_surfaces(scene, grip, (a, b)),
+        };
+        let Some(twist) = twist else {
+            return false;
+        };
+        let rest = R::from_int(64) * R::EPSILON;
+        self.contacts.iter().all(|c| {
+            let arm = stance.placed.arm(scene, c.vertex);
+            let velocity = twist.velocity + arm.turned() * twist.turn;
+            *c == a || *c == b || scene.surface(c.surface).normal.dot(velocity) >= -rest
+        })
+    }
+
+    /// A turn about one contact, in the direction of the moment about it, while the load presses on it.
+    fn pivoting<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        stance: &Stance<R>,
+        about: Pair,
+    ) -> Option<Twist<R>> {
+        let arm = stance.placed.arm(scene, about.vertex);
+        let moment = stance.moment() - arm.cross(stance.force);
+        let pressed = scene.surface(about.surface).normal.dot(stance.force) < R::ZERO;
+        let turn = moment.sign();
+        (pressed && moment.abs() > stance.rounding()).then_some(Twist {
+            velocity: -(arm.turned() * turn),
+            turn,
+        })
+    }
+
+    /// A slide of one contact, or of an edge, along sign·t.
+    fn sliding(&self, stance: &Stance<R>, surface: &Surface<R>, sign: R) -> Option<Twist<R>> {
+        let normal = -surface.normal.dot(stance.force);
+        let friction = -surface.tangent.dot(stance.force);
+        let rounding = stance.rounding();
+        let driven = normal > R::ZERO
+            && (surface.friction).is_driven(normal, friction, sign, rounding);
+        driven.then_some(Twist {
+            velocity: surface.tangent * sign,
+            turn: R::ZERO,
+        })
+    }
+
+    /// The trammel motion that the hand drives.
+    fn on_two_surfaces<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        (a, b): (Pair, Pair),
+    ) -> Option<Twist<R>> {
+        let pivot = Pivot::at(scene, &self.pivot.placed(scene).pose(), a);
+        let state = TwoVertex { pivot, other: b };
+        let (slide, turn) = Trammel::driven(scene, &state, grip)?.twist();
+        let arm = self.pivot.placed(scene).arm(scene, a.vertex);
+        let velocity = scene.surface(a.surface).tangent * slide;
+        Some(Twist {
+            velocity: velocity - arm.turned() * turn,
+            turn,
+        })
+    }
+
+    /// Reactions, which are statically indeterminate.
+    pub(super) fn reactions<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        stance: &Stance<R>,
+    ) -> Reactions<R> {
+        let shares = self.support.share(stance.load());
+        let pairs = self.contacts.iter().zip(shares);
+        pairs
+            .map(|(contact, [plus, minus])| {
+                let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);
+                [(plus + minus) * n, (plus - minus) * t]
+            })
+            .collect()
+    }
+}
+
+fn mode_of<R: Real>(yields: &Yield<R>) -> Mode<R> {
+    match *yields {
+        Yield::Pivot { contact } => ([contact, contact], None),
+        Yield::Slide { first, second } => ([first.0, second.0], Some(first.1)),
+    }
+}

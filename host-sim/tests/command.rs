@@ -1,0 +1,206 @@
+//! The command line: what a run writes, and where.
+
+mod common;
+
+use common::{Folder, SCENE, numbers, records, text};
+use serde_json::Value;
+
+#[test]
+fn without_arguments_a_bundled_scene_runs_and_leaves_plots() {
+    let folder = Folder::new();
+    let output = folder.stiction(&[]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let summary = text(&output.stdout);
+    for part in [
+        "vertex-stick-slip",
+        "single-vertex",
+        "slips",
+        "largest force",
+        "ns per frame",
+        "plots",
+    ] {
+        assert!(summary.contains(part), "{part}: {summary}");
+    }
+    assert_eq!(folder.names(), ["plots"]);
+    assert!(folder.file("plots").read_dir().expect("a folder").count() > 0);
+}
+
+#[test]
+fn bundled_scenes_run_by_name() {
+    let folder = Folder::new();
+    let output = folder.stiction(&["run", "box-flat", "--out", "trace.jsonl"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert_eq!(records(&folder.read("trace.jsonl")).len(), 5501);
+}
+
+#[test]
+fn a_trace_replaces_the_summary_and_the_trace_of_before() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    folder.write("trace.jsonl", "the trace of before");
+    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.jsonl"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(output.stdout.is_empty(), "{}", text(&output.stdout));
+    assert_eq!(folder.names(), ["scene.toml", "trace.jsonl"]);
+    assert_eq!(records(&folder.read("trace.jsonl")).len(), 11);
+}
+
+#[test]
+fn quiet_runs_print_nothing() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    let output = folder.stiction(&["run", "scene.toml", "--quiet", "--plot", "pictures"]);
+    assert!(output.status.success() && output.stdout.is_empty() && output.stderr.is_empty());
+    assert_eq!(folder.names(), ["pictures", "scene.toml"]);
+}
+
+#[test]
+fn records_carry_every_key_in_the_order_of_the_interface() {
+    let folder = Folder::new();
+    folder.trace(SCENE, &[]);
+    let trace = folder.read("trace.jsonl");
+    let keys = [
+        "t", "hand", "held", "pose", "depth", "state", "contacts", "wrench", "slips", "events",
+        "status",
+    ];
+    for line in trace.lines() {
+        let places = keys.map(|key| line.find(&format!("\"{key}\":")));
+        assert!(
+            places.iter().all(Option::is_some) && places.is_sorted(),
+            "{line}"
+        );
+    }
+    let last = records(&trace).pop().expect("a record");
+    let contact = &last["contacts"][0];
+    assert_eq!(last["state"], "single-vertex");
+    assert_eq!(contact["surface"], "floor");
+    for key in ["vertex", "normal", "friction"] {
+        assert!(contact[key].is_number(), "{contact}");
+    }
+    assert_eq!(numbers(&contact["point"]).len(), 2);
+}
+
+/// Every number below a value, but for `t`, which is f64 always.
+fn collect(value: &Value, into: &mut Vec<String>) {
+    match value {
+        Value::Number(number) => into.push(number.to_string()),
+        Value::Array(values) => values.iter().for_each(|value| collect(value, into)),
+        Value::Object(entries) => {
+            let values = entries.iter().filter(|(key, _)| *key != "t");
+            values.for_each(|(_, value)| collect(value, into));
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn numbers_are_printed_with_the_digits_of_their_type() {
+    let folder = Folder::new();
+    for number in ["f32", "f64"] {
+        let mut printed = Vec::new();
+        for record in folder.trace(SCENE, &["--number", number]) {
+            collect(&record, &mut printed);
+        }
+        let of_single = |digits: &&String| {
+            let value: f64 = digits.parse().expect("a number");
+            assert!(value.is_finite());
+            let shortest = serde_json::to_string(&(value as f32)).expect("a number");
+            shortest.parse() == Ok(value)
+        };
+        let single = printed.iter().filter(of_single).count();
+        assert_eq!(single == printed.len(), number == "f32", "{number}");
+    }
+}
+
+#[test]
+fn csv_carries_the_same_as_json() {
+    let folder = Folder::new();
+    let json = folder.trace(SCENE, &[]);
+    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.csv"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let mut reader = csv::Reader::from_path(folder.file("trace.csv")).expect("a CSV file");
+    let header = reader.headers().expect("a header").clone();
+    let column = |name: &str| {
+        header
+            .iter()
+            .position(|column| column == name)
+            .expect("a column")
+    };
+    let mut count = 0;
+    for (row, record) in reader.records().zip(&json) {
+        let row = row.expect("a row");
+        let same = |name: &str, value: &Value| {
+            let (cell, expected) = (&row[column(name)], value.as_f64().expect("a number"));
+            assert_eq!(
+                cell.parse::<f64>().expect(name) as f32,
+                expected as f32,
+                "{name}"
+            );
+        };
+        same("t", &record["t"]);
+        for (name, key) in [
+            ("hand", "x y phi"),
+            ("pose", "x y theta"),
+            ("wrench", "x y moment"),
+        ] {
+            for (i, part) in key.split(' ').enumerate() {
+                same(&format!("{name}_{part}"), &record[name][i]);
+            }
+        }
+        assert_eq!(row[column("held")], record["held"].to_string());
+        for name in ["state", "status"] {
+            assert_eq!(row[column(name)], *record[name].as_str().expect(name));
+        }
+        match record["contacts"].get(0) {
+            None => assert_eq!(row[column("c0_vertex")], *""),
+            Some(contact) => {
+                assert_eq!(row[column("c0_surface")], *"floor");
+                same("c0_vertex", &contact["vertex"]);
+                same("c0_y", &contact["point"][1]);
+                same("c0_normal", &contact["normal"]);
+                same("c0_friction", &contact["friction"]);
+            }
+        }
+        assert_eq!(row[column("c3_friction")], *"");
+        count += 1;
+    }
+    assert_eq!(count, json.len());
+}
+
+#[test]
+fn surfaces_without_a_name_are_called_by_their_index() {
+    let folder = Folder::new();
+    let scene = SCENE.replacen("name = \"floor\"\n", "", 1);
+    let trace = folder.trace(&scene, &[]);
+    assert_eq!(trace[10]["contacts"][0]["surface"], "0");
+}
+
+#[test]
+fn friction_of_a_surface_overrides_the_default() {
+    let folder = Folder::new();
+    let own = SCENE.replacen(
+        "offset = 0.0",
+        "offset = 0.0\nstatic = 0.9\ndynamic = 0.8",
+        1,
+    );
+    let section = "[friction]\nstatic = 0.5\ndynamic = 0.3\n";
+    let everywhere = SCENE.replacen(section, "[friction]\nstatic = 0.9\ndynamic = 0.8\n", 1);
+    assert_eq!(folder.trace(&own, &[]), folder.trace(&everywhere, &[]));
+}
+
+#[test]
+fn a_rectangle_is_its_four_vertices() {
+    let folder = Folder::new();
+    let vertices = "vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]]";
+    let rectangle = SCENE.replacen(vertices, "rectangle = [0.10, 0.06]", 1);
+    assert_eq!(folder.trace(&rectangle, &[]), folder.trace(SCENE, &[]));
+}
+
+#[test]
+fn the_same_run_gives_the_same_bytes() {
+    let folder = Folder::new();
+    folder.trace(SCENE, &[]);
+    let first = folder.read("trace.jsonl");
+    folder.trace(SCENE, &[]);
+    assert_eq!(folder.read("trace.jsonl"), first);
+}

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Everything that must hold: format, lints, tests, documentation, bare-metal builds, oldest compiler, dependencies.
+# Where an optional tool is missing and cannot be installed, the stage is skipped with the command to type;
+# with CI=true that is a failure.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+stage() { printf '\n== %s\n' "$*"; }
+
+# missing WHAT COMMAND: skips the stage, or fails where everything must be there.
+missing() {
+  printf 'missing: %s; to install it: %s\n' "$1" "$2"
+  [ "${CI:-}" != true ]
+}
+
+stage 'format'
+cargo fmt --all --check
+
+stage 'lints'
+cargo clippy --workspace --all-targets --locked -- -D warnings
+
+stage 'tests, debug'
+cargo test --workspace --locked
+
+stage 'tests, release'
+cargo test --workspace --release --locked
+
+stage 'documentation'
+RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
+
+for target in thumbv7em-none-eabihf thumbv6m-none-eabi; do
+  stage "core on $target"
+  if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
+    cargo build -p stiction-core --release --locked --target "$target"
+  else
+    missing "target $target" "rustup target add $target"
+  fi
+done
+
+oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+stage "oldest compiler, $oldest"
+if cargo "+$oldest" --version 2>/dev/null || rustup toolchain install "$oldest" --profile minimal; then
+  cargo "+$oldest" check -p stiction-core -p stiction-host-sim --locked --target-dir "target/rust-$oldest"
+else
+  missing "Rust $oldest" "rustup toolchain install $oldest --profile minimal"
+fi
+
+stage 'dependencies: licences, sources, duplicates'
+if cargo deny --version 2>/dev/null || cargo install cargo-deny --locked; then
+  cargo deny --locked check licenses bans sources
+
+  stage 'dependencies: known vulnerabilities'
+  if cargo deny --locked fetch db; then
+    cargo deny --locked check --disable-fetch advisories
+  else
+    echo 'skipped: the advisory database cannot be fetched from here'
+  fi
+else
+  missing cargo-deny 'cargo install cargo-deny --locked'
+fi
+
+printf '\nAll checks hold.\n'
