@@ -1,7 +1,7 @@
 //! 4: the transition table (STATICS 8): (state, trigger) -> (state, what to do next), and the bounded loop that applies it
 //! at a frozen hand until the body rests.
 
-use crate::coupling::{Grip, Pivot};
+use crate::coupling::{Grip, Pivot, Stance};
 use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -122,7 +122,7 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     trigger: Option<Trigger<R>>,
     log: &mut Log<R>,
 ) {
-    let at = At { scene };
+    let at = At { scene, grip };
     let mut attempts = Attempts::default();
     let mut next = match trigger {
         Some(trigger) => at.apply(state, trigger, log),
@@ -197,6 +197,7 @@ fn record<R: Real>(
 #[derive(Clone, Copy)]
 struct At<'a, R: Real, const V: usize, const S: usize> {
     scene: &'a Scene<R, V, S>,
+    grip: &'a Grip<R>,
 }
 
 impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
@@ -209,7 +210,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
             }
             Trigger::Stopped => {
                 log.transitions.add(slip_arm(state));
-                Next::Rest
+                self.after_slip(state)
             }
             Trigger::Slide(sign) => Next::Slide(sign),
             Trigger::Fold(direction) => {
@@ -229,7 +230,24 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
                 *state = ContactState::Free(Free { pose });
                 Next::Relax(None)
             }
-            Trigger::Undriven => Next::Relax(None),
+            Trigger::Undriven => {
+                log.transitions.add(Transition::Stays);
+                log.limit(Status::Ambiguous);
+                Next::Rest
+            }
+        }
+    }
+
+    /// A slip that began out of balance of moments, when another contact opened, ends with a turn.
+    fn after_slip(self, state: &ContactState<R>) -> Next<R> {
+        let ContactState::SingleVertex(single) = state else {
+            return Next::Rest;
+        };
+        let stance = Stance::new(self.scene, single.pivot.placed(self.scene), self.grip);
+        if stance.moment().abs() > R::from_int(16) * stance.rounding() {
+            Next::Relax(None)
+        } else {
+            Next::Rest
         }
     }
 

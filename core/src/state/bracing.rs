@@ -2,7 +2,7 @@
 //! motion that begins when they do not. A motion is only begun if it is consistent: driven by the load, and closing no
 //! gap of a contact that it leaves.
 
-use super::trammel::Trammel;
+use super::trammel::{Demand, Trammel};
 use super::{Moved, Pair, Pairs, Reactions, Trigger, TwoVertex};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
@@ -99,7 +99,7 @@ impl<R: Real> Bracing<R> {
         attempt: usize,
     ) -> Trigger<R> {
         let stance = self.stance(scene, grip);
-        let is_consistent = |mode: &Mode<R>| self.is_consistent(scene, grip, &stance, mode);
+        let is_consistent = |mode: &Mode<R>| self.is_consistent(scene, grip, mode);
         let facet = self.support.yields(stance.load(), |yields| is_consistent(&mode_of(yields)));
         let count = self.contacts.len();
         let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
@@ -110,9 +110,14 @@ impl<R: Real> Bracing<R> {
             .chain((0..count).map(|i| ([i, i], None)))
             .chain((0..count).flat_map(|i| slides((i, i))))
             .filter(is_consistent);
+        let pulled = || {
+            let normal = |c: &Pair| scene.surface(c.surface).normal;
+            (self.contacts.iter()).all(|c| normal(c).dot(stance.force) > R::ZERO)
+        };
         match modes.skip(attempt).next() {
             Some((contacts, sliding)) => Trigger::Keep { contacts, sliding },
-            None => Trigger::Clear,
+            None if pulled() => Trigger::Clear,
+            None => Trigger::Undriven,
         }
     }
 
@@ -121,13 +126,13 @@ impl<R: Real> Bracing<R> {
     }
 
     /// Driven by the load, and no gap of another contact closes.
-    fn is_consistent<const V: usize, const S: usize>(
+    pub(super) fn is_consistent<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
-        stance: &Stance<R>,
         mode: &Mode<R>,
     ) -> bool {
+        let stance = &self.stance(scene, grip);
         let ([first, second], sliding) = *mode;
         let [a, b] = [first, second].map(|i| self.contact(i));
         let surface = scene.surface(a.surface);
@@ -189,7 +194,7 @@ impl<R: Real> Bracing<R> {
     ) -> Option<Twist<R>> {
         let pivot = Pivot::at(scene, &self.pivot.placed(scene).pose(), a);
         let state = TwoVertex { pivot, other: b };
-        let (slide, turn) = Trammel::driven(scene, &state, grip)?.twist();
+        let (slide, turn) = Trammel::driven(scene, &state, grip, Demand::Pressed)?.twist();
         let arm = self.pivot.placed(scene).arm(scene, a.vertex);
         let velocity = scene.surface(a.surface).tangent * slide;
         Some(Twist {

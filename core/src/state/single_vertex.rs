@@ -94,15 +94,35 @@ impl<R: Real> SingleVertex<R> {
         self.pivot = self.pivot.moved(R::ZERO, turn);
     }
 
-    /// Turns downhill about the vertex to balance, then tests friction.
+    /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides goes on first while
+    /// it is driven.
     pub(crate) fn relax<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned().downhill();
-        self.turn_by(scene, grip, &downhill, sliding)
+        let stance = self.stance(scene, grip);
+        if let Some(sign) = sliding
+            && self.is_driven(scene, &stance, sign)
+        {
+            return Moved::by(Trigger::Slide(sign));
+        }
+        self.turn_by(scene, grip, &stance.pinned().downhill())
+    }
+
+    /// True while the vertex slides on along sign·t.
+    fn is_driven<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        stance: &Stance<R>,
+        sign: R,
+    ) -> bool {
+        let surface = self.pivot.surface(scene);
+        let normal = -surface.normal.dot(stance.force);
+        let friction = -surface.tangent.dot(stance.force);
+        let rounding = stance.rounding();
+        normal > rounding && (surface.friction).is_driven(normal, friction, sign, rounding)
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
@@ -113,7 +133,7 @@ impl<R: Real> SingleVertex<R> {
         direction: R,
     ) -> Moved<R> {
         let downhill = self.stance(scene, grip).pinned().over_fold(direction);
-        self.turn_by(scene, grip, &downhill, None)
+        self.turn_by(scene, grip, &downhill)
     }
 
     fn turn_by<const V: usize, const S: usize>(
@@ -121,7 +141,6 @@ impl<R: Real> SingleVertex<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
-        sliding: Option<R>,
     ) -> Moved<R> {
         let motion = Motion::turning(downhill.turn);
         let mut course = motion.course_to(R::ONE);
@@ -136,7 +155,7 @@ impl<R: Real> SingleVertex<R> {
         self.turn(course.end.turn);
         let trigger = match touch {
             Some(touch) => Trigger::Touch(touch),
-            None => self.test(scene, grip, sliding),
+            None => self.test(scene, grip),
         };
         Moved {
             snapped: downhill.snapped,
@@ -145,24 +164,17 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Friction at rest, or of a contact that already slides.
+    /// Friction at rest.
     fn test<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
-        sliding: Option<R>,
     ) -> Trigger<R> {
         let stance = self.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
         let rounding = stance.rounding();
-        if let Some(sign) = sliding
-            && normal > rounding
-            && surface.friction.is_driven(normal, friction, sign, rounding)
-        {
-            return Trigger::Slide(sign);
-        }
         match surface.friction.judge(normal, friction, rounding) {
             Verdict::Sticks => Trigger::Balanced,
             Verdict::Slides(sign) => Trigger::Slide(sign),
@@ -170,7 +182,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Slides along sign·t, the moment balanced, to the first of (E3), touch, lift-off, fold.
+    /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch, lift-off, fold.
     pub(crate) fn slide<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,

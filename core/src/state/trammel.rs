@@ -8,7 +8,7 @@ use crate::geometry::Vec2;
 use crate::jet::{Jet, JetVec};
 use crate::motion::{Course, Motion, Place};
 use crate::real::Real;
-use crate::roots::{Found, Look, Slope, first_zero};
+use crate::roots::{Found, Look, first_zero};
 use crate::scene::{Scene, Surface};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
@@ -29,6 +29,15 @@ pub(crate) struct Trammel<R> {
     excess: R,
     /// The determinant that scales the excess and the reactions.
     resistance: R,
+}
+
+/// What is asked of the reactions of a trammel motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Demand {
+    /// Both press; one that vanishes opens.
+    Pressed,
+    /// Looked at in balance only, where no opening is consistent on the way.
+    AtTheEnd,
 }
 
 /// How far a run went.
@@ -73,6 +82,7 @@ impl<R: Real> Trammel<R> {
         scene: &Scene<R, V, S>,
         state: &TwoVertex<R>,
         grip: &Grip<R>,
+        demand: Demand,
     ) -> Option<Self> {
         let pivot = &state.pivot;
         let placed = pivot.placed(scene);
@@ -92,7 +102,7 @@ impl<R: Real> Trammel<R> {
                 excess: R::ZERO,
                 resistance: R::ZERO,
             };
-            trammel.meets_friction().then_some(trammel)
+            trammel.meets_friction(demand).then_some(trammel)
         });
         match (forth, back) {
             (Some(f), Some(b)) if b.excess > f.excess => Some(b),
@@ -126,7 +136,7 @@ impl<R: Real> Trammel<R> {
 
     /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
     /// a solution with delta > 0 and N_i >= 0.
-    fn meets_friction(&mut self) -> bool {
+    fn meets_friction(&mut self, demand: Demand) -> bool {
         let start = self.motion.at(R::ZERO);
         let velocities = self.velocities(&start).map(|v| v.value);
         let rest = R::from_int(16) * R::EPSILON;
@@ -144,7 +154,10 @@ impl<R: Real> Trammel<R> {
         let rounding = self.stance.rounding();
         let [n1, n2] = found.normals.map(|n| n.value * self.resistance.sign());
         self.excess = found.imbalance.value * self.resistance.sign();
-        self.resistance.abs() > rest && self.excess > rounding && n1 >= -rounding && n2 >= -rounding
+        let pressed = n1 >= -rounding && n2 >= -rounding;
+        self.resistance.abs() > rest
+            && self.excess > rounding
+            && (pressed || demand == Demand::AtTheEnd)
     }
 
     fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
@@ -202,28 +215,25 @@ impl<R: Real> Trammel<R> {
         &self,
         scene: &Scene<R, V, S>,
         state: &TwoVertex<R>,
+        demand: Demand,
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.resistance.sign();
         let found = first_zero(window, |x| {
             let q = self.quantities(&self.motion.at(x), window);
-            let turning_point = |k: usize| {
-                let sign = self.signs[k];
-                if sign == R::ZERO {
-                    Slope {
-                        value: R::ONE,
-                        slope: R::ZERO,
-                        curvature: R::ZERO,
-                        rounding: R::ZERO,
-                    }
-                } else {
-                    q.velocities[k].as_slope(sign)
-                }
+            let never = Jet::constant(R::ONE).as_slope(R::ONE);
+            let turning_point = |k: usize| match self.signs[k] {
+                sign if sign == R::ZERO => never,
+                sign => q.velocities[k].as_slope(sign),
+            };
+            let pressed = |k: usize| match demand {
+                Demand::Pressed => q.normals[k].as_slope(sense),
+                Demand::AtTheEnd => never,
             };
             Look::far([
                 q.imbalance.as_slope(sense),
-                q.normals[0].as_slope(sense),
-                q.normals[1].as_slope(sense),
+                pressed(0),
+                pressed(1),
                 turning_point(0),
                 turning_point(1),
             ])

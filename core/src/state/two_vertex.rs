@@ -2,7 +2,7 @@
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 use super::bracing::Bracing;
-use super::trammel::{Ending, Trammel};
+use super::trammel::{Demand, Ending, Trammel};
 use super::{Moved, Pair, Pairs, Reactions, Relax, Trigger, seat};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::real::Real;
@@ -48,7 +48,7 @@ impl<R: Real> TwoVertex<R> {
         grip: &Grip<R>,
         how: Relax<R>,
     ) -> Moved<R> {
-        let driven = || Trammel::driven(scene, self, grip).is_some();
+        let driven = || Trammel::driven(scene, self, grip, Demand::Pressed).is_some();
         Moved::by(match how.sliding {
             Some(sign) if driven() => Trigger::Slide(sign),
             _ => slides(self.bracing(scene).test(scene, grip, how.attempt)),
@@ -62,11 +62,13 @@ impl<R: Real> TwoVertex<R> {
         grip: &Grip<R>,
     ) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
+        let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
-            let Some(trammel) = Trammel::driven(scene, self, grip) else {
+            let any = |demand| Trammel::driven(scene, self, grip, demand);
+            let Some(trammel) = any(demand).or_else(|| any(Demand::AtTheEnd)) else {
                 break;
             };
-            let (run, ending) = trammel.run(scene, self);
+            let (run, ending) = trammel.run(scene, self, demand);
             self.pivot = seat(
                 scene,
                 self.pivot.moved(run.slide, run.turn),
@@ -82,11 +84,29 @@ impl<R: Real> TwoVertex<R> {
                     sliding: Some(sliding),
                 },
             };
-            if !matches!(ending, Ending::Window | Ending::Reverses) {
-                break;
+            match ending {
+                Ending::Window | Ending::Reverses => {}
+                Ending::Opens { lasts, sliding } if !self.can_open(scene, grip, lasts, sliding) => {
+                    demand = Demand::AtTheEnd;
+                }
+                _ => break,
             }
         }
         moved
+    }
+
+    /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide.
+    fn can_open<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        lasts: usize,
+        sliding: R,
+    ) -> bool {
+        let bracing = self.bracing(scene);
+        [None, Some(sliding)]
+            .into_iter()
+            .any(|sliding| bracing.is_consistent(scene, grip, &([lasts, lasts], sliding)))
     }
 
     pub(crate) fn reactions<const V: usize, const S: usize>(
