@@ -238,10 +238,13 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
         }
     }
 
-    /// A slip that began out of balance of moments, when another contact opened, ends with a turn.
+    /// A slip that began out of balance of moments, when another contact opened, ends with a turn; where the trammel
+    /// stops, a reaction may have fallen below zero.
     fn after_slip(self, state: &ContactState<R>) -> Next<R> {
-        let ContactState::SingleVertex(single) = state else {
-            return Next::Rest;
+        let single = match state {
+            ContactState::SingleVertex(single) => single,
+            ContactState::TwoVertex(_) => return Next::Relax(None),
+            _ => return Next::Rest,
         };
         let stance = Stance::new(self.scene, single.pivot.placed(self.scene), self.grip);
         if stance.moment().abs() > R::from_int(16) * stance.rounding() {

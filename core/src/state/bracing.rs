@@ -100,16 +100,18 @@ impl<R: Real> Bracing<R> {
     ) -> Trigger<R> {
         let stance = self.stance(scene, grip);
         let is_consistent = |mode: &Mode<R>| self.is_consistent(scene, grip, mode);
+        let is_driven = |mode: &Mode<R>| self.twist(scene, grip, mode, Demand::AtTheEnd).is_some();
         let facet = self.support.yields(stance.load(), |yields| is_consistent(&mode_of(yields)));
         let count = self.contacts.len();
         let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
         let pairs = ordered.clone().filter(|(i, k)| i < k);
         let slides = |(i, k): (usize, usize)| [R::ONE, -R::ONE].map(|sign| ([i, k], Some(sign)));
         let modes = (facet.iter().map(mode_of))
-            .chain(pairs.flat_map(slides))
+            .chain(pairs.clone().flat_map(slides))
             .chain((0..count).map(|i| ([i, i], None)))
             .chain((0..count).flat_map(|i| slides((i, i))))
-            .filter(is_consistent);
+            .filter(is_consistent)
+            .chain(pairs.flat_map(slides).filter(is_driven));
         let pulled = || {
             let normal = |c: &Pair| scene.surface(c.surface).normal;
             (self.contacts.iter()).all(|c| normal(c).dot(stance.force) > R::ZERO)
@@ -132,27 +134,46 @@ impl<R: Real> Bracing<R> {
         grip: &Grip<R>,
         mode: &Mode<R>,
     ) -> bool {
-        let stance = &self.stance(scene, grip);
-        let ([first, second], sliding) = *mode;
-        let [a, b] = [first, second].map(|i| self.contact(i));
-        let surface = scene.surface(a.surface);
-        let twist = match sliding {
-            None => self.pivoting(scene, stance, a),
-            Some(sign) if a.surface == b.surface => {
-                self.sliding(stance, &surface, sign)
-            }
-            Some(_) if a.vertex == b.vertex => None,
-            Some(_) => self.on_two_surfaces(scene, grip, (a, b)),
-        };
-        let Some(twist) = twist else {
+        let Some(twist) = self.twist(scene, grip, mode, Demand::Pressed) else {
             return false;
         };
+        let placed = self.pivot.placed(scene);
+        let lasting = mode.0.map(|i| self.contact(i));
         let rest = R::from_int(64) * R::EPSILON;
         self.contacts.iter().all(|c| {
-            let arm = stance.placed.arm(scene, c.vertex);
-            let velocity = twist.velocity + arm.turned() * twist.turn;
-            *c == a || *c == b || scene.surface(c.surface).normal.dot(velocity) >= -rest
+            let velocity = twist.velocity + placed.arm(scene, c.vertex).turned() * twist.turn;
+            lasting.contains(c) || scene.surface(c.surface).normal.dot(velocity) >= -rest
         })
+    }
+
+    /// The motion of a mode, if the load drives it.
+    fn twist<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        mode: &Mode<R>,
+        demand: Demand,
+    ) -> Option<Twist<R>> {
+        let ([first, second], sliding) = *mode;
+        let [a, b] = [first, second].map(|i| self.contact(i));
+        let stance = self.stance(scene, grip);
+        match sliding {
+            None => self.pivoting(scene, &stance, a),
+            Some(sign) if a.surface == b.surface => {
+                self.sliding(&stance, &scene.surface(a.surface), sign)
+            }
+            Some(_) if a.vertex == b.vertex => None,
+            Some(_) => {
+                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
+                let state = TwoVertex { pivot, other: b };
+                let (slide, turn) = Trammel::driven(scene, &state, grip, demand)?.twist();
+                let arm = stance.placed.arm(scene, a.vertex);
+                Some(Twist {
+                    velocity: scene.surface(a.surface).tangent * slide - arm.turned() * turn,
+                    turn,
+                })
+            }
+        }
     }
 
     /// A turn about one contact, in the direction of the moment about it, while the load presses on it.
@@ -182,24 +203,6 @@ impl<R: Real> Bracing<R> {
         driven.then_some(Twist {
             velocity: surface.tangent * sign,
             turn: R::ZERO,
-        })
-    }
-
-    /// The trammel motion that the hand drives.
-    fn on_two_surfaces<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        (a, b): (Pair, Pair),
-    ) -> Option<Twist<R>> {
-        let pivot = Pivot::at(scene, &self.pivot.placed(scene).pose(), a);
-        let state = TwoVertex { pivot, other: b };
-        let (slide, turn) = Trammel::driven(scene, &state, grip, Demand::Pressed)?.twist();
-        let arm = self.pivot.placed(scene).arm(scene, a.vertex);
-        let velocity = scene.surface(a.surface).tangent * slide;
-        Some(Twist {
-            velocity: velocity - arm.turned() * turn,
-            turn,
         })
     }
 
