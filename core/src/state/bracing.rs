@@ -110,17 +110,16 @@ impl<R: Real> Bracing<R> {
             .chain(pairs.clone().flat_map(slides))
             .chain((0..count).map(|i| ([i, i], None)))
             .chain((0..count).flat_map(|i| slides((i, i))))
-            .filter(is_consistent)
-            .chain(pairs.flat_map(slides).filter(is_driven));
-        let pulled = || {
-            let normal = |c: &Pair| scene.surface(c.surface).normal;
-            (self.contacts.iter()).all(|c| normal(c).dot(stance.force) > R::ZERO)
-        };
-        match modes.skip(attempt).next() {
-            Some((contacts, sliding)) => Trigger::Keep { contacts, sliding },
-            None if pulled() => Trigger::Clear,
-            None => Trigger::Undriven,
-        }
+            .filter(is_consistent);
+        let pulled = self.contacts.iter().all(|c| {
+            let normal = scene.surface(c.surface).normal;
+            normal.dot(stance.force) > R::ZERO
+        });
+        let keep = |(contacts, sliding)| Trigger::Keep { contacts, sliding };
+        let mut triggers = (modes.map(keep))
+            .chain(pulled.then_some(Trigger::Clear))
+            .chain(pairs.flat_map(slides).filter(is_driven).map(keep));
+        triggers.nth(attempt).unwrap_or(Trigger::Undriven)
     }
 
     fn contact(&self, index: usize) -> Pair {
@@ -159,6 +158,22 @@ impl<R: Real> Bracing<R> {
         let stance = self.stance(scene, grip);
         match sliding {
             None => self.pivoting(scene, &stance, a),
+            Some(sign) if a == b => {
+                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
+                let about = Stance::new(scene, pivot.placed(scene), grip);
+                let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
+                let stability = about.stability();
+                let turn = if stability > R::ZERO {
+                    -about.lever.cross(along.velocity) / stability
+                } else {
+                    R::ZERO
+                };
+                let arm = stance.placed.arm(scene, a.vertex);
+                Some(Twist {
+                    velocity: along.velocity - arm.turned() * turn,
+                    turn,
+                })
+            }
             Some(sign) if a.surface == b.surface => {
                 self.sliding(&stance, &scene.surface(a.surface), sign)
             }
