@@ -176,110 +176,105 @@ impl<R: Real> Support<R> {
         R::from_int(8) * R::EPSILON * load.size()
     }
 
-    /// Shares a load out among the contacts: (normal, friction) parts per contact, the mean of all ways to bear it on
-    /// three edges. For two contacts that is the middle of the interval of (E5).
+    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
+    /// on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
-        let mut sums: Vec<R, MAX_EDGES> = self.edges.iter().map(|_| R::ZERO).collect();
-        let mut ways = 0;
-        let mut best: Option<R> = None;
-        // First the ways that bear it; where rounding leaves none, the one that comes nearest.
-        for pass in 0..2 {
-            if pass == 1 && ways > 0 {
-                break;
+        let mut parts: Parts<R> = self.edges.iter().map(|_| R::ZERO).collect();
+        let mut ways = 0_i32;
+        for way in self.triples().filter_map(|t| self.on_three(t, load)) {
+            if way.iter().all(|&(_, part)| part >= R::ZERO) {
+                ways = ways.saturating_add(1);
+                add(&mut parts, &way);
             }
-            for triple in self.triples() {
-                let Some(parts) = self.solve(triple, load) else {
-                    continue;
-                };
-                let least = parts[0].min(parts[1]).min(parts[2]);
-                let taken = if pass == 0 {
-                    if best.is_none_or(|b| least > b) {
-                        best = Some(least);
-                    }
-                    least >= R::ZERO
-                } else {
-                    ways == 0 && best == Some(least)
-                };
-                if taken {
-                    ways += 1;
-                    for (edge, part) in triple.into_iter().zip(parts) {
-                        if let Some(sum) = sums.get_mut(edge) {
-                            *sum = *sum + part.max(R::ZERO);
-                        }
-                    }
+        }
+        let share = R::ONE / R::from_int(ways.max(1));
+        for part in &mut parts {
+            *part = *part * share;
+        }
+        // Takes out the rounding; where no three edges bear the load, this is the nearest that two or three come to it.
+        for _ in 0..2 {
+            let rest = self.rest(load, &parts);
+            let triple = self.triples().filter_map(|t| self.on_three(t, rest));
+            let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
+            let mut best = rest.size();
+            let mut better = None;
+            let ways = triple
+                .map(|way| way.into_iter().collect::<Vec<_, 3>>())
+                .chain(pair.map(|way| way.into_iter().collect()));
+            for way in ways {
+                let mut trial = parts.clone();
+                add(&mut trial, &way);
+                let left = self.rest(load, &trial).size();
+                if left < best {
+                    best = left;
+                    better = Some(trial);
                 }
             }
+            match better {
+                Some(trial) => parts = trial,
+                None => break,
+            }
         }
-        if ways == 0 {
-            self.share_in_plane(load, &mut sums);
-            ways = 1;
-        }
-        self.per_contact(&sums, R::from_int(ways))
+        parts
+            .chunks_exact(2)
+            .filter_map(|pair| <[R; 2]>::try_from(pair).ok())
+            .collect()
+    }
+
+    /// What parts of the edges leave of a load.
+    fn rest(&self, load: Screw<R>, parts: &Parts<R>) -> Screw<R> {
+        let edges = self.edges.iter().zip(parts);
+        edges.fold(load, |rest, (edge, &part)| Screw {
+            force: rest.force + edge.screw.force * part,
+            moment: rest.moment + edge.screw.moment * part,
+        })
+    }
+
+    fn pairs(&self) -> impl Iterator<Item = [usize; 2]> + use<R> {
+        let n = self.edges.len();
+        (0..n).flat_map(move |i| (i.saturating_add(1)..n).map(move |k| [i, k]))
     }
 
     fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
         let n = self.edges.len();
-        (0..n).flat_map(move |i| {
-            (i.saturating_add(1)..n)
-                .flat_map(move |j| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
-        })
+        let pairs = self.pairs();
+        pairs.flat_map(move |[i, j]| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
     }
 
-    /// The parts of three edges that balance a load.
-    fn solve(&self, triple: [usize; 3], load: Screw<R>) -> Option<[R; 3]> {
-        let [i, j, k] = triple;
-        let a = self.edges.get(i)?.screw;
-        let b = self.edges.get(j)?.screw;
-        let c = self.edges.get(k)?.screw;
+    fn screw(&self, edge: usize) -> Option<Screw<R>> {
+        self.edges.get(edge).map(|edge| edge.screw)
+    }
+
+    /// The parts of three edges that bear a load.
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Screw<R>) -> Option<[(usize, R); 3]> {
+        let (a, b, c) = (self.screw(i)?, self.screw(j)?, self.screw(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
-        if volume.abs() <= Self::tolerance() {
-            return None;
-        }
         let part = |face: Screw<R>| -face.dot(load) / volume;
-        Some([part(bc), part(ca), part(ab)])
+        let usable = volume.abs() > Self::tolerance();
+        usable.then(|| [(i, part(bc)), (j, part(ca)), (k, part(ab))])
     }
 
-    /// Contacts without friction span a plane only: the two edges that bear the load best, in the least-squares sense.
-    fn share_in_plane(&self, load: Screw<R>, sums: &mut Vec<R, MAX_EDGES>) {
-        let mut best: Option<(R, [(usize, R); 2])> = None;
-        for (i, a) in self.edges.iter().enumerate() {
-            for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
-                let (a, b) = (a.screw, b.screw);
-                let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
-                let (al, bl) = (-a.dot(load), -b.dot(load));
-                let area = aa * bb - ab * ab;
-                let (x, y) = if area > Self::tolerance() {
-                    ((al * bb - bl * ab) / area, (bl * aa - al * ab) / area)
-                } else {
-                    (al / aa, R::ZERO)
-                };
-                let (x, y) = (x.max(R::ZERO), y.max(R::ZERO));
-                let rest = Screw {
-                    force: load.force + a.force * x + b.force * y,
-                    moment: load.moment + a.moment * x + b.moment * y,
-                };
-                if best.is_none_or(|(least, _)| rest.size() < least) {
-                    best = Some((rest.size(), [(i, x), (k, y)]));
-                }
-            }
-        }
-        for (edge, part) in best.map(|(_, parts)| parts).into_iter().flatten() {
-            if let Some(sum) = sums.get_mut(edge) {
-                *sum = part;
-            }
-        }
+    /// The parts of two edges that come nearest to bearing a load.
+    fn on_two(&self, [i, k]: [usize; 2], load: Screw<R>) -> Option<[(usize, R); 2]> {
+        let (a, b) = (self.screw(i)?, self.screw(k)?);
+        let normal = a.cross(b);
+        let area = normal.size();
+        let unit = normal.scaled(R::ONE / area);
+        let part = |face: Screw<R>| -face.dot(unit) / area;
+        let usable = area > Self::tolerance();
+        usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
     }
+}
 
-    /// Sums of edge parts as force along +t edge and -t edge of each contact.
-    fn per_contact(&self, sums: &[R], ways: R) -> Vec<[R; 2], MAX_CONTACTS> {
-        let pairs = sums.chunks_exact(2);
-        pairs
-            .map(|pair| match pair {
-                [plus, minus] => [*plus / ways, *minus / ways],
-                _ => [R::ZERO; 2],
-            })
-            .collect()
+type Parts<R> = Vec<R, MAX_EDGES>;
+
+/// Adds to the parts of some edges; no part falls below zero.
+fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
+    for &(edge, part) in more {
+        if let Some(sum) = parts.get_mut(edge) {
+            *sum = (*sum + part).max(R::ZERO);
+        }
     }
 }
 

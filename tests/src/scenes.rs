@@ -269,7 +269,7 @@ fn rod_dropped() -> Scenario {
 /// A point that is pressed into a corner of 90 degrees and drawn out along either surface and straight away.
 fn point_in_a_corner() -> Scenario {
     let setup = Setup::point().floor(FRICTION).wall(1.0, FRICTION);
-    let (press, away) = ([1.203, -0.207, 0.0], [0.493, 0.511, 0.0]);
+    let (press, away) = ([1.203, -0.203, 0.0], [0.493, 0.507, 0.0]);
     let keyframes = [
         away,
         press,

@@ -88,9 +88,9 @@ impl<R: Real> Free<R> {
         }
     }
 
-    /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where the
-    /// vertex that has just opened blocks this line, the holding point goes first and the turn follows: both fall in
-    /// energy by themselves.
+    /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
+    /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
+    /// by themselves, and the pull that opened the contact leads away from it.
     pub(crate) fn relax<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,
@@ -98,8 +98,10 @@ impl<R: Real> Free<R> {
     ) -> Moved<R> {
         let downhill = self.stance(scene, grip).pinned().downhill();
         let near = self.pose.orientation.plus(downhill.turn);
+        let begin = self.clone();
         let mut moved = self.straight(scene, grip, downhill.turn, R::ONE);
-        if moved.part <= R::MICRO && moved.trigger != Trigger::Balanced {
+        if moved.trigger != Trigger::Balanced && begin.has_just_opened(scene) {
+            *self = begin;
             moved = self.straight(scene, grip, R::ZERO, R::ONE);
             if moved.trigger == Trigger::Balanced {
                 moved = self.straight(scene, grip, downhill.turn, R::ZERO);
@@ -111,6 +113,11 @@ impl<R: Real> Free<R> {
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
         moved
+    }
+
+    /// A vertex is still at a surface.
+    fn has_just_opened<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> bool {
+        !Placed::at(&self.pose).touching(scene, R::TOUCH).is_empty()
     }
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
