@@ -56,6 +56,14 @@ impl<R: Real> Way<R> {
         }
     }
 
+    /// The hand turns only.
+    pub(crate) fn turn(turn: R) -> Self {
+        Self {
+            hand: Vec2::ZERO,
+            turn,
+        }
+    }
+
     /// How far the body can be moved by it: displacement and turn at a lever of one body size.
     pub(crate) fn size(&self) -> R {
         self.hand.reach() + self.turn.abs()
@@ -139,7 +147,7 @@ pub(crate) struct Stance<R> {
     pub(crate) hold: Vec2<R>,
     /// F - W y
     pub(crate) force: Vec2<R>,
-    stiffness: R,
+    pub(crate) stiffness: R,
 }
 
 impl<R: Real> Stance<R> {

@@ -2,6 +2,7 @@
 //! |T| = mu_d N. Written with the angle of friction lambda = atan mu, so that mu from 0 to infinity is regular
 //! (STATICS 10).
 
+use crate::geometry::unit;
 use crate::motion::Margin;
 use crate::real::Real;
 
@@ -46,10 +47,10 @@ impl<R: Real> Coulomb<R> {
     /// From mu_s and mu_d, both 0 or more.
     pub(crate) fn from_coefficients(fixed: R::Si, sliding: R::Si) -> Self {
         let cone = |mu: R::Si| {
-            let size = mu.hypot(R::Si::ONE);
+            let (cos, sin) = unit(R::Si::ONE, mu);
             Cone {
-                sin: R::from_si(mu / size),
-                cos: R::from_si(R::Si::ONE / size),
+                sin: R::from_si(sin),
+                cos: R::from_si(cos),
             }
         };
         Self {

@@ -85,6 +85,12 @@ impl<R: Real> Mul<R> for Vec2<R> {
     }
 }
 
+/// The vector (x, y), not zero, as one of length 1.
+pub(crate) fn unit<F: Real>(x: F, y: F) -> (F, F) {
+    let length = x.hypot(y);
+    (x / length, y / length)
+}
+
 /// A rotation R(theta), held as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rotation<R> {

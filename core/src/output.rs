@@ -1,7 +1,7 @@
 //! What a step gives: the pose for the renderer, the contacts and the hand's wrench for the haptic device, and what
 //! happened on the way. SI units, world frame, in the float [`Real::Si`](crate::Real::Si) of the number type.
 
-use crate::geometry::{Angle, Vec2};
+use crate::geometry::Angle;
 use crate::hand::Hand;
 use crate::real::Real;
 use crate::transition::Transitions;
@@ -226,9 +226,4 @@ impl<R: Real> Log<R> {
     pub(crate) fn limit(&mut self, status: Status) {
         self.status = self.status.max(status);
     }
-}
-
-/// A point in the outside float, from non-dimensional coordinates.
-pub(crate) fn point<R: Real>(v: Vec2<R>, unit: R::Si) -> [R::Si; 2] {
-    [v.x.to_si() * unit, v.y.to_si() * unit]
 }

@@ -3,7 +3,7 @@
 
 use crate::body::Body;
 use crate::friction::Coulomb;
-use crate::geometry::{Angle, Orientation, Pose, Vec2};
+use crate::geometry::{Angle, Orientation, Pose, Vec2, unit};
 use crate::real::Real;
 use core::fmt;
 use heapless::Vec;
@@ -147,6 +147,55 @@ pub(crate) struct Units<F> {
     pub(crate) moment: F,
 }
 
+impl<F: Real> Units<F> {
+    fn new(length: F, stiffness_translation: F) -> Self {
+        let force = stiffness_translation * length;
+        Self {
+            length,
+            force,
+            moment: force * length,
+        }
+    }
+    /// Neither too large nor too small to divide by.
+    fn are_usable(&self) -> bool {
+        let usable = |unit: F| unit.is_finite() && unit > F::ONE / F::HUGE;
+        usable(self.length) && usable(self.force) && usable(self.moment)
+    }
+    fn of_length(&self, x: F) -> F {
+        x / self.length
+    }
+    fn of_force(&self, x: F) -> F {
+        x / self.force
+    }
+    fn of_moment(&self, x: F) -> F {
+        x / self.moment
+    }
+    pub(crate) fn to_length(self, x: F) -> F {
+        x * self.length
+    }
+    pub(crate) fn to_force(self, x: F) -> F {
+        x * self.force
+    }
+    pub(crate) fn to_moment(self, x: F) -> F {
+        x * self.moment
+    }
+    /// A point in metres made non-dimensional.
+    pub(crate) fn point_from_si<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
+        Vec2::new(
+            R::from_si(self.of_length(x)),
+            R::from_si(self.of_length(y)),
+        )
+    }
+    /// A point in metres.
+    pub(crate) fn point_to_si<R: Real<Si = F>>(self, v: Vec2<R>) -> [F; 2] {
+        [v.x, v.y].map(|x| self.to_length(x.to_si()))
+    }
+    /// A force in newtons.
+    pub(crate) fn force_to_si<R: Real<Si = F>>(self, v: Vec2<R>) -> [F; 2] {
+        [v.x, v.y].map(|x| self.to_force(x.to_si()))
+    }
+}
+
 /// A checked scene with room for V vertices and S surfaces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<R: Real, const V: usize, const S: usize> {
@@ -172,8 +221,8 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
         let d = description;
         check_numbers(d)?;
         let length = check_vertices::<R::Si, V>(d.vertices)?;
-        let nd = |[x, y]: [R::Si; 2]| Vec2::new(R::from_si(x / length), R::from_si(y / length));
-        let force = d.stiffness_translation * length;
+        let units = Units::new(length, d.stiffness_translation);
+        let nd = |point| units.point_from_si::<R>(point);
         let [x, y, theta] = d.start;
         let theta = Angle::from_radians(theta);
         let start = Pose {
@@ -185,17 +234,13 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
         };
         let scene = Self {
             body: Body::new(d.vertices.iter().map(|&v| nd(v)).collect()),
-            surfaces: surfaces(d.surfaces, length)?,
-            stiffness: R::from_si(d.stiffness_rotation / force / length),
-            weight: Vec2::new(R::ZERO, -R::from_si(d.weight / force)),
+            surfaces: surfaces(d.surfaces, &units)?,
+            stiffness: R::from_si(units.of_moment(d.stiffness_rotation)),
+            weight: Vec2::new(R::ZERO, -R::from_si(units.of_force(d.weight))),
             start,
             holding_point: d.holding_point.map(nd),
-            reach: R::from_si(d.reach / length),
-            units: Units {
-                length,
-                force,
-                moment: force * length,
-            },
+            reach: R::from_si(units.of_length(d.reach)),
+            units,
         };
         scene.check_range(d)?;
         scene.check_start()?;
@@ -244,8 +289,7 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
                 return error(Parameter::Offset(i), given.offset);
             }
         }
-        let (units, least) = (self.units, R::Si::ONE / R::Si::HUGE);
-        if !units.moment.is_finite() || !units.force.is_finite() || units.force < least {
+        if !self.units.are_usable() {
             return error(Parameter::StiffnessTranslation, d.stiffness_translation);
         }
         if !fits(self.stiffness) {
@@ -274,7 +318,7 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
                         surface: usize::from(s),
                         vertex: usize::from(deepest.0),
                     },
-                    value: -deepest.1.to_si() * self.units.length,
+                    value: self.units.to_length((-deepest.1).to_si()),
                     allowed: "at most 1e-5 of the body's largest vertex distance",
                 });
             }
@@ -393,7 +437,7 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
 /// Checks and normalises the surfaces.
 fn surfaces<R: Real, const S: usize>(
     given: &[SurfaceDescription<R::Si>],
-    length: R::Si,
+    units: &Units<R::Si>,
 ) -> Result<Vec<Surface<R>, S>, SceneError<R::Si>> {
     let count = R::Si::from_int(i32::try_from(given.len()).unwrap_or(i32::MAX));
     let fits = given.len() <= S && given.len() <= usize::from(u8::MAX);
@@ -424,12 +468,13 @@ fn surfaces<R: Real, const S: usize>(
             mu_s,
             "not less than the dynamic friction",
         )?;
-        let normal = Vec2::new(R::from_si(x / size), R::from_si(y / size));
+        let (x, y) = unit(x, y);
+        let normal = Vec2::new(R::from_si(x), R::from_si(y));
         // The slice is not longer than S, so there is room.
         let _ = checked.push(Surface {
             normal,
             tangent: Vec2::new(normal.y, -normal.x),
-            offset: R::from_si(d.offset / length),
+            offset: R::from_si(units.of_length(d.offset)),
             friction: Coulomb::from_coefficients(mu_s, mu_d),
         });
     }

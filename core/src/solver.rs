@@ -4,7 +4,7 @@ use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
-use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench, point};
+use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench};
 use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{ContactState, Free, Trigger};
@@ -92,13 +92,10 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         if !hand.is_finite() {
             return Err(Status::HeldLast);
         }
-        let [x, y] = hand.position;
-        let length = self.scene.units.length;
-        let range = R::RANGE.to_si();
-        if (x / length).abs() > range || (y / length).abs() > range {
+        let position: Vec2<R> = self.scene.units.point_from_si(hand.position);
+        if !position.is_finite() || position.x.abs().max(position.y.abs()) > R::RANGE {
             return Err(Status::Saturated);
         }
-        let position = Vec2::new(R::from_si(x / length), R::from_si(y / length));
         let (turns, rest) = hand.angle.rest.turns();
         let angle = Angle {
             turns: hand.angle.turns.saturating_add(turns),
@@ -200,7 +197,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
 
     /// Event by event along the straight way of the hand (STATICS 7).
     fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
-        let mut idle = 0;
+        let mut idle = 0_i32;
         for _ in 0..MAX_EVENTS_ON_PATH {
             let moved = state.contact.advance(&self.scene, &state.grip, to);
             if moved.trigger == Trigger::Balanced && !moved.unsure {
@@ -219,7 +216,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             state.grip = at;
             let idles = way * moved.part <= R::MICRO && log.slips == slipped
                 || log.slips > slipped && way * moved.part <= R::EPSILON;
-            idle = if idles { idle + 1 } else { 0 };
+            idle = if idles { idle.saturating_add(1) } else { 0 };
             if idle > 1 {
                 self.nudge(state, to, idle, log);
             }
@@ -260,8 +257,8 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         let stance = Stance::new(&self.scene, placed, &state.grip);
         let wrench = if state.held {
             Wrench {
-                force: point(stance.spring, units.force),
-                moment: stance.couple.to_si() * units.moment,
+                force: units.force_to_si(stance.spring),
+                moment: units.to_moment(stance.couple.to_si()),
             }
         } else {
             Wrench::default()
@@ -270,7 +267,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         Output {
             hand: state.hand,
             held: state.held,
-            position: point(pose.position, units.length),
+            position: units.point_to_si(pose.position),
             angle: Angle {
                 turns: angle.turns,
                 rest: angle.rest.to_si(),
@@ -279,7 +276,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             state: state.contact.kind(),
             wrench,
             slips: log.slips,
-            longest_slip: log.longest_slip.to_si() * units.length,
+            longest_slip: units.to_length(log.longest_slip.to_si()),
             status: log.status,
             transitions: log.transitions,
             contacts: self.contacts(state, &stance),
@@ -305,9 +302,9 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             Contact {
                 vertex: usize::from(pair.vertex),
                 surface: usize::from(pair.surface),
-                point: point(at, units.length),
-                normal: normal.to_si() * units.force,
-                friction: friction.to_si() * units.force,
+                point: units.point_to_si(at),
+                normal: units.to_force(normal.to_si()),
+                friction: units.to_force(friction.to_si()),
             }
         })
         .collect()

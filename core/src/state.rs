@@ -19,6 +19,7 @@ mod bracing;
 mod corner;
 mod edge;
 mod free;
+mod leg;
 mod locked;
 mod single_vertex;
 mod trammel;

@@ -2,12 +2,10 @@
 //! two friction cones. Beyond an outer edge of that sum the vertex slides along the surface of that edge.
 
 use super::bracing::Bracing;
-use super::single_vertex::fold_or_end;
+use super::leg::Leg;
 use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
-use crate::detect::Moving;
 use crate::geometry::Vec2;
-use crate::motion::Motion;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::Scene;
@@ -95,38 +93,12 @@ impl<R: Real> Corner<R> {
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let way = from.way_to(to);
-        let drive = stance.lever.conj_mul(way.hand);
-        let motion = Motion::balanced(scene.stiffness, stance.hold, drive, way.turn);
-        let mut course = motion.course();
-        let mut trigger = fold_or_end(&course, &motion);
-        let keeps = self.contacts();
-        let moving = Moving {
-            motion: &motion,
-            shift: Vec2::ZERO,
-            keeps: &keeps,
-        };
-        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
-            trigger = Trigger::Touch(touch);
-        }
+        let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
+        leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
-            if motion.stop_at(&stance.reaction(outer.inner, &way), &mut course) {
-                trigger = slides(&outer);
-            }
+            leg.stop_at(&stance.reaction(outer.inner, &way), slides(&outer));
         }
-        self.turn(course.end.turn);
-        if trigger == Trigger::Balanced {
-            let correction = self.stance(scene, to).correction();
-            self.turn(correction);
-        }
-        Moved {
-            part: course.end.part(),
-            unsure: course.unsure,
-            ..Moved::by(trigger)
-        }
-    }
-
-    fn turn(&mut self, turn: R) {
-        self.pivot = self.pivot.moved(R::ZERO, turn);
+        leg.turn_with_hand(scene, &mut self.pivot, to)
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
@@ -156,26 +128,12 @@ impl<R: Real> Corner<R> {
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let motion = Motion::turning(downhill.turn);
-        let mut course = motion.course_to(R::ONE);
         let keeps = self.contacts();
-        let moving = Moving {
-            motion: &motion,
-            shift: Vec2::ZERO,
-            keeps: &keeps,
-        };
-        let placed = self.pivot.placed(scene);
-        let touch = placed.first_touch(scene, &mut course, &moving);
-        self.turn(course.end.turn);
-        let trigger = match touch {
-            Some(touch) => Trigger::Touch(touch),
-            None => self.test(scene, grip),
-        };
-        Moved {
-            snapped: downhill.snapped,
-            unsure: downhill.unsure || course.unsure,
-            ..Moved::by(trigger)
+        let mut moved = Leg::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        if moved.trigger == Trigger::Balanced {
+            moved.trigger = self.test(scene, grip);
         }
+        moved
     }
 
     fn test<const V: usize, const S: usize>(

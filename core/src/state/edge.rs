@@ -1,9 +1,9 @@
 //! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's way
 //! and in the slip, so every event is closed form.
 
+use super::leg::Leg;
 use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
-use crate::detect::Moving;
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::motion::{Margin, Motion};
@@ -84,25 +84,16 @@ impl<R: Real> Edge<R> {
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
-        let motion = Motion::straight();
-        let mut course = motion.course_to(R::ONE);
-        let mut trigger = Trigger::Balanced;
+        let mut leg = Leg::whole(Motion::straight(), Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
         for sign in [R::ONE, -R::ONE] {
             let holds = friction.holds(reaction.normal, reaction.friction, sign);
-            if motion.stop_at(&holds, &mut course) {
-                trigger = Trigger::Slide(sign);
-            }
+            leg.stop_at(&holds, Trigger::Slide(sign));
         }
-        for (opens, lasts) in [(0, 1), (1, 0)] {
-            if motion.stop_at(&reaction.parts[opens], &mut course) {
-                trigger = keep(lasts, None);
-            }
+        for (part, other) in reaction.parts.iter().zip([1, 0]) {
+            leg.stop_at(part, keep(other, None));
         }
-        Moved {
-            part: course.end.part(),
-            ..Moved::by(trigger)
-        }
+        leg.moved()
     }
 
     /// Puts the edge to the test as it lies.
@@ -160,32 +151,20 @@ impl<R: Real> Edge<R> {
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
         let shift = surface.tangent * (sign * farthest);
         let reaction = self.reaction(scene, &stance, &Way::slide(shift));
-        let motion = Motion::straight();
-        let mut course = motion.course_to(R::ONE);
-        let mut trigger = Trigger::Stopped;
+        let mut leg = Leg::whole(Motion::straight(), Trigger::Stopped);
         let drives = surface
             .friction
             .drives(reaction.normal, reaction.friction, sign);
-        motion.stop_at(&drives, &mut course);
-        let keeps = self.contacts();
-        let moving = Moving {
-            motion: &motion,
-            shift,
-            keeps: &keeps,
-        };
-        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
-            trigger = Trigger::Touch(touch);
+        leg.stop_at(&drives, Trigger::Stopped);
+        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
+        for (part, other) in reaction.parts.iter().zip([1, 0]) {
+            leg.stop_at(part, keep(other, Some(sign)));
         }
-        for (opens, lasts) in [(0, 1), (1, 0)] {
-            if motion.stop_at(&reaction.parts[opens], &mut course) {
-                trigger = keep(lasts, Some(sign));
-            }
-        }
-        let slip = sign * farthest * course.end.part();
+        let slip = sign * farthest * leg.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);
         Moved {
             slip,
-            ..Moved::by(trigger)
+            ..leg.moved()
         }
     }
 

@@ -1,10 +1,11 @@
 //! No contact (STATICS 2): the holding point hangs at the hand, the body turns with it.
 
+use super::leg::Leg;
 use super::{Moved, Trigger};
-use crate::coupling::{Grip, Stance};
-use crate::detect::{Moving, Placed};
+use crate::coupling::{Grip, Stance, Way};
+use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::{Course, Motion};
+use crate::motion::Motion;
 use crate::real::Real;
 use crate::scene::Scene;
 
@@ -12,12 +13,6 @@ use crate::scene::Scene;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
-}
-
-/// Where a motion without contact leads: the way of the holding point and the turn at tau = 1.
-struct Sweep<'a, R> {
-    motion: &'a Motion<R>,
-    shift: Vec2<R>,
 }
 
 impl<R: Real> Free<R> {
@@ -45,17 +40,9 @@ impl<R: Real> Free<R> {
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let way = from.way_to(to);
-        let motion = Motion::balanced(scene.stiffness, stance.hold, Vec2::ZERO, way.turn);
-        let course = motion.course();
-        let sweep = Sweep {
-            motion: &motion,
-            shift: way.hand,
-        };
-        let mut moved = self.sweep(scene, &stance, course, &sweep);
-        if moved.trigger == Trigger::Balanced && course.folds {
-            moved.trigger = Trigger::Fold(motion.direction());
-        }
-        if moved.trigger == Trigger::Balanced {
+        let leg = Leg::balanced(&stance, &Way::turn(way.turn), Trigger::Balanced);
+        let moved = self.sweep(scene, &stance, leg, way.hand);
+        if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the way.
             *self = Self::balance(scene, to, self.pose.orientation);
         }
@@ -129,40 +116,25 @@ impl<R: Real> Free<R> {
         shift: R,
     ) -> Moved<R> {
         let stance = self.stance(scene, grip);
-        let motion = Motion::turning(turn);
-        let sweep = Sweep {
-            motion: &motion,
-            shift: stance.force * shift,
-        };
-        self.sweep(scene, &stance, motion.course_to(R::ONE), &sweep)
+        let leg = Leg::whole(Motion::turning(turn), Trigger::Balanced);
+        self.sweep(scene, &stance, leg, stance.force * shift)
     }
 
+    /// Goes a leg on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
     fn sweep<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,
         stance: &Stance<R>,
-        mut course: Course<R>,
-        sweep: &Sweep<'_, R>,
+        mut leg: Leg<R>,
+        shift: Vec2<R>,
     ) -> Moved<R> {
-        let moving = Moving {
-            motion: sweep.motion,
-            shift: sweep.shift,
-            keeps: &[],
-        };
-        let touch = stance.placed.first_touch(scene, &mut course, &moving);
-        let part = course.end.part();
-        let orientation = self.pose.orientation.plus(course.end.turn);
-        let point = stance.placed.point + sweep.shift * part;
+        leg.stop_at_touch(scene, &stance.placed, (shift, &[]));
         let placed = Placed {
-            point,
-            orientation,
+            point: stance.placed.point + shift * leg.part(),
+            orientation: self.pose.orientation.plus(leg.turn()),
             ..stance.placed
         };
         self.pose = placed.pose();
-        Moved {
-            part,
-            unsure: course.unsure,
-            ..Moved::by(touch.map_or(Trigger::Balanced, Trigger::Touch))
-        }
+        leg.moved()
     }
 }

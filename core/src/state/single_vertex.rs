@@ -1,12 +1,12 @@
 //! One vertex on one surface (STATICS 3): pinned it turns in balance of moments about the contact, the angle on its
 //! branch; it slips along the surface with the moment balanced at every place.
 
+use super::leg::Leg;
 use super::{Moved, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
-use crate::detect::Moving;
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
-use crate::motion::{Course, Margin, Motion};
+use crate::motion::Margin;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::{Scene, Surface};
@@ -53,45 +53,15 @@ impl<R: Real> SingleVertex<R> {
         let stance = self.stance(scene, from);
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
-        let drive = stance.lever.conj_mul(way.hand);
-        let motion = Motion::balanced(scene.stiffness, stance.hold, drive, way.turn);
-        let mut course = motion.course();
-        let mut trigger = fold_or_end(&course, &motion);
-        let keeps = [self.pivot.contact];
-        let moving = Moving {
-            motion: &motion,
-            shift: Vec2::ZERO,
-            keeps: &keeps,
-        };
-        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
-            trigger = Trigger::Touch(touch);
-        }
-        let reaction = Self::reaction(&stance, &surface, &way);
+        let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
+        leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
+        let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
         for sign in [R::ONE, -R::ONE] {
-            let holds = surface
-                .friction
-                .holds(reaction.normal, reaction.friction, sign);
-            if motion.stop_at(&holds, &mut course) {
-                trigger = Trigger::Slide(sign);
-            }
+            let holds = surface.friction.holds(normal, friction, sign);
+            leg.stop_at(&holds, Trigger::Slide(sign));
         }
-        if motion.stop_at(&reaction.normal, &mut course) {
-            trigger = Trigger::Clear;
-        }
-        self.turn(course.end.turn);
-        if trigger == Trigger::Balanced {
-            let correction = self.stance(scene, to).correction();
-            self.turn(correction);
-        }
-        Moved {
-            part: course.end.part(),
-            unsure: course.unsure,
-            ..Moved::by(trigger)
-        }
-    }
-
-    fn turn(&mut self, turn: R) {
-        self.pivot = self.pivot.moved(R::ZERO, turn);
+        leg.stop_at(&normal, Trigger::Clear);
+        leg.turn_with_hand(scene, &mut self.pivot, to)
     }
 
     /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides goes on first while
@@ -142,26 +112,12 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let motion = Motion::turning(downhill.turn);
-        let mut course = motion.course_to(R::ONE);
-        let keeps = [self.pivot.contact];
-        let moving = Moving {
-            motion: &motion,
-            shift: Vec2::ZERO,
-            keeps: &keeps,
-        };
-        let placed = self.pivot.placed(scene);
-        let touch = placed.first_touch(scene, &mut course, &moving);
-        self.turn(course.end.turn);
-        let trigger = match touch {
-            Some(touch) => Trigger::Touch(touch),
-            None => self.test(scene, grip),
-        };
-        Moved {
-            snapped: downhill.snapped,
-            unsure: downhill.unsure || course.unsure,
-            ..Moved::by(trigger)
+        let keeps = self.contacts();
+        let mut moved = Leg::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        if moved.trigger == Trigger::Balanced {
+            moved.trigger = self.test(scene, grip);
         }
+        moved
     }
 
     /// Friction at rest.
@@ -195,38 +151,17 @@ impl<R: Real> SingleVertex<R> {
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
         let shift = surface.tangent * (sign * farthest);
         let way = Way::slide(shift);
-        let drive = stance.lever.conj_mul(way.hand);
-        let motion = Motion::balanced(scene.stiffness, stance.hold, drive, R::ZERO);
-        let mut course = motion.course();
-        let mut trigger = match fold_or_end(&course, &motion) {
-            Trigger::Balanced => Trigger::Stopped,
-            fold => fold,
-        };
-        let reaction = Self::reaction(&stance, &surface, &way);
-        let drives = surface
-            .friction
-            .drives(reaction.normal, reaction.friction, sign);
-        if motion.stop_at(&drives, &mut course) {
-            trigger = Trigger::Stopped;
-        }
-        let keeps = [self.pivot.contact];
-        let moving = Moving {
-            motion: &motion,
-            shift,
-            keeps: &keeps,
-        };
-        if let Some(touch) = stance.placed.first_touch(scene, &mut course, &moving) {
-            trigger = Trigger::Touch(touch);
-        }
-        if motion.stop_at(&reaction.normal, &mut course) {
-            trigger = Trigger::Clear;
-        }
-        let slip = sign * farthest * course.end.part();
-        self.pivot = self.pivot.moved(slip, course.end.turn);
+        let mut leg = Leg::balanced(&stance, &way, Trigger::Stopped);
+        let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
+        let drives = surface.friction.drives(normal, friction, sign);
+        leg.stop_at(&drives, Trigger::Stopped);
+        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
+        leg.stop_at(&normal, Trigger::Clear);
+        let slip = sign * farthest * leg.part();
+        self.pivot = self.pivot.moved(slip, leg.turn());
         Moved {
             slip,
-            unsure: course.unsure,
-            ..Moved::by(trigger)
+            ..leg.moved()
         }
     }
 
@@ -239,14 +174,5 @@ impl<R: Real> SingleVertex<R> {
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
         [[normal.max(R::ZERO), friction]].into_iter().collect()
-    }
-}
-
-/// What a course leads to before anything else is looked at.
-pub(super) fn fold_or_end<R: Real>(course: &Course<R>, motion: &Motion<R>) -> Trigger<R> {
-    if course.folds {
-        Trigger::Fold(motion.direction())
-    } else {
-        Trigger::Balanced
     }
 }

@@ -222,21 +222,19 @@ impl<R: Real> Trammel<R> {
         let found = first_zero(window, |x| {
             let q = self.quantities(&self.motion.at(x), window);
             let never = Jet::constant(R::ONE).as_slope(R::ONE);
-            let turning_point = |k: usize| match self.signs[k] {
-                sign if sign == R::ZERO => never,
-                sign => q.velocities[k].as_slope(sign),
-            };
-            let pressed = |k: usize| match demand {
-                Demand::Pressed => q.normals[k].as_slope(sense),
+            let [n1, n2] = q.normals.map(|normal| match demand {
+                Demand::Pressed => normal.as_slope(sense),
                 Demand::AtTheEnd => never,
-            };
-            Look::far([
-                q.imbalance.as_slope(sense),
-                pressed(0),
-                pressed(1),
-                turning_point(0),
-                turning_point(1),
-            ])
+            });
+            let ([v1, v2], [s1, s2]) = (q.velocities, self.signs);
+            let [turns1, turns2] = [(v1, s1), (v2, s2)].map(|(velocity, sign)| {
+                if sign == R::ZERO {
+                    never
+                } else {
+                    velocity.as_slope(sign)
+                }
+            });
+            Look::far([q.imbalance.as_slope(sense), n1, n2, turns1, turns2])
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing => (window, Ending::Window, false),

@@ -1,0 +1,123 @@
+//! One leg of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a leg and
+//! shortens it to the first event.
+
+use super::{Moved, Pair, Trigger};
+use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::detect::{Moving, Placed};
+use crate::geometry::Vec2;
+use crate::motion::{Course, Margin, Motion};
+use crate::real::Real;
+use crate::roots::Downhill;
+use crate::scene::Scene;
+
+/// The curve, its course so far, the trigger at its end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg<R> {
+    motion: Motion<R>,
+    course: Course<R>,
+    trigger: Trigger<R>,
+}
+
+impl<R: Real> Leg<R> {
+    /// The whole of a curve whose end is x = 1.
+    pub(super) fn whole(motion: Motion<R>, trigger: Trigger<R>) -> Self {
+        Self {
+            motion,
+            course: motion.course_to(R::ONE),
+            trigger,
+        }
+    }
+
+    /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.
+    pub(super) fn balanced(stance: &Stance<R>, way: &Way<R>, trigger: Trigger<R>) -> Self {
+        let drive = stance.lever.conj_mul(way.hand);
+        let motion = Motion::balanced(stance.stiffness, stance.hold, drive, way.turn);
+        let course = motion.course();
+        let trigger = if course.folds {
+            Trigger::Fold(motion.direction())
+        } else {
+            trigger
+        };
+        Self {
+            motion,
+            course,
+            trigger,
+        }
+    }
+
+    /// Ends where the margin is used up, if that is earlier.
+    pub(super) fn stop_at(&mut self, margin: &Margin<R>, trigger: Trigger<R>) {
+        if self.motion.stop_at(margin, &mut self.course) {
+            self.trigger = trigger;
+        }
+    }
+
+    /// Ends where a further vertex reaches a surface, if that is earlier. The placed point moves by `shift` at tau = 1.
+    pub(super) fn stop_at_touch<const V: usize, const S: usize>(
+        &mut self,
+        scene: &Scene<R, V, S>,
+        placed: &Placed<R>,
+        (shift, keeps): (Vec2<R>, &[Pair]),
+    ) {
+        let moving = Moving {
+            motion: &self.motion,
+            shift,
+            keeps,
+        };
+        if let Some(pair) = placed.first_touch(scene, &mut self.course, &moving) {
+            self.trigger = Trigger::Touch(pair);
+        }
+    }
+
+    /// tau at the end.
+    pub(super) fn part(&self) -> R {
+        self.course.end.part()
+    }
+
+    /// ϑ at the end.
+    pub(super) fn turn(&self) -> R {
+        self.course.end.turn
+    }
+
+    pub(super) fn moved(&self) -> Moved<R> {
+        Moved {
+            part: self.part(),
+            unsure: self.course.unsure,
+            ..Moved::by(self.trigger)
+        }
+    }
+
+    /// Turns a pivot with the hand; at the hand's end without the rounding of the way.
+    pub(super) fn turn_with_hand<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        pivot: &mut Pivot<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        *pivot = pivot.moved(R::ZERO, self.turn());
+        let moved = self.moved();
+        if moved.trigger == Trigger::Balanced && !moved.unsure {
+            let stance = Stance::new(scene, pivot.placed(scene), to);
+            *pivot = pivot.moved(R::ZERO, stance.correction());
+        }
+        moved
+    }
+
+    /// Turns a pivot downhill at a frozen hand, to balance or to the first touch.
+    pub(super) fn turn_downhill<const V: usize, const S: usize>(
+        scene: &Scene<R, V, S>,
+        pivot: &mut Pivot<R>,
+        keeps: &[Pair],
+        downhill: &Downhill<R>,
+    ) -> Moved<R> {
+        let mut leg = Self::whole(Motion::turning(downhill.turn), Trigger::Balanced);
+        leg.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, keeps));
+        *pivot = pivot.moved(R::ZERO, leg.turn());
+        let moved = leg.moved();
+        Moved {
+            snapped: downhill.snapped,
+            unsure: moved.unsure || downhill.unsure,
+            ..moved
+        }
+    }
+}
