@@ -3,8 +3,9 @@
 
 use crate::real::Real;
 
-/// Every search ends after this many steps. A double root halves its distance at each step: 36 at most in f64.
-const MAX_STEPS: usize = 64;
+/// Every search ends after this many steps. A simple zero takes 3 to 9; past the place of a double root, which the
+/// search may not jump, the steps first halve and then double again.
+const MAX_STEPS: usize = 256;
 
 /// A function at one place: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
 #[derive(Clone, Copy, Debug)]
@@ -193,7 +194,7 @@ impl<R: Real> PinnedMoment<R> {
         let (way, unsure) = match found {
             Found::Zero { x, .. } => (start + x, false),
             Found::Unsure { x, .. } => (start + x, true),
-            Found::Nothing => (R::ZERO, false),
+            Found::Nothing => (start, false),
         };
         Downhill {
             turn: direction * way,

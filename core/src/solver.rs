@@ -36,6 +36,8 @@ pub struct State<R: Real> {
     /// phi - theta at which the rotational spring rests.
     rest_offset: Angle<R>,
     held: bool,
+    /// The hand has taken hold before.
+    was_held: bool,
     hand: Hand<R::Si>,
 }
 
@@ -49,7 +51,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     }
 
     /// The first record: the equilibrium reached from the start pose with the hand at its first pose. A hand that is not
-    /// finite or out of range is taken as absent: the body stays at its start.
+    /// finite or out of range is taken as absent: the body stays at its start until a good one takes hold.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
         let mut log = Log::default();
         let mut state = self.placed_at_start();
@@ -58,12 +60,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             Ok((position, angle)) => {
                 state.hand = hand;
                 if hand.held {
-                    self.take_hold(&mut state, (position, angle), self.scene.holding_point, &mut log);
-                }
-                if state.held {
-                    state.grip.hand = position;
-                    state.grip.angle = angle.offset_from(state.rest_offset);
-                    self.rest(&mut state, &mut log);
+                    self.take_hold(&mut state, (position, angle), &mut log);
                 }
             }
         }
@@ -121,6 +118,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             grip: Grip::default(),
             rest_offset: Angle::default(),
             held: false,
+            was_held: false,
             hand: Hand::default(),
         }
     }
@@ -137,25 +135,21 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             state.held = false;
             log.event(Event::Release);
         } else if !state.held && hand.held {
-            self.take_hold(state, target, None, log);
-            if state.held {
-                self.rest(state, log);
-            }
+            self.take_hold(state, target, log);
         }
     }
 
-    /// Takes hold at a given holding point with rest offset 0, or where the hand is, if within reach.
+    /// Takes hold where the hand is, if within reach; the first time at the scene's holding point, if it gives one.
     fn take_hold(
         &self,
         state: &mut State<R>,
         (position, angle): (Vec2<R>, Angle<R>),
-        holding_point: Option<Vec2<R>>,
         log: &mut Log<R>,
     ) {
         let pose = state.contact.pose(&self.scene);
-        let (holding_point, rest_offset) = match holding_point {
-            Some(given) => (given, Angle::default()),
-            None => {
+        let (holding_point, rest_offset) = match self.scene.holding_point {
+            Some(given) if !state.was_held => (given, Angle::default()),
+            _ => {
                 let at = pose.orientation.rotation().undo(position - pose.position);
                 if self.scene.body.distance(at) > self.scene.reach {
                     return;
@@ -165,16 +159,13 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             }
         };
         state.held = true;
+        state.was_held = true;
         state.rest_offset = rest_offset;
         state.grip = Grip {
             holding_point,
             hand: position,
             angle: angle.offset_from(rest_offset),
         };
-    }
-
-    /// Comes to rest at the grip.
-    fn rest(&self, state: &mut State<R>, log: &mut Log<R>) {
         settle(&self.scene, &state.grip, &mut state.contact, None, log);
     }
 
@@ -204,23 +195,22 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
                 settle(&self.scene, to, &mut state.contact, Some(moved.trigger), log);
                 return;
             }
-            let way = state.grip.way_to(to).size();
-            let at = state.grip.lerp(to, moved.part);
+            let travel = state.grip.way_to(to).size() * moved.part;
+            state.grip = state.grip.lerp(to, moved.part);
             let slides = matches!(moved.trigger, Trigger::Slide(_));
             if slides && self.slides_continuously(&state.contact) {
-                state.grip = at;
-                break;
+                self.by_jump(state, to, log);
+                return;
             }
-            let slipped = log.slips;
-            settle(&self.scene, &at, &mut state.contact, Some(moved.trigger), log);
-            state.grip = at;
-            let idles = way * moved.part <= R::MICRO && log.slips == slipped
-                || log.slips > slipped && way * moved.part <= R::EPSILON;
-            idle = if idles { idle.saturating_add(1) } else { 0 };
+            if moved.trigger != Trigger::Undriven {
+                settle(&self.scene, &state.grip, &mut state.contact, Some(moved.trigger), log);
+            }
+            idle = if travel <= R::MICRO { idle.saturating_add(1) } else { 0 };
             if idle > 1 {
                 self.nudge(state, to, idle, log);
             }
         }
+        log.limit(Status::EventLimit);
         self.by_jump(state, to, log);
     }
 
@@ -232,8 +222,12 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             .all(|pair| self.scene.surface(pair.surface).friction.is_continuous())
     }
 
-    /// Where events crowd at one place of the hand: a small jump on, longer each time.
+    /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be
+    /// told apart so become a slide at mu_d.
     fn nudge(&self, state: &mut State<R>, to: &Grip<R>, idle: i32, log: &mut Log<R>) {
+        if log.slips > 0 {
+            log.limit(Status::EventLimit);
+        }
         let way = state.grip.way_to(to).size();
         let mut step = R::MICRO;
         for _ in 1..idle.min(40) {

@@ -137,8 +137,7 @@ impl<R: Real> Support<R> {
     }
 
     /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
-    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>) -> Option<R> {
-        let rounding = Self::rounding(from) + Self::rounding(to);
+    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
         let mut first = None;
         for (normal, _) in self.facets() {
             // The reactions are the opposite of the load.
@@ -159,21 +158,18 @@ impl<R: Real> Support<R> {
     pub(crate) fn yields(
         &self,
         load: Screw<R>,
+        rounding: R,
         mut allows: impl FnMut(&Yield<R>) -> bool,
     ) -> Option<Yield<R>> {
         let mut most: Option<(R, Yield<R>)> = None;
         for (normal, mode) in self.facets() {
             let excess = normal.dot(load);
             let is_most = most.is_none_or(|(largest, _)| excess > largest);
-            if excess >= -Self::rounding(load) && is_most && allows(&mode) {
+            if excess >= -rounding && is_most && allows(&mode) {
                 most = Some((excess, mode));
             }
         }
         most.map(|(_, mode)| mode)
-    }
-
-    fn rounding(load: Screw<R>) -> R {
-        R::from_int(8) * R::EPSILON * load.size()
     }
 
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it

@@ -66,12 +66,13 @@ impl<R: Real> Bracing<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let [before, after] = [from, to].map(|grip| self.stance(scene, grip).load());
-        match self.support.first_yield(before, after) {
+        let [before, after] = [from, to].map(|grip| self.stance(scene, grip));
+        let rounding = before.rounding() + after.rounding();
+        match (self.support).first_yield(before.load(), after.load(), rounding) {
             None => Moved::by(Trigger::Balanced),
             Some(part) => Moved {
                 part,
-                ..Moved::by(self.give_way(scene, &from.lerp(to, part), 0))
+                ..Moved::by(self.give_way(scene, (&from.lerp(to, part), to), 0))
             },
         }
     }
@@ -83,11 +84,12 @@ impl<R: Real> Bracing<R> {
         grip: &Grip<R>,
         attempt: usize,
     ) -> Trigger<R> {
-        let load = self.stance(scene, grip).load();
-        if self.support.first_yield(load, load).is_none() {
+        let stance = self.stance(scene, grip);
+        let (load, rounding) = (stance.load(), stance.rounding());
+        if self.support.first_yield(load, load, rounding).is_none() {
             Trigger::Balanced
         } else {
-            self.give_way(scene, grip, attempt)
+            self.give_way(scene, (grip, grip), attempt)
         }
     }
 
@@ -95,13 +97,21 @@ impl<R: Real> Bracing<R> {
     fn give_way<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
+        (grip, ahead): (&Grip<R>, &Grip<R>),
         attempt: usize,
     ) -> Trigger<R> {
         let stance = self.stance(scene, grip);
-        let is_consistent = |mode: &Mode<R>| self.is_consistent(scene, grip, mode);
+        let is_consistent = |mode: &Mode<R>| {
+            // Where a contact is about to open the moment is zero; which way it goes, shows ahead.
+            let grip = if mode.1.is_none() { ahead } else { grip };
+            self.is_consistent(scene, grip, mode)
+        };
         let is_driven = |mode: &Mode<R>| self.twist(scene, grip, mode, Demand::AtTheEnd).is_some();
-        let facet = self.support.yields(stance.load(), |yields| is_consistent(&mode_of(yields)));
+        let facet = self
+            .support
+            .yields(stance.load(), stance.rounding(), |yields| {
+                is_consistent(&mode_of(yields))
+            });
         let count = self.contacts.len();
         let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
         let pairs = ordered.clone().filter(|(i, k)| i < k);
@@ -157,6 +167,7 @@ impl<R: Real> Bracing<R> {
         let [a, b] = [first, second].map(|i| self.contact(i));
         let stance = self.stance(scene, grip);
         match sliding {
+            None if scene.surface(a.surface).normal.dot(stance.force) >= R::ZERO => None,
             None => self.pivoting(scene, &stance, a),
             Some(sign) if a == b => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
@@ -177,7 +188,7 @@ impl<R: Real> Bracing<R> {
             Some(sign) if a.surface == b.surface => {
                 self.sliding(&stance, &scene.surface(a.surface), sign)
             }
-            Some(_) if a.vertex == b.vertex => None,
+            Some(_) if a.vertex == b.vertex => self.pivoting(scene, &stance, a),
             Some(_) => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
                 let state = TwoVertex { pivot, other: b };
@@ -191,7 +202,7 @@ impl<R: Real> Bracing<R> {
         }
     }
 
-    /// A turn about one contact, in the direction of the moment about it, while the load presses on it.
+    /// A turn about one contact, in the direction of the moment about it.
     fn pivoting<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
@@ -200,9 +211,8 @@ impl<R: Real> Bracing<R> {
     ) -> Option<Twist<R>> {
         let arm = stance.placed.arm(scene, about.vertex);
         let moment = stance.moment() - arm.cross(stance.force);
-        let pressed = scene.surface(about.surface).normal.dot(stance.force) < R::ZERO;
         let turn = moment.sign();
-        (pressed && moment.abs() > stance.rounding()).then_some(Twist {
+        (moment.abs() > stance.rounding()).then_some(Twist {
             velocity: -(arm.turned() * turn),
             turn,
         })
