@@ -43,6 +43,8 @@ pub struct State<R: Real> {
 
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
+/// This many slips fit into a frame before a limit is reported.
+const UNLIMITED_SLIPS: u32 = 100;
 
 impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     /// A solver for a scene.
@@ -225,7 +227,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be
     /// told apart so become a slide at mu_d.
     fn nudge(&self, state: &mut State<R>, to: &Grip<R>, idle: i32, log: &mut Log<R>) {
-        if log.slips > 0 {
+        if log.slips >= UNLIMITED_SLIPS {
             log.limit(Status::EventLimit);
         }
         let way = state.grip.way_to(to).size();

@@ -112,7 +112,7 @@ enum Next<R> {
 }
 
 /// After this many transitions at one hand pose no consistent mode is left to try.
-const MAX_TRANSITIONS: usize = 48;
+const MAX_TRANSITIONS: usize = 256;
 
 /// Brings the body to rest at a frozen hand, beginning with a trigger, or without one with the test of the state.
 pub(crate) fn settle<R: Real, const V: usize, const S: usize>(

@@ -174,11 +174,10 @@ impl<R: Real> Bracing<R> {
                 let about = Stance::new(scene, pivot.placed(scene), grip);
                 let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
                 let stability = about.stability();
-                let turn = if stability > R::ZERO {
-                    -about.lever.cross(along.velocity) / stability
-                } else {
-                    R::ZERO
-                };
+                if stability <= R::ZERO {
+                    return None;
+                }
+                let turn = -about.lever.cross(along.velocity) / stability;
                 let arm = stance.placed.arm(scene, a.vertex);
                 Some(Twist {
                     velocity: along.velocity - arm.turned() * turn,

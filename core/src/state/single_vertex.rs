@@ -81,7 +81,7 @@ impl<R: Real> SingleVertex<R> {
         self.turn_by(scene, grip, &stance.pinned().downhill())
     }
 
-    /// True while the vertex slides on along sign·t.
+    /// True while the vertex slides on along sign·t, on a stable branch.
     fn is_driven<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
@@ -92,7 +92,9 @@ impl<R: Real> SingleVertex<R> {
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
         let rounding = stance.rounding();
-        normal > rounding && (surface.friction).is_driven(normal, friction, sign, rounding)
+        stance.stability() > R::ZERO
+            && normal > rounding
+            && (surface.friction).is_driven(normal, friction, sign, rounding)
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
