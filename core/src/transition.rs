@@ -230,12 +230,22 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
                 *state = ContactState::Free(Free { pose });
                 Next::Relax(None)
             }
-            Trigger::Undriven => {
-                log.transitions.add(Transition::Stays);
-                log.limit(Status::Ambiguous);
-                Next::Rest
-            }
+            Trigger::Undriven => self.undriven(state, log),
         }
+    }
+
+    /// No motion of these contacts is consistent: others that were let go are taken back, to try the next one.
+    fn undriven(self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
+        let contacts = state.contacts();
+        let touching = state.placed(self.scene).touching(self.scene, R::TOUCH);
+        let dropped = touching.iter().find(|pair| !contacts.contains(pair));
+        if let Some(&pair) = dropped {
+            self.touch(state, pair, log);
+            return Next::Relax(None);
+        }
+        log.transitions.add(Transition::Stays);
+        log.limit(Status::Ambiguous);
+        Next::Rest
     }
 
     /// A slip that began out of balance of moments, when another contact opened, ends with a turn; where the trammel

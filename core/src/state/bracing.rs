@@ -137,22 +137,48 @@ impl<R: Real> Bracing<R> {
     }
 
     /// Driven by the load, and no gap of another contact closes.
-    pub(super) fn is_consistent<const V: usize, const S: usize>(
+    fn is_consistent<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         mode: &Mode<R>,
     ) -> bool {
-        let Some(twist) = self.twist(scene, grip, mode, Demand::Pressed) else {
-            return false;
-        };
+        let slowest = self.slowest_opening(scene, grip, mode);
+        slowest.is_some_and(|rate| rate >= -Self::rest())
+    }
+
+    /// Driven by the load, and every gap of another contact opens.
+    pub(super) fn opens<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        mode: &Mode<R>,
+    ) -> bool {
+        let slowest = self.slowest_opening(scene, grip, mode);
+        slowest.is_some_and(|rate| rate > Self::rest())
+    }
+
+    /// Velocities below this are none.
+    fn rest() -> R {
+        R::from_int(64) * R::EPSILON
+    }
+
+    /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.
+    fn slowest_opening<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+        mode: &Mode<R>,
+    ) -> Option<R> {
+        let twist = self.twist(scene, grip, mode, Demand::Pressed)?;
         let placed = self.pivot.placed(scene);
         let lasting = mode.0.map(|i| self.contact(i));
-        let rest = R::from_int(64) * R::EPSILON;
-        self.contacts.iter().all(|c| {
+        let others = self.contacts.iter().filter(|c| !lasting.contains(c));
+        let rates = others.map(|c| {
             let velocity = twist.velocity + placed.arm(scene, c.vertex).turned() * twist.turn;
-            lasting.contains(c) || scene.surface(c.surface).normal.dot(velocity) >= -rest
-        })
+            scene.surface(c.surface).normal.dot(velocity)
+        });
+        Some(rates.fold(R::HUGE, R::min))
     }
 
     /// The motion of a mode, if the load drives it.

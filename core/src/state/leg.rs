@@ -87,7 +87,7 @@ impl<R: Real> Leg<R> {
         }
     }
 
-    /// Turns a pivot with the hand; at the hand's end without the rounding of the way.
+    /// Turns a pivot to the end of the leg; where it ends in balance with the hand at `to`, without the rounding of the way.
     pub(super) fn turn_with_hand<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
@@ -96,7 +96,7 @@ impl<R: Real> Leg<R> {
     ) -> Moved<R> {
         *pivot = pivot.moved(R::ZERO, self.turn());
         let moved = self.moved();
-        if moved.trigger == Trigger::Balanced && !moved.unsure {
+        if matches!(moved.trigger, Trigger::Balanced | Trigger::Stopped) && !moved.unsure {
             let stance = Stance::new(scene, pivot.placed(scene), to);
             *pivot = pivot.moved(R::ZERO, stance.correction());
         }

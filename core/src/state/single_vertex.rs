@@ -160,10 +160,10 @@ impl<R: Real> SingleVertex<R> {
         leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
         leg.stop_at(&normal, Trigger::Clear);
         let slip = sign * farthest * leg.part();
-        self.pivot = self.pivot.moved(slip, leg.turn());
+        self.pivot = self.pivot.moved(slip, R::ZERO);
         Moved {
             slip,
-            ..leg.moved()
+            ..leg.turn_with_hand(scene, &mut self.pivot, grip)
         }
     }
 

@@ -106,7 +106,7 @@ impl<R: Real> TwoVertex<R> {
         let bracing = self.bracing(scene);
         [None, Some(sliding)]
             .into_iter()
-            .any(|sliding| bracing.is_consistent(scene, grip, &([lasts, lasts], sliding)))
+            .any(|sliding| bracing.opens(scene, grip, &([lasts, lasts], sliding)))
     }
 
     pub(crate) fn reactions<const V: usize, const S: usize>(
