@@ -64,21 +64,31 @@ impl<R: Real> SingleVertex<R> {
         leg.turn_with_hand(scene, &mut self.pivot, to)
     }
 
-    /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides goes on first while
-    /// it is driven.
+    /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
+    /// goes on while it is driven, at once where the turn is blocked.
     pub(crate) fn relax<const V: usize, const S: usize>(
         &mut self,
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
+        let begin = self.clone();
         let stance = self.stance(scene, grip);
-        if let Some(sign) = sliding
-            && self.is_driven(scene, &stance, sign)
-        {
-            return Moved::by(Trigger::Slide(sign));
+        let mut moved = self.turn_by(scene, grip, &stance.pinned().downhill());
+        let Some(sign) = sliding else {
+            return moved;
+        };
+        // By a contact that was there at the beginning.
+        let blocked = matches!(moved.trigger, Trigger::Touch(pair)
+            if begin.pivot.placed(scene).gap(scene, pair) <= R::TWO * R::TOUCH);
+        if blocked {
+            *self = begin;
         }
-        self.turn_by(scene, grip, &stance.pinned().downhill())
+        let at_rest = matches!(moved.trigger, Trigger::Balanced | Trigger::Slide(_));
+        if (blocked || at_rest) && self.is_driven(scene, &self.stance(scene, grip), sign) {
+            moved.trigger = Trigger::Slide(sign);
+        }
+        moved
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
