@@ -68,7 +68,9 @@ pub fn judge<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
     let setup = setup.rounded::<R>();
     let mut findings = vec![finite(frame), name(frame)];
     findings.extend(geometry::<R>(&setup, frame));
-    if frame.held && setup.holding_point.is_some() {
+    if frame.status == Status::Ambiguous {
+        // No motion is consistent: the body stays, out of balance, and says so (STATICS 9, rule 8).
+    } else if frame.held && setup.holding_point.is_some() {
         findings.extend(statics::<R>(&setup, frame));
     } else {
         let size = frame.wrench.iter().fold(0.0, |sum, w| sum + w.abs());

@@ -1,4 +1,5 @@
-//! The worst residual of 1000 random scenes × 200 frames, by law, number type and evolution: no frame violates a law.
+//! The worst residual of 1000 random scenes × 200 frames, by law, number type and evolution: no frame violates a law, and
+//! none escapes the laws of balance by being ambiguous.
 
 use std::collections::BTreeMap;
 use stiction_core::{Evolution, Status};
@@ -9,7 +10,7 @@ use stiction_tests::{EVOLUTIONS, Number, budget, judge};
 
 fn survey<R: Number>(evolution: Evolution) {
     let mut laws: BTreeMap<&str, Finding> = BTreeMap::new();
-    let (mut frames, mut broken, mut limited) = (0, 0, 0);
+    let (mut frames, mut broken, mut limited, mut ambiguous) = (0, 0, 0, 0);
     let mut first = None;
     for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
         for (k, frame) in run::<R>(&scenario.setup, evolution, &scenario.hands(50))
@@ -20,6 +21,7 @@ fn survey<R: Number>(evolution: Evolution) {
             let gravest = worst(findings.iter().copied());
             frames += 1;
             limited += usize::from(frame.status != Status::Ok);
+            ambiguous += usize::from(frame.status == Status::Ambiguous);
             if !gravest.holds() {
                 broken += 1;
                 first.get_or_insert((i, k, gravest));
@@ -33,7 +35,7 @@ fn survey<R: Number>(evolution: Evolution) {
         }
     }
     println!(
-        "{} {evolution:?}: {frames} frames, {limited} limited, {broken} unlawful",
+        "{} {evolution:?}: {frames} frames, {limited} limited, {ambiguous} ambiguous, {broken} unlawful",
         R::NAME
     );
     for finding in laws.values() {
@@ -42,6 +44,7 @@ fn survey<R: Number>(evolution: Evolution) {
             finding.law, finding.residual, finding.bound
         );
     }
+    assert_eq!(ambiguous, 0, "{} {evolution:?}", R::NAME);
     assert_eq!(
         broken,
         0,

@@ -110,15 +110,15 @@ impl<R: Real> Bracing<R> {
         let facet = self
             .support
             .yields(stance.load(), stance.rounding(), |yields| {
-                is_consistent(&mode_of(yields))
+                is_consistent(&self.mode_of(yields))
             });
         let count = self.contacts.len();
         let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
         let pairs = ordered.clone().filter(|(i, k)| i < k);
         let slides = |(i, k): (usize, usize)| [R::ONE, -R::ONE].map(|sign| ([i, k], Some(sign)));
-        let modes = (facet.iter().map(mode_of))
+        let modes = (facet.iter().map(|yields| self.mode_of(yields)))
             .chain(pairs.clone().flat_map(slides))
-            .chain((0..count).map(|i| ([i, i], None)))
+            .chain((0..count).map(|i| self.about(i)))
             .chain((0..count).flat_map(|i| slides((i, i))))
             .filter(is_consistent);
         let pulled = self.contacts.iter().all(|c| {
@@ -130,6 +130,30 @@ impl<R: Real> Bracing<R> {
             .chain(pulled.then_some(Trigger::Clear))
             .chain(pairs.flat_map(slides).filter(is_driven).map(keep));
         triggers.nth(attempt).unwrap_or(Trigger::Undriven)
+    }
+
+    /// A turn about a contact; in a corner both contacts of the vertex last.
+    fn about(&self, index: usize) -> Mode<R> {
+        let vertex = self.contact(index).vertex;
+        let corner = self.contacts.iter().enumerate();
+        let mut other = corner
+            .filter(|&(k, c)| k != index && c.vertex == vertex)
+            .map(|(k, _)| k);
+        ([index, other.next().unwrap_or(index)], None)
+    }
+
+    fn mode_of(&self, yields: &Yield<R>) -> Mode<R> {
+        match *yields {
+            Yield::Pivot { contact } => self.about(contact),
+            Yield::Slide { first, second } => {
+                let [a, b] = [first.0, second.0].map(|i| self.contact(i));
+                if a.vertex == b.vertex {
+                    self.about(first.0)
+                } else {
+                    ([first.0, second.0], Some(first.1))
+                }
+            }
+        }
     }
 
     fn contact(&self, index: usize) -> Pair {
@@ -193,8 +217,13 @@ impl<R: Real> Bracing<R> {
         let [a, b] = [first, second].map(|i| self.contact(i));
         let stance = self.stance(scene, grip);
         match sliding {
-            None if scene.surface(a.surface).normal.dot(stance.force) >= R::ZERO => None,
-            None => self.pivoting(scene, &stance, a),
+            None => {
+                let pressed = [a, b].iter().any(|c| {
+                    let normal = scene.surface(c.surface).normal;
+                    normal.dot(stance.force) < R::ZERO
+                });
+                pressed.then(|| self.pivoting(scene, &stance, a))?
+            }
             Some(sign) if a == b => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
                 let about = Stance::new(scene, pivot.placed(scene), grip);
@@ -213,7 +242,7 @@ impl<R: Real> Bracing<R> {
             Some(sign) if a.surface == b.surface => {
                 self.sliding(&stance, &scene.surface(a.surface), sign)
             }
-            Some(_) if a.vertex == b.vertex => self.pivoting(scene, &stance, a),
+            Some(_) if a.vertex == b.vertex => None,
             Some(_) => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
                 let state = TwoVertex { pivot, other: b };
@@ -270,12 +299,5 @@ impl<R: Real> Bracing<R> {
                 [(plus + minus) * n, (plus - minus) * t]
             })
             .collect()
-    }
-}
-
-fn mode_of<R: Real>(yields: &Yield<R>) -> Mode<R> {
-    match *yields {
-        Yield::Pivot { contact } => ([contact, contact], None),
-        Yield::Slide { first, second } => ([first.0, second.0], Some(first.1)),
     }
 }
