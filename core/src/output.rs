@@ -205,6 +205,8 @@ pub(crate) struct Log<R> {
     pub(crate) slips: u32,
     pub(crate) longest_slip: R,
     pub(crate) status: Status,
+    /// The body was last left out of balance, for want of a consistent motion.
+    pub(crate) ambiguous: bool,
     pub(crate) transitions: Transitions,
 }
 
@@ -221,6 +223,14 @@ impl<R: Real> Log<R> {
         self.slips = self.slips.saturating_add(1);
         self.longest_slip = self.longest_slip.max(length.abs());
         self.event(Event::Slip);
+    }
+    /// The gravest status. What was ambiguous on the way but came to rest after all does not count.
+    pub(crate) fn final_status(&self) -> Status {
+        if self.ambiguous {
+            self.status.max(Status::Ambiguous)
+        } else {
+            self.status
+        }
     }
     /// Keeps the gravest status.
     pub(crate) fn limit(&mut self, status: Status) {

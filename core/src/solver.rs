@@ -273,7 +273,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             wrench,
             slips: log.slips,
             longest_slip: units.to_length(log.longest_slip.to_si()),
-            status: log.status,
+            status: log.final_status(),
             transitions: log.transitions,
             contacts: self.contacts(state, &stance),
             events: log.events,

@@ -123,6 +123,7 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     log: &mut Log<R>,
 ) {
     let at = At { scene, grip };
+    log.ambiguous = false;
     let mut attempts = Attempts::default();
     let mut next = match trigger {
         Some(trigger) => at.apply(state, trigger, log),
@@ -141,8 +142,7 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
         record(state, &moved, &next, log);
         next = at.apply(state, moved.trigger, log);
     }
-    log.transitions.add(Transition::Stays);
-    log.limit(Status::Ambiguous);
+    stays(log);
 }
 
 /// Counts how often a state of several contacts gives way at one and the same pose.
@@ -191,6 +191,12 @@ fn record<R: Real>(
     if moved.trigger == Trigger::Stopped {
         log.slip(moved.slip);
     }
+}
+
+/// No motion is left to try.
+fn stays<R: Real>(log: &mut Log<R>) {
+    log.transitions.add(Transition::Stays);
+    log.ambiguous = true;
 }
 
 /// A scene with the hand frozen.
@@ -243,8 +249,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
             self.touch(state, pair, log);
             return Next::Relax(None);
         }
-        log.transitions.add(Transition::Stays);
-        log.limit(Status::Ambiguous);
+        stays(log);
         Next::Rest
     }
 

@@ -6,12 +6,14 @@
 //! closed form with the solver.
 //!
 //! Where it is approximate:
-//! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of
-//!   1e-3 rad are not seen.
-//! * A snap is noticed as a turn of more than 0.03 rad, so one that is smaller happens unseen, with the same end.
-//! * Events that follow each other ever faster (continuous sliding, the slips of a body being lifted) are skipped: the body
-//!   relaxes once, at the end of the sub-step. Poses then agree, the number of slips does not.
-//! * Where several motions fit, one is taken and `ambiguous` is set only when none does.
+//! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not seen.
+//! * A snap is noticed as a turn of more than 0.03 rad; a smaller one happens unseen, with the same end.
+//! * Events that follow each other ever faster (continuous sliding, the slips of a body being lifted or set down obliquely) are
+//!   cut short: the body relaxes at the end of the sub-step or where its contacts change. The number of slips is then not the
+//!   true one, and where static friction is larger than dynamic, the phase of the slips is open: see `skipped`.
+//! * Where two contacts slide, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
+//!   the slide, but the instant at which one of them opens depends on this choice.
+//! * Of several motions that fit the one that turns about a sticking contact comes first, then the slide with the strongest drive.
 
 mod cone;
 mod relax;
@@ -30,6 +32,10 @@ const CLEARANCE: f64 = 1e-12;
 const TOUCHING: f64 = 1e-5;
 /// An event that follows another sooner than this, in sub-steps, belongs to a sequence without end.
 const SOON: f64 = 1e-7;
+/// The same where static friction equals dynamic friction, so that a slip leaves the body about to slip again.
+const SOON_SLIDING: f64 = 1e-3;
+/// Events in a sub-step.
+const EVENTS: u32 = 100;
 
 /// The force of one contact on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +59,7 @@ pub struct Reference {
     pose: Pose,
     contacts: Vec<Touch>,
     slips: u32,
+    skipped: bool,
     ambiguous: bool,
 }
 
@@ -74,7 +81,7 @@ impl Reference {
         let pose = Pose { position: [pose[0], pose[1]], angle: pose[2] };
         let mut contacts: Vec<Touch> = contacts.iter().map(|&(vertex, surface)| Touch { vertex, surface }).collect();
         contacts.sort_by_key(|touch| (touch.vertex, touch.surface));
-        let mut reference = Self { scene, size, hand, pose, contacts, slips: 0, ambiguous: false };
+        let mut reference = Self { scene, size, hand, pose, contacts, slips: 0, skipped: false, ambiguous: false };
         reference.pose = reference.onto(pose, &reference.contacts);
         reference
     }
@@ -82,10 +89,15 @@ impl Reference {
     /// Moves the hand straight to `hand` (x, y, m; phi, rad) in `substeps` parts.
     pub fn step(&mut self, hand: [f64; 3], substeps: usize) {
         self.slips = 0;
+        self.skipped = false;
         self.ambiguous = false;
         let from = self.hand;
         for k in 1..=substeps {
             self.advance(blend(from, hand, k as f64 / substeps as f64));
+            if self.ambiguous {
+                self.hand = hand;
+                break;
+            }
         }
     }
 
@@ -116,7 +128,12 @@ impl Reference {
         self.slips
     }
 
-    /// Whether no motion fitted somewhere in the last frame, so that the body was left where it was.
+    /// Whether slips of the last frame followed each other without end, so that where the last one stopped is not known.
+    pub fn skipped(&self) -> bool {
+        self.skipped
+    }
+
+    /// Whether no motion fitted somewhere in the last frame, so that the body was left where it was for the rest of it.
     pub fn ambiguous(&self) -> bool {
         self.ambiguous
     }
@@ -125,22 +142,61 @@ impl Reference {
     fn advance(&mut self, to: [f64; 3]) {
         let from = self.hand;
         let (mut done, mut hurried) = (0.0, 0);
-        while hurried < 3 {
-            if let Some(pose) = self.at_rest(to) {
-                self.pose = pose;
-                self.hand = to;
-                return;
-            }
-            let (before, after) = walk::bisect(done, 1.0, |part| self.at_rest(blend(from, to, part)).is_none());
-            if let Some(pose) = self.at_rest(blend(from, to, before)) {
-                self.pose = pose;
-            }
+        for _ in 0..EVENTS {
+            let after = if hurried < 3 {
+                if let Some(pose) = self.at_rest(to) {
+                    self.pose = pose;
+                    self.hand = to;
+                    return;
+                }
+                let (before, after) = walk::bisect(done, 1.0, |part| self.at_rest(blend(from, to, part)).is_none());
+                if let Some(pose) = self.at_rest(blend(from, to, before)) {
+                    self.pose = pose;
+                }
+                after
+            } else {
+                let relaxed = self.relaxed(to);
+                if relaxed.follows(self) {
+                    *self = relaxed;
+                    break;
+                }
+                let changes = |part| !self.relaxed(blend(from, to, part)).follows(self);
+                let (before, after) = walk::bisect(done, 1.0, changes);
+                *self = self.relaxed(blend(from, to, before));
+                after
+            };
             self.relax(blend(from, to, after));
-            hurried = if after - done < SOON { hurried + 1 } else { 0 };
+            let slides = self.slides();
+            let soon = if slides { SOON_SLIDING } else { SOON };
+            hurried = if after - done < soon { hurried + 1 } else { 0 };
+            self.skipped |= !slides && hurried > 0 && done > 0.0;
             done = after;
+            if self.ambiguous {
+                break;
+            }
         }
-        self.relax(to);
+        if !self.ambiguous {
+            self.relax(to);
+        }
         self.hand = to;
+    }
+
+    /// The body relaxed under a frozen hand.
+    fn relaxed(&self, hand: [f64; 3]) -> Self {
+        let mut relaxed = self.clone();
+        relaxed.relax(hand);
+        relaxed
+    }
+
+    /// Whether this is where the body comes from `before` without a change of contacts.
+    fn follows(&self, before: &Self) -> bool {
+        self.contacts == before.contacts && !self.ambiguous
+    }
+
+    /// Whether a contact slides continuously.
+    fn slides(&self) -> bool {
+        let surfaces = self.contacts.iter().map(|touch| &self.scene.surfaces[touch.surface]);
+        surfaces.into_iter().any(|surface| surface.mu_s <= surface.mu_d * (1.0 + 1e-9))
     }
 
     /// The pose for this hand with the contacts as they are; `None` if something happens before.

@@ -19,6 +19,7 @@ pub fn all() -> Vec<(&'static str, Scenario)> {
         ("block lifted obliquely", block_lifted_obliquely()),
         ("block tips", block_tips()),
         ("block set down tilted", block_set_down_tilted()),
+        ("block slid flush against a slanted wall", block_slid_flush()),
         ("strut buckles", strut_buckles()),
         ("strut buckles in a groove", strut_buckles_in_a_groove()),
         ("pendulum folds", pendulum_folds()),
@@ -167,6 +168,19 @@ fn block_set_down_tilted() -> Scenario {
             [0.3, -0.2, 0.3],
         ],
     )
+}
+
+/// On a smooth floor, held straight above its lowest corner, it slides without a turn and meets the wall, which is
+/// parallel to its side, with two corners at once.
+fn block_slid_flush() -> Scenario {
+    let (sin, cos) = FRAC_PI_6.sin_cos();
+    let above = [-0.5 + 0.6 * sin, 0.6 * cos];
+    let setup = Setup::block(1.0, 1.0)
+        .held_at(above)
+        .standing(0, [0.0, 0.0], FRAC_PI_6)
+        .floor([0.0, 0.0])
+        .surface([-cos, -sin], -(1.0 + 0.5 * cos), [0.5, 0.3]);
+    from_grip(setup, &[[0.0, -0.13, 0.0], [0.83, -0.13, 0.0]])
 }
 
 fn strut(kappa: f64, theta: f64) -> Setup {

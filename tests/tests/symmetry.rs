@@ -93,7 +93,9 @@ fn turned_and_shifted_world_evolves_alike() {
     let (turn, shift) = (0.7f64, [0.3, -0.2]);
     let (sin, cos) = turn.sin_cos();
     let rotate = |[x, y]: [f64; 2]| [cos * x - sin * y, sin * x + cos * y];
-    for (name, scenario) in scenes::all() {
+    // Weight has a direction of its own.
+    let weightless = |(_, scenario): &(&str, Scenario)| scenario.setup.weight == 0.0;
+    for (name, scenario) in scenes::all().into_iter().filter(weightless) {
         let l = scenario.setup.size();
         let pose = |[x, y, theta]: [f64; 3]| {
             let [x, y] = rotate([x, y]);

@@ -10,7 +10,7 @@ fn every_transition_is_reached() {
     let named = scenes::all()
         .into_iter()
         .map(|(name, scenario)| (name.to_string(), scenario));
-    let random = scenarios(300, 4)
+    let random = scenarios(2000, 4)
         .enumerate()
         .map(|(i, scenario)| (format!("random scene {i}"), scenario));
     let mut missing: Vec<Transition> = Transition::ALL.to_vec();
@@ -33,7 +33,7 @@ fn every_transition_is_reached() {
 fn reached(scenario: &Scenario) -> Vec<Transition> {
     let frames = EVOLUTIONS
         .iter()
-        .flat_map(|&e| run::<f64>(&scenario.setup, e, &scenario.hands(50)));
+        .flat_map(|&e| run::<f64>(&scenario.setup, e, &scenario.hands(40)));
     frames
         .flat_map(|frame| frame.transitions.iter().collect::<Vec<_>>())
         .collect()

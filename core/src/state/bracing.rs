@@ -67,7 +67,7 @@ impl<R: Real> Bracing<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.stance(scene, grip));
-        let rounding = before.rounding() + after.rounding();
+        let rounding = R::TWO * (before.rounding() + after.rounding());
         match (self.support).first_yield(before.load(), after.load(), rounding) {
             None => Moved::by(Trigger::Balanced),
             Some(part) => Moved {
@@ -85,7 +85,7 @@ impl<R: Real> Bracing<R> {
         attempt: usize,
     ) -> Trigger<R> {
         let stance = self.stance(scene, grip);
-        let (load, rounding) = (stance.load(), stance.rounding());
+        let (load, rounding) = (stance.load(), R::from_int(4) * stance.rounding());
         if self.support.first_yield(load, load, rounding).is_none() {
             Trigger::Balanced
         } else {

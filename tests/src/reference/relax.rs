@@ -8,9 +8,11 @@ use super::walk::End;
 use super::{CLEARANCE, Reference};
 
 /// Motions after which the body is left where it is.
-const MOTIONS: usize = 300;
+const MOTIONS: usize = 60;
 /// Vertices that come this close together with the first one touch with it, in body sizes.
 const TOGETHER: f64 = 1e-10;
+/// A contact that the free pose leaves by less than this carries nothing worth a motion, in body sizes.
+const WEIGHTLESS: f64 = 1e-5;
 /// A gap that changes more slowly than this, per unit of a unit twist, neither opens nor closes.
 const STILL: f64 = 1e-9;
 
@@ -54,7 +56,8 @@ impl Reference {
             End::Touch => self.land(carry),
             End::Lost => {
                 self.contacts = std::mem::take(&mut carry.left);
-                self.ambiguous = true;
+                let depth = |touch: &Touch| -self.scene.gap(&self.free_pose(hand), *touch);
+                self.ambiguous = self.contacts.iter().any(|touch| depth(touch) > WEIGHTLESS * self.size);
                 return true;
             }
             _ => return true,
@@ -63,6 +66,9 @@ impl Reference {
     }
 
     fn relax_vertex(&mut self, touch: Touch, hand: [f64; 3], carry: &mut Carry) -> bool {
+        if carry.sliding && self.slides_on(touch, hand, carry) {
+            return false;
+        }
         let (pose, end) = self.turn(&self.pose, touch.vertex, hand, (f64::INFINITY, true));
         self.pose = pose;
         if end == End::Touch {
@@ -75,15 +81,27 @@ impl Reference {
             self.release(&[], carry);
             return false;
         }
-        let surface = &self.scene.surfaces[touch.surface];
-        let coefficient = if carry.sliding { surface.mu_d } else { surface.mu_s };
-        if friction.abs() <= coefficient * normal + tolerance {
+        if self.admissible(&pose, &[touch], hand) {
             return true;
         }
-        let (pose, end) = self.slide_vertex(touch, -sign(friction), hand);
+        let (pose, end) = self.slide_vertex((touch, -sign(friction)), &carry.left, hand);
         self.pose = pose;
         self.follow_slide(end, carry);
         end == End::Lost
+    }
+
+    /// A contact that was sliding together with another one slides on while dynamic friction cannot hold it.
+    fn slides_on(&mut self, touch: Touch, hand: [f64; 3], carry: &mut Carry) -> bool {
+        carry.sliding = false;
+        let [normal, friction] = self.reaction(&self.pose, touch, hand);
+        let excess = friction.abs() - self.scene.surfaces[touch.surface].mu_d * normal;
+        if normal <= 0.0 || excess <= self.force_tolerance(&self.pose, hand) {
+            return false;
+        }
+        let (pose, end) = self.slide_vertex((touch, -sign(friction)), &carry.left, hand);
+        self.pose = pose;
+        self.follow_slide(end, carry);
+        true
     }
 
     /// One vertex on two surfaces: it turns in the corner, then stays or leaves along one of the surfaces.
@@ -140,18 +158,11 @@ impl Reference {
         }
     }
 
-    /// What the contacts do that cannot hold: the motion with the fewest openings.
+    /// What the contacts do that cannot hold: turn about one that sticks, else slide with the fewest openings, else come free.
     fn mode(&self, hand: [f64; 3]) -> Option<Mode> {
         let count = self.contacts.len();
         let pairs = || (0..count).flat_map(|i| (i + 1..count).map(move |j| [self.contacts[i], self.contacts[j]]));
-        let slide = pairs().filter_map(|pair| self.slide_mode(pair, hand)).max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((mode, _)) = slide {
-            return Some(mode);
-        }
-        let corner = pairs().find(|pair| count > 2 && pair[0].vertex == pair[1].vertex && self.pivots(pair, hand));
-        if let Some(pair) = corner {
-            return Some(Mode::Keep(pair.to_vec()));
-        }
+        let corner = || pairs().find(|pair| count > 2 && pair[0].vertex == pair[1].vertex && self.pivots(pair, hand));
         let single = |sticks: bool| {
             self.contacts.iter().copied().find(|&touch| {
                 let [normal, friction] = self.reaction(&self.pose, touch, hand);
@@ -159,23 +170,33 @@ impl Reference {
                 normal > 0.0 && (held || !sticks) && self.pivots(&[touch], hand)
             })
         };
-        if let Some(touch) = single(true).or_else(|| single(false)) {
-            return Some(Mode::Keep(vec![touch]));
-        }
+        let slide = |pressed: bool| {
+            let slides = pairs().filter_map(|pair| self.slide_mode(pair, pressed, hand));
+            slides.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(mode, _)| mode)
+        };
+        let keep = |touch: Touch| Mode::Keep(vec![touch]);
+        let corner = corner().map(|pair| Mode::Keep(pair.to_vec()));
+        let turns = corner.or_else(|| single(true).map(keep));
+        let moves = turns.or_else(|| slide(true)).or_else(|| slide(false)).or_else(|| single(false).map(keep));
+        moves.or_else(|| self.opens(hand).then(|| Mode::Keep(Vec::new())))
+    }
+
+    /// Whether the way to the free pose opens all contacts.
+    fn opens(&self, hand: [f64; 3]) -> bool {
         let held = self.scene.holding_point;
         let (from, target) = (self.pose, self.free_pose(hand));
         let shift = sub(target.apply(held), from.apply(held));
         let turn = target.angle - from.angle;
-        let opens = self.contacts.iter().all(|&touch| {
+        self.contacts.iter().all(|&touch| {
             let arm = sub(from.apply(self.scene.vertices[touch.vertex]), from.apply(held));
             let velocity = add(shift, scale(turn, [-arm[1], arm[0]]));
             dot(velocity, self.scene.surfaces[touch.surface].normal) > -CLEARANCE * self.size
-        });
-        opens.then(|| Mode::Keep(Vec::new()))
+        })
     }
 
-    /// The slide of a pair, if the load drives it, both contacts press and all others stay or open; with its drive.
-    fn slide_mode(&self, pair: [Touch; 2], hand: [f64; 3]) -> Option<(Mode, f64)> {
+    /// The slide of a pair, if the load drives it, both contacts (or one, if not `pressed`) press and all others stay or open;
+    /// with its drive.
+    fn slide_mode(&self, pair: [Touch; 2], pressed: bool, hand: [f64; 3]) -> Option<(Mode, f64)> {
         if pair[0].vertex == pair[1].vertex {
             return None;
         }
@@ -183,7 +204,8 @@ impl Reference {
         [twist, times(-1.0, twist)].into_iter().find_map(|way| {
             let state = self.sliding(&self.pose, pair, way, hand)?;
             let tolerance = self.force_tolerance(&self.pose, hand);
-            let presses = state.normals.iter().all(|&normal| normal >= -tolerance);
+            let [first, second] = state.normals;
+            let presses = first.max(second) > tolerance && (!pressed || first.min(second) >= -tolerance);
             let opens = |&touch: &Touch| pair.contains(&touch) || inner(self.normal_line(&self.pose, touch), way) >= -STILL;
             let runs = presses && state.drive > 0.0 && self.contacts.iter().all(opens);
             runs.then_some((Mode::Slide(pair, way), state.drive))

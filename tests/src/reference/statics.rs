@@ -77,12 +77,7 @@ impl Reference {
             return None;
         }
         let excess = determinant(lines[0], lines[1], load);
-        let mut normals = [determinant(load, lines[1], drag) / whole, determinant(lines[0], load, drag) / whole];
-        let spread = cross(forces[0], forces[1]);
-        if spread.abs() > 1e-9 {
-            let force = self.scene.applied_force(pose, hand);
-            normals = [-cross(force, forces[1]) / spread, cross(force, forces[0]) / spread];
-        }
+        let normals = [determinant(load, lines[1], drag) / whole, determinant(lines[0], load, drag) / whole];
         Some(Sliding { normals, drive: excess / whole, excess })
     }
 

@@ -40,6 +40,12 @@ impl Reference {
         self.others().any(|touch| self.scene.gap(pose, touch) < -depth * self.size)
     }
 
+    /// The same where the vertices and surfaces in `closed` may have a gap down to the one given with each.
+    fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
+        let least = |touch| closed.iter().find(|(other, _)| *other == touch).map_or(0.0, |&(_, gap)| gap);
+        self.others().any(|touch| self.scene.gap(pose, touch) < least(touch) - depth * self.size)
+    }
+
     /// The vertices and surfaces that are not in contact.
     pub(super) fn others(&self) -> impl Iterator<Item = Touch> + '_ {
         self.scene.touches().filter(|touch| !self.contacts.contains(touch))
@@ -76,8 +82,8 @@ impl Reference {
     }
 
     /// Slides the vertex of `touch` along `way` times the tangent, the moment balanced at every position, until dynamic
-    /// friction holds it.
-    pub(super) fn slide_vertex(&self, touch: Touch, way: f64, hand: [f64; 3]) -> (Pose, End) {
+    /// friction holds it. The contacts in `left` may close no further; they count again once they are open.
+    pub(super) fn slide_vertex(&self, (touch, way): (Touch, f64), left: &[Touch], hand: [f64; 3]) -> (Pose, End) {
         let surface = &self.scene.surfaces[touch.surface];
         let mut pose = self.pose;
         let mut step = SLIDE * self.size;
@@ -86,11 +92,13 @@ impl Reference {
             let moved = Pose { position: add(pose.position, shift), angle: pose.angle };
             self.turn(&moved, touch.vertex, hand, (SNAP, false))
         };
-        let end = |(pose, turned): &(Pose, End), depth: f64| {
+        let start = at(&pose, 0.0).0;
+        let mut closed: Vec<_> = left.iter().map(|&touch| (touch, self.scene.gap(&start, touch).min(0.0))).collect();
+        let end = |(pose, turned): &(Pose, End), closed: &[(Touch, f64)], depth: f64| {
             let [normal, friction] = self.reaction(pose, touch, hand);
             if *turned == End::Snap {
                 Some(End::Snap)
-            } else if self.enters(pose, depth) {
+            } else if self.enters_beside(pose, closed, depth) {
                 Some(End::Touch)
             } else if normal < 0.0 {
                 Some(End::Lift(0))
@@ -100,17 +108,18 @@ impl Reference {
         };
         for _ in 0..MANY {
             let next = at(&pose, step);
-            match end(&next, super::CLEARANCE) {
+            match end(&next, &closed, super::CLEARANCE) {
                 None => {
                     pose = next.0;
+                    closed.retain(|&(touch, _)| self.scene.gap(&pose, touch) < super::CLEARANCE * self.size);
                     step = (2.0 * step).min(SLIDE * self.size);
                 }
                 Some(End::Snap) if step > SMALLEST * self.size => step /= 2.0,
                 Some(first) => {
                     let depth = if first == End::Touch { 0.0 } else { super::CLEARANCE };
-                    let (before, after) = bisect(0.0, step, |distance| end(&at(&pose, distance), depth).is_some());
+                    let (before, after) = bisect(0.0, step, |distance| end(&at(&pose, distance), &closed, depth).is_some());
                     let last = at(&pose, after);
-                    return match end(&last, depth) {
+                    return match end(&last, &closed, depth) {
                         Some(End::Touch) => (at(&pose, before).0, End::Touch),
                         Some(End::Snap) | None => (pose, End::Snap),
                         Some(found) => (last.0, found),
@@ -220,17 +229,14 @@ impl Reference {
         let shift = sub(target.apply(held), from);
         let turn = target.angle - self.pose.angle;
         let at = |part: f64| Pose::holding(held, add(from, scale(part, shift)), self.pose.angle + part * turn);
-        let mut closed = left.to_vec();
-        let enters = |pose: &Pose, closed: &[Touch], depth: f64| {
-            self.others().any(|touch| !closed.contains(&touch) && self.scene.gap(pose, touch) < -depth * self.size)
-        };
+        let mut closed: Vec<_> = left.iter().map(|&touch| (touch, f64::NEG_INFINITY)).collect();
         for look in 0..LOOKS {
             let (now, next) = (f64::from(look) / f64::from(LOOKS), f64::from(look + 1) / f64::from(LOOKS));
-            if enters(&at(next), &closed, super::CLEARANCE) {
-                let (before, _) = bisect(now, next, |part| enters(&at(part), &closed, 0.0));
+            if self.enters_beside(&at(next), &closed, super::CLEARANCE) {
+                let (before, _) = bisect(now, next, |part| self.enters_beside(&at(part), &closed, 0.0));
                 return (at(before), End::Touch);
             }
-            closed.retain(|&touch| self.scene.gap(&at(next), touch) < super::CLEARANCE * self.size);
+            closed.retain(|&(touch, _)| self.scene.gap(&at(next), touch) < super::CLEARANCE * self.size);
         }
         (self.pose, End::Lost)
     }
