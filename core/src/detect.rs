@@ -111,10 +111,7 @@ impl<R: Real> Placed<R> {
         Margin {
             start,
             along,
-            turning: Vec2::new(
-                surface.normal.dot(arm),
-                surface.normal.dot(arm.turned()),
-            ),
+            turning: Vec2::new(surface.normal.dot(arm), surface.normal.dot(arm.turned())),
             rounding,
         }
     }

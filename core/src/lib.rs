@@ -19,6 +19,7 @@ mod friction;
 mod geometry;
 mod hand;
 mod jet;
+mod list;
 mod motion;
 mod output;
 mod real;
@@ -31,9 +32,7 @@ mod transition;
 
 pub use geometry::{Angle, Vec2};
 pub use hand::{Axis, Hand, Projection, TrackerSample};
-pub use output::{
-    Contact, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench,
-};
+pub use output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench};
 pub use real::Real;
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
 pub use solver::{Evolution, Solver, State};

@@ -4,6 +4,7 @@
 use crate::body::Body;
 use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2, unit};
+use crate::list::gather;
 use crate::real::Real;
 use core::fmt;
 use heapless::Vec;
@@ -98,7 +99,10 @@ impl fmt::Display for Parameter {
             Self::FrictionStatic(i) => write!(f, "static friction of surface {i}"),
             Self::FrictionDynamic(i) => write!(f, "dynamic friction of surface {i}"),
             Self::Penetration { surface, vertex } => {
-                write!(f, "depth of vertex {vertex} in surface {surface} at the start")
+                write!(
+                    f,
+                    "depth of vertex {vertex} in surface {surface} at the start"
+                )
             }
         }
     }
@@ -117,7 +121,11 @@ pub struct SceneError<F> {
 
 impl<F: fmt::Debug> fmt::Display for SceneError<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is {:?}, allowed: {}", self.parameter, self.value, self.allowed)
+        write!(
+            f,
+            "{} is {:?}, allowed: {}",
+            self.parameter, self.value, self.allowed
+        )
     }
 }
 
@@ -181,10 +189,7 @@ impl<F: Real> Units<F> {
     }
     /// A point in metres made non-dimensional.
     pub(crate) fn point_from_si<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
-        Vec2::new(
-            R::from_si(self.of_length(x)),
-            R::from_si(self.of_length(y)),
-        )
+        Vec2::new(R::from_si(self.of_length(x)), R::from_si(self.of_length(y)))
     }
     /// A point in metres.
     pub(crate) fn point_to_si<R: Real<Si = F>>(self, v: Vec2<R>) -> [F; 2] {
@@ -233,7 +238,7 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
             }),
         };
         let scene = Self {
-            body: Body::new(d.vertices.iter().map(|&v| nd(v)).collect()),
+            body: Body::new(gather(d.vertices.iter().map(|&v| nd(v)))),
             surfaces: surfaces(d.surfaces, &units)?,
             stiffness: R::from_si(units.of_moment(d.stiffness_rotation)),
             weight: Vec2::new(R::ZERO, -R::from_si(units.of_force(d.weight))),
@@ -335,7 +340,12 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
 type Checked<F> = Result<(), SceneError<F>>;
 
 /// Refuses `value` unless it is finite and `holds`.
-fn require<F: Real>(holds: bool, parameter: Parameter, value: F, allowed: &'static str) -> Checked<F> {
+fn require<F: Real>(
+    holds: bool,
+    parameter: Parameter,
+    value: F,
+    allowed: &'static str,
+) -> Checked<F> {
     if value.is_finite() && holds {
         Ok(())
     } else {
@@ -355,7 +365,12 @@ fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
     for value in d.holding_point.into_iter().flatten() {
         require(true, Parameter::HoldingPoint, value, "finite numbers")?;
     }
-    require(d.weight >= F::ZERO, Parameter::Weight, d.weight, "0 or more")?;
+    require(
+        d.weight >= F::ZERO,
+        Parameter::Weight,
+        d.weight,
+        "0 or more",
+    )?;
     require(d.reach >= F::ZERO, Parameter::Reach, d.reach, "0 or more")?;
     let (k_h, k_theta) = (d.stiffness_translation, d.stiffness_rotation);
     require(

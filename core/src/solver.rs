@@ -4,6 +4,7 @@ use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
+use crate::list::gather;
 use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -194,7 +195,13 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         for _ in 0..MAX_EVENTS_ON_PATH {
             let moved = state.contact.advance(&self.scene, &state.grip, to);
             if moved.trigger == Trigger::Balanced && !moved.unsure {
-                settle(&self.scene, to, &mut state.contact, Some(moved.trigger), log);
+                settle(
+                    &self.scene,
+                    to,
+                    &mut state.contact,
+                    Some(moved.trigger),
+                    log,
+                );
                 return;
             }
             let travel = state.grip.way_to(to).size() * moved.part;
@@ -205,9 +212,19 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
                 return;
             }
             if moved.trigger != Trigger::Undriven {
-                settle(&self.scene, &state.grip, &mut state.contact, Some(moved.trigger), log);
+                settle(
+                    &self.scene,
+                    &state.grip,
+                    &mut state.contact,
+                    Some(moved.trigger),
+                    log,
+                );
             }
-            idle = if travel <= R::MICRO { idle.saturating_add(1) } else { 0 };
+            idle = if travel <= R::MICRO {
+                idle.saturating_add(1)
+            } else {
+                0
+            };
             if idle > 1 {
                 self.nudge(state, to, idle, log);
             }
@@ -280,29 +297,28 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         }
     }
 
-    fn contacts(
-        &self,
-        state: &State<R>,
-        stance: &Stance<R>,
-    ) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
+    fn contacts(&self, state: &State<R>, stance: &Stance<R>) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
         let units = self.scene.units;
         let pairs = state.contact.contacts();
         let reactions = if state.held {
             state.contact.reactions(&self.scene, stance)
         } else {
-            pairs.iter().map(|_| [R::ZERO; 2]).collect()
+            gather(pairs.iter().map(|_| [R::ZERO; 2]))
         };
-        let both = pairs.iter().zip(reactions);
-        both.map(|(pair, [normal, friction])| {
-            let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
-            Contact {
-                vertex: usize::from(pair.vertex),
-                surface: usize::from(pair.surface),
-                point: units.point_to_si(at),
-                normal: units.to_force(normal.to_si()),
-                friction: units.to_force(friction.to_si()),
-            }
-        })
-        .collect()
+        gather(
+            pairs
+                .iter()
+                .zip(&reactions)
+                .map(|(pair, [normal, friction])| {
+                    let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
+                    Contact {
+                        vertex: usize::from(pair.vertex),
+                        surface: usize::from(pair.surface),
+                        point: units.point_to_si(at),
+                        normal: units.to_force(normal.to_si()),
+                        friction: units.to_force(friction.to_si()),
+                    }
+                }),
+        )
     }
 }

@@ -10,6 +10,7 @@
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::Pose;
+use crate::list::gather;
 use crate::output::{MAX_CONTACTS, StateKind};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -70,7 +71,10 @@ pub(crate) enum Trigger<R> {
     Stopped,
     /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
     /// along sign·t.
-    Keep { contacts: [usize; 2], sliding: Option<R> },
+    Keep {
+        contacts: [usize; 2],
+        sliding: Option<R>,
+    },
     /// All contacts open.
     Clear,
     /// No motion is driven although friction gives way.
@@ -259,7 +263,7 @@ impl<R: Real> ContactState<R> {
             [other] => Self::TwoVertex(TwoVertex { pivot, other }),
             _ => Self::Locked(Locked {
                 pivot,
-                others: others.iter().copied().take(MAX_CONTACTS - 1).collect(),
+                others: gather(others.iter().copied()),
             }),
         }
     }

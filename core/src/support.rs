@@ -4,6 +4,7 @@
 //! opens, one with both edges in it sticks, one with a single edge in it slides.
 
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::output::MAX_CONTACTS;
 use crate::real::Real;
 use heapless::Vec;
@@ -113,26 +114,30 @@ impl<R: Real> Support<R> {
     fn facets(&self) -> impl Iterator<Item = (Screw<R>, Yield<R>)> + '_ {
         let edges = self.edges.iter().enumerate();
         edges.flat_map(move |(i, a)| {
-            self.edges.iter().enumerate().skip(i.saturating_add(1)).flat_map(move |(k, b)| {
-                let normal = a.screw.cross(b.screw);
-                let size = normal.size();
-                let usable = size > Self::tolerance();
-                let unit = if usable {
-                    normal.scaled(R::ONE / size)
-                } else {
-                    normal
-                };
-                let inner = move |sign: R| {
-                    usable
-                        && self.edges.iter().enumerate().all(|(j, e)| {
-                            j == i || j == k || unit.dot(e.screw) * sign >= -Self::tolerance()
-                        })
-                };
-                [R::ONE, -R::ONE]
-                    .into_iter()
-                    .filter(move |&sign| inner(sign))
-                    .map(move |sign| (unit.scaled(sign), incipient(a, b)))
-            })
+            self.edges
+                .iter()
+                .enumerate()
+                .skip(i.saturating_add(1))
+                .flat_map(move |(k, b)| {
+                    let normal = a.screw.cross(b.screw);
+                    let size = normal.size();
+                    let usable = size > Self::tolerance();
+                    let unit = if usable {
+                        normal.scaled(R::ONE / size)
+                    } else {
+                        normal
+                    };
+                    let inner = move |sign: R| {
+                        usable
+                            && self.edges.iter().enumerate().all(|(j, e)| {
+                                j == i || j == k || unit.dot(e.screw) * sign >= -Self::tolerance()
+                            })
+                    };
+                    [R::ONE, -R::ONE]
+                        .into_iter()
+                        .filter(move |&sign| inner(sign))
+                        .map(move |sign| (unit.scaled(sign), incipient(a, b)))
+                })
         })
     }
 
@@ -175,7 +180,7 @@ impl<R: Real> Support<R> {
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
     /// on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
-        let mut parts: Parts<R> = self.edges.iter().map(|_| R::ZERO).collect();
+        let mut parts: Parts<R> = gather(self.edges.iter().map(|_| R::ZERO));
         let mut ways = 0_i32;
         for way in self.triples().filter_map(|t| self.on_three(t, load)) {
             if way.iter().all(|&(_, part)| part >= R::ZERO) {
@@ -194,9 +199,7 @@ impl<R: Real> Support<R> {
             let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
             let mut best = rest.size();
             let mut better = None;
-            let ways = triple
-                .map(|way| way.into_iter().collect::<Vec<_, 3>>())
-                .chain(pair.map(|way| way.into_iter().collect()));
+            let ways = triple.map(gather::<_, 3>).chain(pair.map(gather));
             for way in ways {
                 let mut trial = parts.clone();
                 add(&mut trial, &way);
@@ -211,10 +214,8 @@ impl<R: Real> Support<R> {
                 None => break,
             }
         }
-        parts
-            .chunks_exact(2)
-            .filter_map(|pair| <[R; 2]>::try_from(pair).ok())
-            .collect()
+        let pairs = parts.chunks_exact(2);
+        gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
     /// What parts of the edges leave of a load.

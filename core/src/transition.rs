@@ -2,10 +2,10 @@
 //! at a frozen hand until the body rests.
 
 use crate::coupling::{Grip, Pivot, Stance};
+use crate::detect::Placed;
 use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
 use crate::scene::Scene;
-use crate::detect::Placed;
 use crate::state::{ContactState, Free, Moved, Pair, Pairs, Relax, Trigger};
 
 macro_rules! transitions {
@@ -175,12 +175,7 @@ impl<R: Real> Attempts<R> {
 }
 
 /// What a verb has done besides its trigger.
-fn record<R: Real>(
-    state: &ContactState<R>,
-    moved: &Moved<R>,
-    next: &Next<R>,
-    log: &mut Log<R>,
-) {
+fn record<R: Real>(state: &ContactState<R>, moved: &Moved<R>, next: &Next<R>, log: &mut Log<R>) {
     if moved.unsure {
         log.limit(Status::IterationLimit);
     }

@@ -66,22 +66,51 @@ pub struct Reference {
 impl Reference {
     /// The equilibrium reached from `start` (x, y, m; theta, rad) with the hand held at `first_hand` (x, y, m; phi, rad).
     pub fn new(scene: Scene, start: [f64; 3], first_hand: [f64; 3]) -> Self {
-        let pose = Pose { position: [start[0], start[1]], angle: start[2] };
+        let pose = Pose {
+            position: [start[0], start[1]],
+            angle: start[2],
+        };
         let size = scene.size();
-        let contacts: Vec<Touch> = scene.touches().filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size).collect();
-        let contacts: Vec<_> = contacts.iter().map(|touch| (touch.vertex, touch.surface)).collect();
+        let contacts: Vec<Touch> = scene
+            .touches()
+            .filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size)
+            .collect();
+        let contacts: Vec<_> = contacts
+            .iter()
+            .map(|touch| (touch.vertex, touch.surface))
+            .collect();
         let mut reference = Self::resumed(scene, start, &contacts, first_hand);
         reference.relax(first_hand);
         reference
     }
 
     /// A body that is in equilibrium at `pose` with these contacts (vertex, surface).
-    pub fn resumed(scene: Scene, pose: [f64; 3], contacts: &[(usize, usize)], hand: [f64; 3]) -> Self {
+    pub fn resumed(
+        scene: Scene,
+        pose: [f64; 3],
+        contacts: &[(usize, usize)],
+        hand: [f64; 3],
+    ) -> Self {
         let size = scene.size();
-        let pose = Pose { position: [pose[0], pose[1]], angle: pose[2] };
-        let mut contacts: Vec<Touch> = contacts.iter().map(|&(vertex, surface)| Touch { vertex, surface }).collect();
+        let pose = Pose {
+            position: [pose[0], pose[1]],
+            angle: pose[2],
+        };
+        let mut contacts: Vec<Touch> = contacts
+            .iter()
+            .map(|&(vertex, surface)| Touch { vertex, surface })
+            .collect();
         contacts.sort_by_key(|touch| (touch.vertex, touch.surface));
-        let mut reference = Self { scene, size, hand, pose, contacts, slips: 0, skipped: false, ambiguous: false };
+        let mut reference = Self {
+            scene,
+            size,
+            hand,
+            pose,
+            contacts,
+            slips: 0,
+            skipped: false,
+            ambiguous: false,
+        };
         reference.pose = reference.onto(pose, &reference.contacts);
         reference
     }
@@ -103,7 +132,11 @@ impl Reference {
 
     /// Position, m, and unwrapped orientation, rad, of the body frame.
     pub fn pose(&self) -> [f64; 3] {
-        [self.pose.position[0], self.pose.position[1], self.pose.angle]
+        [
+            self.pose.position[0],
+            self.pose.position[1],
+            self.pose.angle,
+        ]
     }
 
     /// Name of the contact state.
@@ -149,7 +182,9 @@ impl Reference {
                     self.hand = to;
                     return;
                 }
-                let (before, after) = walk::bisect(done, 1.0, |part| self.at_rest(blend(from, to, part)).is_none());
+                let (before, after) = walk::bisect(done, 1.0, |part| {
+                    self.at_rest(blend(from, to, part)).is_none()
+                });
                 if let Some(pose) = self.at_rest(blend(from, to, before)) {
                     self.pose = pose;
                 }
@@ -195,8 +230,13 @@ impl Reference {
 
     /// Whether a contact slides continuously.
     fn slides(&self) -> bool {
-        let surfaces = self.contacts.iter().map(|touch| &self.scene.surfaces[touch.surface]);
-        surfaces.into_iter().any(|surface| surface.mu_s <= surface.mu_d * (1.0 + 1e-9))
+        let surfaces = self
+            .contacts
+            .iter()
+            .map(|touch| &self.scene.surfaces[touch.surface]);
+        surfaces
+            .into_iter()
+            .any(|surface| surface.mu_s <= surface.mu_d * (1.0 + 1e-9))
     }
 
     /// The pose for this hand with the contacts as they are; `None` if something happens before.

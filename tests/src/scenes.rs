@@ -19,7 +19,10 @@ pub fn all() -> Vec<(&'static str, Scenario)> {
         ("block lifted obliquely", block_lifted_obliquely()),
         ("block tips", block_tips()),
         ("block set down tilted", block_set_down_tilted()),
-        ("block slid flush against a slanted wall", block_slid_flush()),
+        (
+            "block slid flush against a slanted wall",
+            block_slid_flush(),
+        ),
         ("strut buckles", strut_buckles()),
         ("strut buckles in a groove", strut_buckles_in_a_groove()),
         ("pendulum folds", pendulum_folds()),

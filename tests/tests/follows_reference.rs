@@ -2,7 +2,7 @@
 //! pose compared at its end. Scene `i`, frame `k` of a report are always the same.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use stiction_core::{Event, Evolution, Status, StateKind};
+use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::reference::{Reference, Scene, Surface};
 use stiction_tests::{Frame, Run, Setup};
 
@@ -41,20 +41,46 @@ fn case(draw: &mut Draw) -> (Setup, Vec<[f64; 3]>) {
     let vertices = polygon(draw, size);
     let k_h = draw.power(1.0, 3.0);
     let k_theta = k_h * size * size * draw.power(-2.0, 0.3);
-    let weight = if draw.below(3) == 0 { draw.between(0.0, 0.2) * k_h * size } else { 0.0 };
-    let holding_point = [draw.between(-0.2, 0.2) * size, draw.between(-0.2, 0.2) * size];
+    let weight = if draw.below(3) == 0 {
+        draw.between(0.0, 0.2) * k_h * size
+    } else {
+        0.0
+    };
+    let holding_point = [
+        draw.between(-0.2, 0.2) * size,
+        draw.between(-0.2, 0.2) * size,
+    ];
     let theta = draw.between(-3.0, 3.0);
-    let mut setup = Setup::new(&vertices).at([0.0, 0.0, theta]).held_at(holding_point).springs(k_h, k_theta).weighing(weight);
-    let corners: Vec<_> = vertices.iter().map(|&v| setup.world(setup.start, v)).collect();
+    let mut setup = Setup::new(&vertices)
+        .at([0.0, 0.0, theta])
+        .held_at(holding_point)
+        .springs(k_h, k_theta)
+        .weighing(weight);
+    let corners: Vec<_> = vertices
+        .iter()
+        .map(|&v| setup.world(setup.start, v))
+        .collect();
     let slant = draw.between(-0.3, 0.3);
     let second = [0.0, PI, slant - FRAC_PI_2, draw.between(-1.0, 4.0)][draw.below(4)];
     let facings = [FRAC_PI_2 + slant, second, draw.between(-0.5, 3.6)];
     for facing in &facings[..1 + draw.below(3)] {
         let normal = [facing.cos(), facing.sin()];
-        let lowest = corners.iter().map(|c| normal[0] * c[0] + normal[1] * c[1]).fold(f64::INFINITY, f64::min);
+        let lowest = corners
+            .iter()
+            .map(|c| normal[0] * c[0] + normal[1] * c[1])
+            .fold(f64::INFINITY, f64::min);
         let mu_s = draw.between(0.05, 1.2);
-        let mu_d = mu_s * if draw.below(8) == 0 { 1.0 } else { draw.between(0.3, 1.0) };
-        setup = setup.surface(normal, lowest - draw.between(0.02, 0.3) * size, [mu_s, mu_d]);
+        let mu_d = mu_s
+            * if draw.below(8) == 0 {
+                1.0
+            } else {
+                draw.between(0.3, 1.0)
+            };
+        setup = setup.surface(
+            normal,
+            lowest - draw.between(0.02, 0.3) * size,
+            [mu_s, mu_d],
+        );
     }
     let [x, y] = setup.grip();
     let hands = path(draw, [x, y, theta], size, [slant.sin(), -slant.cos()]);
@@ -76,9 +102,16 @@ fn path(draw: &mut Draw, start: [f64; 3], size: f64, down: [f64; 2]) -> Vec<[f64
     let mut hands = vec![start];
     for leg in 0..5 {
         let [x, y, phi] = hands[hands.len() - 1];
-        let (press, drag) = (draw.between(0.1, 0.7) * size, draw.between(-1.0, 1.0) * size);
+        let (press, drag) = (
+            draw.between(0.1, 0.7) * size,
+            draw.between(-1.0, 1.0) * size,
+        );
         let moved = |press: f64, turn: f64| {
-            [x + press * down[0] - drag * down[1], y + press * down[1] + drag * down[0], phi + turn]
+            [
+                x + press * down[0] - drag * down[1],
+                y + press * down[1] + drag * down[0],
+                phi + turn,
+            ]
         };
         let to = match if leg == 0 { 0 } else { draw.below(6) } {
             0 => [x + press * down[0], y + press * down[1], phi],
@@ -92,7 +125,9 @@ fn path(draw: &mut Draw, start: [f64; 3], size: f64, down: [f64; 2]) -> Vec<[f64
                 phi + draw.between(-1.0, 1.0),
             ],
         };
-        hands.extend((1..=20).map(|i| [0, 1, 2].map(|k| [x, y, phi][k] + (to[k] - [x, y, phi][k]) * f64::from(i) / 20.0)));
+        hands.extend((1..=20).map(|i| {
+            [0, 1, 2].map(|k| [x, y, phi][k] + (to[k] - [x, y, phi][k]) * f64::from(i) / 20.0)
+        }));
     }
     hands
 }
@@ -116,7 +151,11 @@ fn scene(setup: &Setup) -> Scene {
 
 /// The reference in the pose and contacts of a frame.
 fn reference_at(setup: &Setup, frame: &Frame) -> Reference {
-    let contacts: Vec<_> = frame.contacts.iter().map(|c| (c.vertex, c.surface)).collect();
+    let contacts: Vec<_> = frame
+        .contacts
+        .iter()
+        .map(|c| (c.vertex, c.surface))
+        .collect();
     Reference::resumed(scene(setup), frame.pose, &contacts, frame.hand)
 }
 
@@ -171,15 +210,28 @@ fn random_scenes_follow_the_reference() {
             }
         }
     }
-    println!("{frames} frames, {open} with open slip phase, {ambiguous} ambiguous, {} reported", report.len());
+    println!(
+        "{frames} frames, {open} with open slip phase, {ambiguous} ambiguous, {} reported",
+        report.len()
+    );
     let lines = report.join("\n");
-    assert!(report.len() * 1000 <= frames, "{} of {frames} frames differ:\n{lines}", report.len());
-    assert!(open * 100 <= frames, "{open} of {frames} frames with open slip phase");
+    assert!(
+        report.len() * 1000 <= frames,
+        "{} of {frames} frames differ:\n{lines}",
+        report.len()
+    );
+    assert!(
+        open * 100 <= frames,
+        "{open} of {frames} frames with open slip phase"
+    );
 }
 
 #[test]
 fn a_dragged_block_slips_as_often_as_in_the_reference() {
-    let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).at([0.0, 0.3, 0.0]).floor([0.5, 0.3]);
+    let setup = Setup::block(2.0, 1.0)
+        .held_at([0.0, 0.5])
+        .at([0.0, 0.3, 0.0])
+        .floor([0.5, 0.3]);
     let mut run = Run::<f64>::start(&setup, Evolution::Path, [0.0, 0.8, 0.0]);
     let mut reference = reference_at(&setup, &run.frame);
     for hand in [[0.0, 0.3, 0.0], [2.0, 0.3, 0.0]] {

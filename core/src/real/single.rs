@@ -89,9 +89,6 @@ impl Real for f32 {
         }
         let turns = (self / TAU + 0.5f32.copysign(self)) as i32;
         let n = turns as f32 * 4.0;
-        (
-            turns,
-            (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1,
-        )
+        (turns, (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
     }
 }

@@ -6,6 +6,7 @@ use super::trammel::{Demand, Trammel};
 use super::{Moved, Pair, Pairs, Reactions, Trigger, TwoVertex};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::real::Real;
 use crate::scene::{Scene, Surface};
 use crate::support::{Bearing, Support, Yield};
@@ -277,8 +278,8 @@ impl<R: Real> Bracing<R> {
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
         let rounding = stance.rounding();
-        let driven = normal > R::ZERO
-            && (surface.friction).is_driven(normal, friction, sign, rounding);
+        let driven =
+            normal > R::ZERO && (surface.friction).is_driven(normal, friction, sign, rounding);
         driven.then_some(Twist {
             velocity: surface.tangent * sign,
             turn: R::ZERO,
@@ -292,12 +293,10 @@ impl<R: Real> Bracing<R> {
         stance: &Stance<R>,
     ) -> Reactions<R> {
         let shares = self.support.share(stance.load());
-        let pairs = self.contacts.iter().zip(shares);
-        pairs
-            .map(|(contact, [plus, minus])| {
-                let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);
-                [(plus + minus) * n, (plus - minus) * t]
-            })
-            .collect()
+        let pairs = self.contacts.iter().zip(&shares);
+        gather(pairs.map(|(contact, &[plus, minus])| {
+            let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);
+            [(plus + minus) * n, (plus - minus) * t]
+        }))
     }
 }

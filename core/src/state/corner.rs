@@ -6,6 +6,7 @@ use super::leg::Leg;
 use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::Scene;
@@ -31,7 +32,7 @@ impl<R: Real> Corner<R> {
             vertex: first.vertex,
             surface: self.surface,
         };
-        [first, second].into_iter().collect()
+        gather([first, second])
     }
 
     fn stance<const V: usize, const S: usize>(
@@ -74,7 +75,9 @@ impl<R: Real> Corner<R> {
         [R::ONE, -R::ONE].map(|turn| {
             let outer = edges.iter().find(|(_, _, direction)| {
                 let inner = direction.turned() * turn;
-                edges.iter().all(|(_, _, other)| inner.dot(*other) >= -R::EPSILON)
+                edges
+                    .iter()
+                    .all(|(_, _, other)| inner.dot(*other) >= -R::EPSILON)
             });
             outer.map(|&(contact, side, direction)| OuterEdge {
                 contact,

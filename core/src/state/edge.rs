@@ -6,6 +6,7 @@ use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::motion::{Margin, Motion};
 use crate::real::Real;
 use crate::scene::{Scene, Surface};
@@ -34,7 +35,7 @@ impl<R: Real> Edge<R> {
             vertex: self.vertex,
             surface: first.surface,
         };
-        [first, second].into_iter().collect()
+        gather([first, second])
     }
 
     fn stance<const V: usize, const S: usize>(
@@ -58,9 +59,7 @@ impl<R: Real> Edge<R> {
         };
         let normal = fixed(stance.reaction(surface.normal, way));
         // x_2 - x_1
-        let span = surface
-            .tangent
-            .dot(stance.placed.arm(scene, self.vertex));
+        let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
         let turn = scene.stiffness * way.turn + stance.lever.cross(way.hand);
         let second = Margin {
             start: -stance.moment() / span,
@@ -185,7 +184,7 @@ impl<R: Real> Edge<R> {
                 R::ZERO
             }
         };
-        parts.into_iter().map(|n| [n, share(n)]).collect()
+        gather(parts.map(|n| [n, share(n)]))
     }
 }
 

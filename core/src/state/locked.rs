@@ -4,6 +4,7 @@
 use super::bracing::Bracing;
 use super::{Moved, Pair, Pairs, Reactions};
 use crate::coupling::{Grip, Pivot, Stance};
+use crate::list::gather;
 use crate::output::MAX_CONTACTS;
 use crate::real::Real;
 use crate::scene::Scene;
@@ -19,7 +20,7 @@ pub(crate) struct Locked<R> {
 impl<R: Real> Locked<R> {
     pub(crate) fn contacts(&self) -> Pairs {
         let first = [self.pivot.contact];
-        first.into_iter().chain(self.others.iter().copied()).collect()
+        gather(first.into_iter().chain(self.others.iter().copied()))
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.

@@ -6,6 +6,7 @@ use super::{Moved, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::motion::Margin;
 use crate::real::Real;
 use crate::roots::Downhill;
@@ -25,7 +26,7 @@ struct Reaction<R> {
 
 impl<R: Real> SingleVertex<R> {
     pub(crate) fn contacts(&self) -> Pairs {
-        [self.pivot.contact].into_iter().collect()
+        gather([self.pivot.contact])
     }
 
     fn stance<const V: usize, const S: usize>(
@@ -185,6 +186,6 @@ impl<R: Real> SingleVertex<R> {
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
-        [[normal.max(R::ZERO), friction]].into_iter().collect()
+        gather([[normal.max(R::ZERO), friction]])
     }
 }

@@ -114,7 +114,10 @@ impl<R: Real> Trammel<R> {
     /// Slide along t1 and turn, per unit of the motion.
     pub(super) fn twist(&self) -> (R, R) {
         let start = self.motion.at(R::ZERO);
-        (self.motion.part_velocity(&start).value, self.motion.rate_jet().value)
+        (
+            self.motion.part_velocity(&start).value,
+            self.motion.rate_jet().value,
+        )
     }
 
     /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
@@ -202,7 +205,9 @@ impl<R: Real> Trammel<R> {
         Quantities {
             imbalance: moment * spread - second * f1.cross(force),
             normals: [
-                second * force.cross(drag) - moment * f2.cross(drag) - drag_moment * force.cross(f2),
+                second * force.cross(drag)
+                    - moment * f2.cross(drag)
+                    - drag_moment * force.cross(f2),
                 moment * f1.cross(drag) - drag_moment * f1.cross(force),
             ],
             resistance: drag_moment * spread - second * f1.cross(drag),

@@ -5,6 +5,7 @@ use super::bracing::Bracing;
 use super::trammel::{Demand, Ending, Trammel};
 use super::{Moved, Pair, Pairs, Reactions, Relax, Trigger, seat};
 use crate::coupling::{Grip, Pivot, Stance};
+use crate::list::gather;
 use crate::real::Real;
 use crate::scene::Scene;
 
@@ -20,7 +21,7 @@ const WINDOWS: usize = 16;
 
 impl<R: Real> TwoVertex<R> {
     pub(crate) fn contacts(&self) -> Pairs {
-        [self.pivot.contact, self.other].into_iter().collect()
+        gather([self.pivot.contact, self.other])
     }
 
     fn bracing<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Bracing<R> {
@@ -69,11 +70,7 @@ impl<R: Real> TwoVertex<R> {
                 break;
             };
             let (run, ending) = trammel.run(scene, self, demand);
-            self.pivot = seat(
-                scene,
-                self.pivot.moved(run.slide, run.turn),
-                &[self.other],
-            );
+            self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
             moved.unsure |= run.unsure;
             moved.trigger = match ending {

@@ -12,15 +12,23 @@ pub(super) struct Nearest {
 
 /// The non-negative combination of `edges` nearest to `target`.
 pub(super) fn nearest(edges: &[Screw], target: Screw) -> Nearest {
-    let mut best = Nearest { weights: vec![0.0; edges.len()], distance: norm(target) };
+    let mut best = Nearest {
+        weights: vec![0.0; edges.len()],
+        distance: norm(target),
+    };
     let count = edges.len();
     let mut consider = |subset: &[usize]| {
         let chosen: Vec<Screw> = subset.iter().map(|&i| edges[i]).collect();
-        let Some((weights, distance)) = least_squares(&chosen, target) else { return };
+        let Some((weights, distance)) = least_squares(&chosen, target) else {
+            return;
+        };
         if distance < best.distance && weights.iter().take(subset.len()).all(|&w| w >= 0.0) {
             best.distance = distance;
             best.weights.fill(0.0);
-            subset.iter().zip(weights).for_each(|(&i, w)| best.weights[i] = w);
+            subset
+                .iter()
+                .zip(weights)
+                .for_each(|(&i, w)| best.weights[i] = w);
         }
     };
     for a in 0..count {
@@ -61,7 +69,9 @@ pub(super) fn least_squares(columns: &[Screw], target: Screw) -> Option<([f64; 3
         rest = minus(rest, times(weights[j], basis[j]));
     }
     for i in (0..columns.len()).rev() {
-        let later: f64 = (i + 1..columns.len()).map(|j| triangle[i][j] * weights[j]).sum();
+        let later: f64 = (i + 1..columns.len())
+            .map(|j| triangle[i][j] * weights[j])
+            .sum();
         weights[i] = (weights[i] - later) / triangle[i][i];
     }
     Some((weights, if columns.len() == 3 { 0.0 } else { norm(rest) }))
@@ -89,5 +99,9 @@ pub(super) fn minus(a: Screw, b: Screw) -> Screw {
 
 /// The vector at right angles to both.
 pub(super) fn normal_to(a: Screw, b: Screw) -> Screw {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
 }

@@ -57,7 +57,10 @@ impl Reference {
             End::Lost => {
                 self.contacts = std::mem::take(&mut carry.left);
                 let depth = |touch: &Touch| -self.scene.gap(&self.free_pose(hand), *touch);
-                self.ambiguous = self.contacts.iter().any(|touch| depth(touch) > WEIGHTLESS * self.size);
+                self.ambiguous = self
+                    .contacts
+                    .iter()
+                    .any(|touch| depth(touch) > WEIGHTLESS * self.size);
                 return true;
             }
             _ => return true,
@@ -136,12 +139,20 @@ impl Reference {
         }
         match self.mode(hand) {
             Some(Mode::Slide(pair, way)) => {
-                let stays = |touch: &Touch| pair.contains(touch) || inner(self.normal_line(&self.pose, *touch), way) <= STILL;
+                let stays = |touch: &Touch| {
+                    pair.contains(touch)
+                        || inner(self.normal_line(&self.pose, *touch), way) <= STILL
+                };
                 self.contacts = self.contacts.iter().copied().filter(stays).collect();
                 let (pose, end) = self.slide_pair(pair, way, hand);
                 self.pose = pose;
                 let end = match end {
-                    End::Lift(index) => End::Lift(self.contacts.iter().position(|&touch| touch == pair[index]).unwrap_or(0)),
+                    End::Lift(index) => End::Lift(
+                        self.contacts
+                            .iter()
+                            .position(|&touch| touch == pair[index])
+                            .unwrap_or(0),
+                    ),
                     other => other,
                 };
                 self.follow_slide(end, carry);
@@ -161,8 +172,15 @@ impl Reference {
     /// What the contacts do that cannot hold: turn about one that sticks, else slide with the fewest openings, else come free.
     fn mode(&self, hand: [f64; 3]) -> Option<Mode> {
         let count = self.contacts.len();
-        let pairs = || (0..count).flat_map(|i| (i + 1..count).map(move |j| [self.contacts[i], self.contacts[j]]));
-        let corner = || pairs().find(|pair| count > 2 && pair[0].vertex == pair[1].vertex && self.pivots(pair, hand));
+        let pairs = || {
+            (0..count)
+                .flat_map(|i| (i + 1..count).map(move |j| [self.contacts[i], self.contacts[j]]))
+        };
+        let corner = || {
+            pairs().find(|pair| {
+                count > 2 && pair[0].vertex == pair[1].vertex && self.pivots(pair, hand)
+            })
+        };
         let single = |sticks: bool| {
             self.contacts.iter().copied().find(|&touch| {
                 let [normal, friction] = self.reaction(&self.pose, touch, hand);
@@ -172,12 +190,17 @@ impl Reference {
         };
         let slide = |pressed: bool| {
             let slides = pairs().filter_map(|pair| self.slide_mode(pair, pressed, hand));
-            slides.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(mode, _)| mode)
+            slides
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .map(|(mode, _)| mode)
         };
         let keep = |touch: Touch| Mode::Keep(vec![touch]);
         let corner = corner().map(|pair| Mode::Keep(pair.to_vec()));
         let turns = corner.or_else(|| single(true).map(keep));
-        let moves = turns.or_else(|| slide(true)).or_else(|| slide(false)).or_else(|| single(false).map(keep));
+        let moves = turns
+            .or_else(|| slide(true))
+            .or_else(|| slide(false))
+            .or_else(|| single(false).map(keep));
         moves.or_else(|| self.opens(hand).then(|| Mode::Keep(Vec::new())))
     }
 
@@ -188,7 +211,10 @@ impl Reference {
         let shift = sub(target.apply(held), from.apply(held));
         let turn = target.angle - from.angle;
         self.contacts.iter().all(|&touch| {
-            let arm = sub(from.apply(self.scene.vertices[touch.vertex]), from.apply(held));
+            let arm = sub(
+                from.apply(self.scene.vertices[touch.vertex]),
+                from.apply(held),
+            );
             let velocity = add(shift, scale(turn, [-arm[1], arm[0]]));
             dot(velocity, self.scene.surfaces[touch.surface].normal) > -CLEARANCE * self.size
         })
@@ -205,8 +231,11 @@ impl Reference {
             let state = self.sliding(&self.pose, pair, way, hand)?;
             let tolerance = self.force_tolerance(&self.pose, hand);
             let [first, second] = state.normals;
-            let presses = first.max(second) > tolerance && (!pressed || first.min(second) >= -tolerance);
-            let opens = |&touch: &Touch| pair.contains(&touch) || inner(self.normal_line(&self.pose, touch), way) >= -STILL;
+            let presses =
+                first.max(second) > tolerance && (!pressed || first.min(second) >= -tolerance);
+            let opens = |&touch: &Touch| {
+                pair.contains(&touch) || inner(self.normal_line(&self.pose, touch), way) >= -STILL
+            };
             let runs = presses && state.drive > 0.0 && self.contacts.iter().all(opens);
             runs.then_some((Mode::Slide(pair, way), state.drive))
         })
@@ -218,7 +247,9 @@ impl Reference {
         let moment = self.scene.applied_moment(&self.pose, hand, pin);
         let opens = |&touch: &Touch| {
             let arm = sub(self.pose.apply(self.scene.vertices[touch.vertex]), pin);
-            kept.contains(&touch) || sign(moment) * cross(arm, self.scene.surfaces[touch.surface].normal) > STILL * self.size
+            kept.contains(&touch)
+                || sign(moment) * cross(arm, self.scene.surfaces[touch.surface].normal)
+                    > STILL * self.size
         };
         self.contacts.iter().all(opens) && (kept.len() == 1 || self.carries(kept, hand))
     }
@@ -228,7 +259,11 @@ impl Reference {
         let pin = self.pose.apply(self.scene.vertices[pair[0].vertex]);
         let mut free_of_moment = self.clone();
         let turn = self.scene.applied_moment(&self.pose, hand, pin);
-        let balanced = if self.scene.k_theta > 0.0 { hand[2] - turn / self.scene.k_theta } else { hand[2] };
+        let balanced = if self.scene.k_theta > 0.0 {
+            hand[2] - turn / self.scene.k_theta
+        } else {
+            hand[2]
+        };
         free_of_moment.contacts = pair.to_vec();
         free_of_moment.admissible(&self.pose, pair, [hand[0], hand[1], balanced])
     }
@@ -256,7 +291,8 @@ impl Reference {
         let near = |&touch: &Touch| self.scene.gap(&self.pose, touch) <= TOGETHER * self.size;
         let new: Vec<Touch> = self.others().filter(near).collect();
         self.contacts.extend(new);
-        self.contacts.sort_by_key(|touch| (touch.vertex, touch.surface));
+        self.contacts
+            .sort_by_key(|touch| (touch.vertex, touch.surface));
         self.pose = self.onto(self.pose, &self.contacts);
         *carry = Carry::default();
     }

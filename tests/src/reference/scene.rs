@@ -62,18 +62,34 @@ impl Pose {
     /// World position of a point of the body, m.
     pub(super) fn apply(&self, point: Vector) -> Vector {
         let (sin, cos) = self.angle.sin_cos();
-        add(self.position, [cos * point[0] - sin * point[1], sin * point[0] + cos * point[1]])
+        add(
+            self.position,
+            [
+                cos * point[0] - sin * point[1],
+                sin * point[0] + cos * point[1],
+            ],
+        )
     }
 
     /// The pose with orientation `angle` that puts the body point `held` at `at`.
     pub(super) fn holding(held: Vector, at: Vector, angle: f64) -> Self {
-        let turned = Self { position: [0.0, 0.0], angle }.apply(held);
-        Self { position: sub(at, turned), angle }
+        let turned = Self {
+            position: [0.0, 0.0],
+            angle,
+        }
+        .apply(held);
+        Self {
+            position: sub(at, turned),
+            angle,
+        }
     }
 
     /// The pose moved by a twist, whose rotation is in units of `size`.
     pub(super) fn moved(&self, twist: Screw, size: f64) -> Self {
-        Self { position: add(self.position, [twist[0], twist[1]]), angle: self.angle + twist[2] / size }
+        Self {
+            position: add(self.position, [twist[0], twist[1]]),
+            angle: self.angle + twist[2] / size,
+        }
     }
 }
 
@@ -81,7 +97,9 @@ impl Scene {
     /// Largest distance between two vertices or from a vertex to the holding point, m.
     pub(super) fn size(&self) -> f64 {
         let points = || self.vertices.iter().chain([&self.holding_point]);
-        let largest = points().flat_map(|&a| points().map(move |&b| length(sub(a, b)))).fold(0.0, f64::max);
+        let largest = points()
+            .flat_map(|&a| points().map(move |&b| length(sub(a, b))))
+            .fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
 
@@ -98,12 +116,17 @@ impl Scene {
         if area != 0.0 {
             return add(first, scale(1.0 / area, sum));
         }
-        scale(1.0 / v.len() as f64, v.iter().fold([0.0, 0.0], |sum, &p| add(sum, p)))
+        scale(
+            1.0 / v.len() as f64,
+            v.iter().fold([0.0, 0.0], |sum, &p| add(sum, p)),
+        )
     }
 
     /// Every vertex against every surface.
     pub(super) fn touches(&self) -> impl Iterator<Item = Touch> + '_ {
-        (0..self.surfaces.len()).flat_map(|surface| (0..self.vertices.len()).map(move |vertex| Touch { vertex, surface }))
+        (0..self.surfaces.len()).flat_map(|surface| {
+            (0..self.vertices.len()).map(move |vertex| Touch { vertex, surface })
+        })
     }
 
     /// Distance of the vertex from the surface, m, negative inside.
@@ -114,7 +137,10 @@ impl Scene {
 
     /// Force of hand and weight on the body, N.
     pub(super) fn applied_force(&self, pose: &Pose, hand: [f64; 3]) -> Vector {
-        let spring = scale(self.k_h, sub([hand[0], hand[1]], pose.apply(self.holding_point)));
+        let spring = scale(
+            self.k_h,
+            sub([hand[0], hand[1]], pose.apply(self.holding_point)),
+        );
         sub(spring, [0.0, self.weight])
     }
 
@@ -122,7 +148,11 @@ impl Scene {
     pub(super) fn applied_moment(&self, pose: &Pose, hand: [f64; 3], about: Vector) -> f64 {
         let grip = pose.apply(self.holding_point);
         let spring = scale(self.k_h, sub([hand[0], hand[1]], grip));
-        let lean = if self.weight == 0.0 { 0.0 } else { cross(sub(pose.apply(self.centroid()), about), [0.0, -self.weight]) };
+        let lean = if self.weight == 0.0 {
+            0.0
+        } else {
+            cross(sub(pose.apply(self.centroid()), about), [0.0, -self.weight])
+        };
         self.k_theta * (hand[2] - pose.angle) + cross(sub(grip, about), spring) + lean
     }
 }

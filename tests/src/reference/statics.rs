@@ -1,6 +1,6 @@
 //! Forces at the contacts of a resting or sliding body: which loads the friction cones can carry, and how they carry them.
 
-use super::cone::{inner, nearest, normal_to, norm, times};
+use super::cone::{inner, nearest, norm, normal_to, times};
 use super::scene::{Pose, Screw, Touch, Vector, add, cross, dot, scale, sub};
 use super::{ContactForce, Reference};
 
@@ -20,7 +20,11 @@ impl Reference {
     /// `direction`.
     pub(super) fn line(&self, pose: &Pose, touch: Touch, direction: Vector) -> Screw {
         let arm = sub(pose.apply(self.scene.vertices[touch.vertex]), pose.position);
-        [direction[0], direction[1], cross(arm, direction) / self.size]
+        [
+            direction[0],
+            direction[1],
+            cross(arm, direction) / self.size,
+        ]
     }
 
     /// The line of the contact's normal.
@@ -31,7 +35,11 @@ impl Reference {
     /// The wrench of hand and weight about the body origin.
     pub(super) fn load(&self, pose: &Pose, hand: [f64; 3]) -> Screw {
         let force = self.scene.applied_force(pose, hand);
-        [force[0], force[1], self.scene.applied_moment(pose, hand, pose.position) / self.size]
+        [
+            force[0],
+            force[1],
+            self.scene.applied_moment(pose, hand, pose.position) / self.size,
+        ]
     }
 
     /// Forces below this count as zero, N.
@@ -56,18 +64,37 @@ impl Reference {
     fn cone_edges(&self, pose: &Pose, contacts: &[Touch]) -> Vec<Screw> {
         let lean = |touch: Touch, sign: f64| {
             let surface = &self.scene.surfaces[touch.surface];
-            self.line(pose, touch, add(surface.normal, scale(sign * surface.mu_s, surface.tangent())))
+            self.line(
+                pose,
+                touch,
+                add(
+                    surface.normal,
+                    scale(sign * surface.mu_s, surface.tangent()),
+                ),
+            )
         };
-        contacts.iter().flat_map(|&touch| [lean(touch, 1.0), lean(touch, -1.0)]).collect()
+        contacts
+            .iter()
+            .flat_map(|&touch| [lean(touch, 1.0), lean(touch, -1.0)])
+            .collect()
     }
 
     /// The state of two contacts that slide at `mu_d` along `twist`; `None` where no drag could balance them.
-    pub(super) fn sliding(&self, pose: &Pose, pair: [Touch; 2], twist: Screw, hand: [f64; 3]) -> Option<Sliding> {
+    pub(super) fn sliding(
+        &self,
+        pose: &Pose,
+        pair: [Touch; 2],
+        twist: Screw,
+        hand: [f64; 3],
+    ) -> Option<Sliding> {
         let surfaces = pair.map(|touch| &self.scene.surfaces[touch.surface]);
         let tangents = [0, 1].map(|i| self.line(pose, pair[i], surfaces[i].tangent()));
         let speeds = tangents.map(|tangent| inner(tangent, twist));
         let forces = [0, 1].map(|i| {
-            add(surfaces[i].normal, scale(-surfaces[i].mu_d * sign(speeds[i]), surfaces[i].tangent()))
+            add(
+                surfaces[i].normal,
+                scale(-surfaces[i].mu_d * sign(speeds[i]), surfaces[i].tangent()),
+            )
         });
         let lines = [0, 1].map(|i| self.line(pose, pair[i], forces[i]));
         let drag = [0, 1, 2].map(|k| -speeds[0] * tangents[0][k] - speeds[1] * tangents[1][k]);
@@ -77,8 +104,15 @@ impl Reference {
             return None;
         }
         let excess = determinant(lines[0], lines[1], load);
-        let normals = [determinant(load, lines[1], drag) / whole, determinant(lines[0], load, drag) / whole];
-        Some(Sliding { normals, drive: excess / whole, excess })
+        let normals = [
+            determinant(load, lines[1], drag) / whole,
+            determinant(lines[0], load, drag) / whole,
+        ];
+        Some(Sliding {
+            normals,
+            drive: excess / whole,
+            excess,
+        })
     }
 
     /// The forces at the contacts; where statics leaves them open, the middle of what two cones allow, or one possible set.
@@ -103,9 +137,19 @@ impl Reference {
                 let load = times(-1.0, self.load(&self.pose, self.hand));
                 let weights = nearest(&self.cone_edges(&self.pose, &self.contacts), load).weights;
                 let split = |(&touch, w): (&Touch, &[f64])| {
-                    force(touch, [w[0] + w[1], self.scene.surfaces[touch.surface].mu_s * (w[0] - w[1])])
+                    force(
+                        touch,
+                        [
+                            w[0] + w[1],
+                            self.scene.surfaces[touch.surface].mu_s * (w[0] - w[1]),
+                        ],
+                    )
                 };
-                self.contacts.iter().zip(weights.chunks(2)).map(split).collect()
+                self.contacts
+                    .iter()
+                    .zip(weights.chunks(2))
+                    .map(split)
+                    .collect()
             }
         }
     }
@@ -118,7 +162,16 @@ impl Reference {
         let reach = cross(sub(points[1], points[0]), surface.normal);
         let normals = [about[1] / reach, -about[0] / reach];
         let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
-        normals.map(|normal| [normal, if total == 0.0 { 0.0 } else { friction * normal / total }])
+        normals.map(|normal| {
+            [
+                normal,
+                if total == 0.0 {
+                    0.0
+                } else {
+                    friction * normal / total
+                },
+            ]
+        })
     }
 
     /// Forces of two contacts on two surfaces: in the middle of the internal forces along their connection that both static
@@ -130,13 +183,22 @@ impl Reference {
         let across = [-along[1], along[0]];
         let force = self.scene.applied_force(&self.pose, self.hand);
         let moment = self.scene.applied_moment(&self.pose, self.hand, points[0]);
-        let second = sub(scale(-moment / squared, across), scale(dot(force, along) / squared, along));
+        let second = sub(
+            scale(-moment / squared, across),
+            scale(dot(force, along) / squared, along),
+        );
         let first = sub(scale(-1.0, force), second);
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for (touch, start, direction) in [(pair[0], first, along), (pair[1], second, scale(-1.0, along))] {
+        for (touch, start, direction) in [
+            (pair[0], first, along),
+            (pair[1], second, scale(-1.0, along)),
+        ] {
             let surface = &self.scene.surfaces[touch.surface];
             for side in [1.0, -1.0] {
-                let inward = add(scale(surface.mu_s, surface.normal), scale(side, surface.tangent()));
+                let inward = add(
+                    scale(surface.mu_s, surface.normal),
+                    scale(side, surface.tangent()),
+                );
                 let (constant, slope) = (dot(inward, start), dot(inward, direction));
                 if slope > 0.0 {
                     low = low.max(-constant / slope);
@@ -156,7 +218,10 @@ impl Reference {
             [dot(surface.normal, total), dot(surface.tangent(), total)]
         };
         let extra = scale(internal, along);
-        [split(pair[0], add(first, extra)), split(pair[1], sub(second, extra))]
+        [
+            split(pair[0], add(first, extra)),
+            split(pair[1], sub(second, extra)),
+        ]
     }
 }
 
