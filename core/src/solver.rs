@@ -44,6 +44,8 @@ pub struct State<R: Real> {
 
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
+/// Events in a slide without jumps are located to this many halvings of the rest of the frame.
+const FINEST_HALF: u32 = 24;
 /// This many slips fit into a frame before a limit is reported.
 const UNLIMITED_SLIPS: u32 = 100;
 
@@ -208,8 +210,8 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             state.grip = state.grip.lerp(to, moved.part);
             let slides = matches!(moved.trigger, Trigger::Slide(_));
             if slides && self.slides_continuously(&state.contact) {
-                self.by_jump(state, to, log);
-                return;
+                self.slide_on(state, to, log);
+                continue;
             }
             if moved.trigger != Trigger::Undriven {
                 settle(
@@ -239,6 +241,27 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         contacts
             .iter()
             .all(|pair| self.scene.surface(pair.surface).friction.is_continuous())
+    }
+
+    /// A slide without jumps follows the hand exactly as long as nothing else happens, in one step or in many. The hand
+    /// goes on to where something does, by halves.
+    fn slide_on(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
+        let mut part = R::ONE;
+        for _ in 0..FINEST_HALF {
+            let at = state.grip.lerp(to, part);
+            let mut trial = (state.contact.clone(), Log::default());
+            settle(&self.scene, &at, &mut trial.0, None, &mut trial.1);
+            if trial.1.is_one_slip() && trial.0.contacts() == state.contact.contacts() {
+                state.contact = trial.0;
+                state.grip = at;
+                log.merge(&trial.1);
+                return;
+            }
+            part = part * R::HALF;
+        }
+        let at = state.grip.lerp(to, part);
+        self.by_jump(state, &at, log);
+        state.grip = at;
     }
 
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be

@@ -126,7 +126,7 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
     log.ambiguous = false;
     let mut attempts = Attempts::default();
     let mut next = match trigger {
-        Some(trigger) => at.apply(state, trigger, log),
+        Some(trigger) => at.apply(state, (trigger, R::ZERO), log),
         None => Next::Relax(None),
     };
     for _ in 0..MAX_TRANSITIONS {
@@ -140,7 +140,7 @@ pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
         record(state, &moved, &next, log);
-        next = at.apply(state, moved.trigger, log);
+        next = at.apply(state, (moved.trigger, moved.slip), log);
     }
     stays(log);
 }
@@ -183,9 +183,6 @@ fn record<R: Real>(state: &ContactState<R>, moved: &Moved<R>, next: &Next<R>, lo
         log.event(Event::Snap);
         log.transitions.add(fold_arm(state));
     }
-    if moved.trigger == Trigger::Stopped {
-        log.slip(moved.slip);
-    }
 }
 
 /// No motion is left to try.
@@ -203,16 +200,18 @@ struct At<'a, R: Real, const V: usize, const S: usize> {
 
 impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
     /// The table: the state after a trigger and what it does next.
-    fn apply(self, state: &mut ContactState<R>, trigger: Trigger<R>, log: &mut Log<R>) -> Next<R> {
+    fn apply(
+        self,
+        state: &mut ContactState<R>,
+        (trigger, slip): (Trigger<R>, R),
+        log: &mut Log<R>,
+    ) -> Next<R> {
         match trigger {
             Trigger::Balanced => {
                 log.transitions.add(rest_arm(state));
                 Next::Rest
             }
-            Trigger::Stopped => {
-                log.transitions.add(slip_arm(state));
-                self.after_slip(state)
-            }
+            Trigger::Stopped => self.after_slip(state, slip, log),
             Trigger::Slide(sign) => Next::Slide(sign),
             Trigger::Fold(direction) => {
                 log.transitions.add(fold_arm(state));
@@ -248,19 +247,20 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
         Next::Rest
     }
 
-    /// A slip that began out of balance of moments, when another contact opened, ends with a turn; where the trammel
-    /// stops, a reaction may have fallen below zero.
-    fn after_slip(self, state: &ContactState<R>) -> Next<R> {
-        let single = match state {
-            ContactState::SingleVertex(single) => single,
-            ContactState::TwoVertex(_) => return Next::Relax(None),
-            _ => return Next::Rest,
-        };
-        let stance = Stance::new(self.scene, single.pivot.placed(self.scene), self.grip);
-        if stance.moment().abs() > R::from_int(16) * stance.rounding() {
-            Next::Relax(None)
-        } else {
-            Next::Rest
+    /// The end of a slip. One that began out of balance of moments, when another contact opened, goes on with a turn;
+    /// where a trammel stops, a reaction may have fallen below zero.
+    fn after_slip(self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
+        log.transitions.add(slip_arm(state));
+        if let ContactState::SingleVertex(single) = state {
+            let stance = Stance::new(self.scene, single.pivot.placed(self.scene), self.grip);
+            if stance.moment().abs() > R::from_int(16) * stance.rounding() {
+                return Next::Relax(Some(slip.sign()));
+            }
+        }
+        log.slip(slip);
+        match state {
+            ContactState::TwoVertex(_) => Next::Relax(None),
+            _ => Next::Rest,
         }
     }
 

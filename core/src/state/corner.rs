@@ -87,6 +87,34 @@ impl<R: Real> Corner<R> {
         })
     }
 
+    /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; where this way leads into
+    /// the other surface, it climbs that one.
+    fn slides<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        outer: &OuterEdge<R>,
+    ) -> Trigger<R> {
+        let index = [self.pivot.contact.surface, self.surface];
+        let [first, second] = index.map(|s| scene.surface(s));
+        let (along, other) = if outer.contact == 0 {
+            (first, second)
+        } else {
+            (second, first)
+        };
+        let way = along.tangent * outer.sign;
+        let climbs = other.normal.dot(way) < -R::EPSILON;
+        let (contact, sign) = if climbs {
+            let beside = if outer.contact == 0 { 1 } else { 0 };
+            (beside, other.tangent.dot(way).sign())
+        } else {
+            (outer.contact, outer.sign)
+        };
+        Trigger::Keep {
+            contacts: [contact, contact],
+            sliding: Some(sign),
+        }
+    }
+
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
     pub(crate) fn advance<const V: usize, const S: usize>(
         &mut self,
@@ -99,7 +127,10 @@ impl<R: Real> Corner<R> {
         let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
         leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
-            leg.stop_at(&stance.reaction(outer.inner, &way), slides(&outer));
+            leg.stop_at(
+                &stance.reaction(outer.inner, &way),
+                self.slides(scene, &outer),
+            );
         }
         leg.turn_with_hand(scene, &mut self.pivot, to)
     }
@@ -152,7 +183,7 @@ impl<R: Real> Corner<R> {
             let inside = -outer.inner.dot(stance.force);
             if inside < worst {
                 worst = inside;
-                trigger = slides(&outer);
+                trigger = self.slides(scene, &outer);
             }
         }
         let pulled = [self.pivot.contact.surface, self.surface]
@@ -167,13 +198,5 @@ impl<R: Real> Corner<R> {
         stance: &Stance<R>,
     ) -> Reactions<R> {
         Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
-    }
-}
-
-/// The vertex slides along the surface of an outer edge and leaves the other.
-fn slides<R: Real>(outer: &OuterEdge<R>) -> Trigger<R> {
-    Trigger::Keep {
-        contacts: [outer.contact, outer.contact],
-        sliding: Some(outer.sign),
     }
 }
