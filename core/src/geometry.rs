@@ -122,17 +122,17 @@ impl<R: Real> Rotation<R> {
 pub struct Angle<R> {
     /// Whole turns, counter-clockwise positive.
     pub turns: i32,
-    /// The remainder [rad], in [-pi, pi].
+    /// The remainder (rad), in [-pi, pi].
     pub rest: R,
 }
 
 impl<R: Real> Angle<R> {
-    /// From an unwrapped angle [rad].
+    /// From an unwrapped angle (rad).
     pub fn from_radians(radians: R) -> Self {
         let (turns, rest) = radians.turns();
         Self { turns, rest }
     }
-    /// The unwrapped angle [rad]; beyond some turns it carries fewer digits than the pair.
+    /// The unwrapped angle (rad); beyond some turns it carries fewer digits than the pair.
     pub fn radians(self) -> R {
         R::from_int(self.turns) * R::TAU + self.rest
     }
@@ -145,7 +145,7 @@ impl<R: Real> Angle<R> {
             rest,
         }
     }
-    /// `self` - `other` [rad].
+    /// `self` - `other` (rad).
     pub fn minus(self, other: Self) -> R {
         let turns = self.turns.saturating_sub(other.turns);
         R::from_int(turns) * R::TAU + (self.rest - other.rest)

@@ -7,18 +7,18 @@ use crate::real::Real;
 /// One sample of the planar hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hand<F> {
-    /// Position p_h [m], world frame.
+    /// Position p_h (m), world frame.
     pub position: [F; 2],
     /// Orientation phi, unwrapped, counter-clockwise positive.
     pub angle: Angle<F>,
-    /// Depth coordinate [m]; passes through to the output.
+    /// Depth coordinate (m); passes through to the output.
     pub depth: F,
     /// The hold switch.
     pub held: bool,
 }
 
 impl<F: Real> Hand<F> {
-    /// A hand that holds, at (x, y) [m] and phi [rad].
+    /// A hand that holds, at (x, y) (m) and phi (rad).
     pub fn new(x: F, y: F, phi: F) -> Self {
         Self {
             position: [x, y],
@@ -45,7 +45,7 @@ impl<F: Real> Hand<F> {
 /// One sample of a tracker with six degrees of freedom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackerSample<F> {
-    /// Position [m].
+    /// Position (m).
     pub position: [F; 3],
     /// Orientation as a unit quaternion (x, y, z, w); its length does not matter, but must not be 0.
     pub orientation: [F; 4],

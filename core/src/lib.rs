@@ -10,7 +10,52 @@
         clippy::arithmetic_side_effects
     )
 )]
-//! Contact of an object held in the hand, computed by statics alone.
+//! Contact of an object held in the hand, computed by statics alone: no inertia, no velocities, no time step. At every
+//! pose of the hand the object sits where forces and moments balance; it sticks, slips to a new balance, tips, lands on an
+//! edge, snaps, jams. The equations and rules are in `STATICS.md` beside this crate; the code cites their numbers.
+//!
+//! ```text
+//! TrackerSample --Projection--> Hand
+//!                                |  1 hand.rs        grasp, release, drop-outs
+//!                                v
+//!                              Grip                  the springs' other end (coupling.rs)
+//!                                |  2 detect.rs      gaps, the first touch
+//!                                |  3 state/*.rs     each state: advance, relax, slide (motion.rs, roots.rs, friction.rs)
+//!                                |  4 transition.rs  (state, trigger) -> state, until the body rests
+//!                                v
+//!                              Output                pose, contacts, wrench, events, status
+//! ```
+//!
+//! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails:
+//!
+//! ```
+//! use stiction_core::{Description, Evolution, Hand, Scene, Solver, SurfaceDescription};
+//!
+//! let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+//!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+//!     start: [0.0, 0.03, 0.0],
+//!     weight: 0.0,
+//!     holding_point: Some([0.0, 0.02]),
+//!     reach: 0.0,
+//!     stiffness_translation: 500.0,
+//!     stiffness_rotation: 0.5,
+//!     surfaces: &[SurfaceDescription {
+//!         normal: [0.0, 1.0],
+//!         offset: 0.0,
+//!         friction_static: 0.5,
+//!         friction_dynamic: 0.3,
+//!     }],
+//! })?;
+//! let solver = Solver::new(scene, Evolution::Path);
+//! let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0));
+//! let output = solver.step(&mut state, Hand::new(0.0, 0.04, 0.0));
+//! assert_eq!(output.contacts().len(), 2);
+//! # Ok::<(), stiction_core::SceneError<f32>>(())
+//! ```
+//!
+//! Inside, every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
+//! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings; today these are a vertex and a
+//! half-plane.
 
 mod body;
 mod coupling;

@@ -36,7 +36,7 @@ pub(crate) struct Motion<R> {
 pub(crate) struct Place<R> {
     /// The parameter.
     pub(crate) x: R,
-    /// ϑ [rad]
+    /// ϑ (rad)
     pub(crate) turn: R,
     /// 1 - cos ϑ
     versine: R,

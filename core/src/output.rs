@@ -133,20 +133,20 @@ pub struct Contact<F> {
     pub vertex: usize,
     /// Index of the surface in the scene's list.
     pub surface: usize,
-    /// Where they touch [m].
+    /// Where they touch (m).
     pub point: [F; 2],
-    /// Reaction N >= 0 on the body along the surface's normal n [N].
+    /// Reaction N >= 0 on the body along the surface's normal n (N).
     pub normal: F,
-    /// Friction T on the body along the tangent (n_y, -n_x) [N], |T| <= mu_s N.
+    /// Friction T on the body along the tangent (n_y, -n_x) (N), |T| <= mu_s N.
     pub friction: F,
 }
 
 /// Force and moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench<F> {
-    /// Force [N].
+    /// Force (N).
     pub force: [F; 2],
-    /// Moment about the holding point [N·m], counter-clockwise positive.
+    /// Moment about the holding point (N·m), counter-clockwise positive.
     pub moment: F,
 }
 
@@ -157,11 +157,11 @@ pub struct Output<F> {
     pub hand: Hand<F>,
     /// The hand holds the body (its switch is on and it took hold within reach).
     pub held: bool,
-    /// Position p of the body's origin [m].
+    /// Position p of the body's origin (m).
     pub position: [F; 2],
     /// Orientation theta of the body, unwrapped.
     pub angle: Angle<F>,
-    /// Depth coordinate [m], passed through from the hand.
+    /// Depth coordinate (m), passed through from the hand.
     pub depth: F,
     /// The contact state.
     pub state: StateKind,
@@ -169,7 +169,7 @@ pub struct Output<F> {
     pub wrench: Wrench<F>,
     /// Slips that ended at mu_d N in this frame.
     pub slips: u32,
-    /// The longest of them [m].
+    /// The longest of them (m).
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,

@@ -37,7 +37,7 @@ pub trait Real:
     const ONE: Self;
     /// 2
     const TWO: Self;
-    /// One turn, 2 pi [rad].
+    /// One turn, 2 pi (rad).
     const TAU: Self;
     /// The larger of the relative and the absolute rounding of a number near 1.
     const EPSILON: Self;
@@ -64,7 +64,7 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// The angle of the vector (x, y) = (`other`, `self`) in [-pi, pi]; 0 for the zero vector.
     fn atan2(self, other: Self) -> Self;
-    /// An angle [rad] as whole turns and a remainder in [-pi, pi].
+    /// An angle (rad) as whole turns and a remainder in [-pi, pi].
     fn turns(self) -> (i32, Self);
 
     /// |x|

@@ -120,7 +120,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
 /// A turn of a pinned body downhill to balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Downhill<R> {
-    /// The turn [rad], positive counter-clockwise.
+    /// The turn (rad), positive counter-clockwise.
     pub(crate) turn: R,
     /// The way led over a fold: the moment grew before it fell to zero.
     pub(crate) snapped: bool,
@@ -200,6 +200,58 @@ impl<R: Real> PinnedMoment<R> {
             turn: direction * way,
             snapped,
             unsure,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// STATICS 11: where u + kappa sin u = delta lands beyond its fold.
+    #[test]
+    fn fold_lands_on_the_first_stable_balance() {
+        for (kappa, fold, delta, lands) in [
+            (1.05, 2.831_748_013_8, 3.151_904_225_7, 3.764_317_194_1),
+            (1.5, 2.300_523_983_0, 3.418_557_971_8, 4.893_912_630_5),
+            (2.0, 2.094_395_102_4, 3.826_445_910_0, 5.387_598_242_9),
+            (5.0, 1.772_154_247_6, 6.671_133_733_2, 6.347_880_979_4_f64),
+        ] {
+            let moment = PinnedMoment {
+                couple: delta - fold,
+                stiffness: 1.0,
+                dot: kappa * libm::cos(fold),
+                cross: -kappa * libm::sin(fold),
+            };
+            let found = moment.over_fold(1.0);
+            assert!(found.snapped && !found.unsure);
+            assert!(
+                (fold + found.turn - lands).abs() < 1e-8,
+                "kappa {kappa}: {found:?}"
+            );
+        }
+    }
+
+    /// The search never passes a zero, even where a later one is steeper.
+    #[test]
+    fn first_zero_is_the_first() {
+        for shift in [0.3, 1.0, 1.7, 2.9_f64] {
+            let found = first_zero(100.0, |x| {
+                Look::far([Slope {
+                    value: libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1,
+                    slope: libm::cos(shift + x) + 1.4 * libm::cos(7.0 * (shift + x)),
+                    curvature: 1.0 + 9.8,
+                    rounding: 1e-15,
+                }])
+            });
+            let f = |x: f64| libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1;
+            let first = (0..1_000_000)
+                .map(|i| f64::from(i) * 1e-5)
+                .find(|&x| f(x) <= 0.0);
+            let (Found::Zero { x, .. }, Some(first)) = (found, first) else {
+                panic!("{found:?} {first:?}");
+            };
+            assert!(x <= first && first - x < 2e-5, "{x} {first}");
         }
     }
 }

@@ -3,133 +3,16 @@
 
 use crate::body::Body;
 use crate::friction::Coulomb;
-use crate::geometry::{Angle, Orientation, Pose, Vec2, unit};
+use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
 use crate::real::Real;
-use core::fmt;
 use heapless::Vec;
 
-/// A fixed half-plane in SI units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceDescription<F> {
-    /// Points to the free side; any length but 0.
-    pub normal: [F; 2],
-    /// The free side is normal·p >= offset [m], the normal taken with length 1.
-    pub offset: F,
-    /// Static friction mu_s >= mu_d.
-    pub friction_static: F,
-    /// Dynamic friction mu_d >= 0.
-    pub friction_dynamic: F,
-}
+mod check;
+mod description;
 
-/// A scene in SI units, as it is given to [`Scene::new`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Description<'a, F> {
-    /// Vertices [m] in the body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise.
-    pub vertices: &'a [[F; 2]],
-    /// Start pose: x, y [m], theta [rad] of the body frame in the world.
-    pub start: [F; 3],
-    /// Weight W [N] >= 0 at the centroid, along world -y.
-    pub weight: F,
-    /// The initial holding point g [m], body frame; the rotation's rest offset is then 0. `None`: both are taken from
-    /// the hand when it takes hold.
-    pub holding_point: Option<[F; 2]>,
-    /// How far outside the polygon a hand may be and still take hold [m] >= 0.
-    pub reach: F,
-    /// Translational stiffness k_h [N/m] > 0.
-    pub stiffness_translation: F,
-    /// Rotational stiffness k_theta [N·m/rad] >= 0.
-    pub stiffness_rotation: F,
-    /// The surfaces.
-    pub surfaces: &'a [SurfaceDescription<F>],
-}
-
-/// The parameter that a [`SceneError`] is about. Indices count from 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Parameter {
-    /// The number of vertices.
-    VertexCount,
-    /// A vertex.
-    Vertex(usize),
-    /// The start pose.
-    Start,
-    /// The weight.
-    Weight,
-    /// The initial holding point.
-    HoldingPoint,
-    /// The reach of the grasp.
-    Reach,
-    /// k_h
-    StiffnessTranslation,
-    /// k_theta
-    StiffnessRotation,
-    /// The number of surfaces.
-    SurfaceCount,
-    /// The normal of a surface.
-    Normal(usize),
-    /// The offset of a surface.
-    Offset(usize),
-    /// mu_s of a surface.
-    FrictionStatic(usize),
-    /// mu_d of a surface.
-    FrictionDynamic(usize),
-    /// Surface `surface` at the start: vertex `vertex` is inside it.
-    Penetration {
-        /// The surface.
-        surface: usize,
-        /// The deepest vertex.
-        vertex: usize,
-    },
-}
-
-impl fmt::Display for Parameter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::VertexCount => write!(f, "number of vertices"),
-            Self::Vertex(i) => write!(f, "vertex {i}"),
-            Self::Start => write!(f, "start pose"),
-            Self::Weight => write!(f, "weight"),
-            Self::HoldingPoint => write!(f, "holding point"),
-            Self::Reach => write!(f, "reach"),
-            Self::StiffnessTranslation => write!(f, "translational stiffness k_h"),
-            Self::StiffnessRotation => write!(f, "rotational stiffness k_theta"),
-            Self::SurfaceCount => write!(f, "number of surfaces"),
-            Self::Normal(i) => write!(f, "normal of surface {i}"),
-            Self::Offset(i) => write!(f, "offset of surface {i}"),
-            Self::FrictionStatic(i) => write!(f, "static friction of surface {i}"),
-            Self::FrictionDynamic(i) => write!(f, "dynamic friction of surface {i}"),
-            Self::Penetration { surface, vertex } => {
-                write!(
-                    f,
-                    "depth of vertex {vertex} in surface {surface} at the start"
-                )
-            }
-        }
-    }
-}
-
-/// Why a scene cannot be used.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SceneError<F> {
-    /// Which parameter.
-    pub parameter: Parameter,
-    /// Its value, SI units (for a vector the component that is at fault, for a count the count).
-    pub value: F,
-    /// What is allowed.
-    pub allowed: &'static str,
-}
-
-impl<F: fmt::Debug> fmt::Display for SceneError<F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} is {:?}, allowed: {}",
-            self.parameter, self.value, self.allowed
-        )
-    }
-}
-
-impl<F: fmt::Debug> core::error::Error for SceneError<F> {}
+use check::{check_numbers, check_vertices, surfaces};
+pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// A checked surface, lengths / L.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,11 +30,11 @@ pub(crate) struct Surface<R> {
 /// The size of 1 inside the solver, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Units<F> {
-    /// L [m]
+    /// L (m)
     pub(crate) length: F,
-    /// k_h L [N]
+    /// k_h L (N)
     pub(crate) force: F,
-    /// k_h L² [N·m]
+    /// k_h L² (N·m)
     pub(crate) moment: F,
 }
 
@@ -335,163 +218,4 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
     pub(crate) fn start_tolerance() -> R {
         R::ONE / R::from_int(100_000)
     }
-}
-
-type Checked<F> = Result<(), SceneError<F>>;
-
-/// Refuses `value` unless it is finite and `holds`.
-fn require<F: Real>(
-    holds: bool,
-    parameter: Parameter,
-    value: F,
-    allowed: &'static str,
-) -> Checked<F> {
-    if value.is_finite() && holds {
-        Ok(())
-    } else {
-        Err(SceneError {
-            parameter,
-            value,
-            allowed,
-        })
-    }
-}
-
-/// The single numbers of a description.
-fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
-    for value in d.start {
-        require(true, Parameter::Start, value, "finite numbers")?;
-    }
-    for value in d.holding_point.into_iter().flatten() {
-        require(true, Parameter::HoldingPoint, value, "finite numbers")?;
-    }
-    require(
-        d.weight >= F::ZERO,
-        Parameter::Weight,
-        d.weight,
-        "0 or more",
-    )?;
-    require(d.reach >= F::ZERO, Parameter::Reach, d.reach, "0 or more")?;
-    let (k_h, k_theta) = (d.stiffness_translation, d.stiffness_rotation);
-    require(
-        k_h > F::ZERO,
-        Parameter::StiffnessTranslation,
-        k_h,
-        "more than 0",
-    )?;
-    require(
-        k_theta >= F::ZERO,
-        Parameter::StiffnessRotation,
-        k_theta,
-        "0 or more",
-    )
-}
-
-/// The vertices; gives L, the largest distance between two of them (1 m for a point).
-fn check_vertices<F: Real, const V: usize>(vertices: &[[F; 2]]) -> Result<F, SceneError<F>> {
-    let count = vertices.len();
-    let shown = F::from_int(i32::try_from(count).unwrap_or(i32::MAX));
-    let fits = count >= 1 && count <= V && count <= usize::from(u8::MAX);
-    require(
-        fits,
-        Parameter::VertexCount,
-        shown,
-        "1 to the capacity of the solver, and at most 255",
-    )?;
-    for (i, v) in vertices.iter().enumerate() {
-        for &value in v {
-            require(true, Parameter::Vertex(i), value, "finite numbers")?;
-        }
-    }
-    let at = |[x, y]: [F; 2]| Vec2::new(x, y);
-    let mut length = F::ZERO;
-    for (i, &v) in vertices.iter().enumerate() {
-        for &u in vertices.iter().take(i) {
-            let distance = (at(v) - at(u)).length();
-            require(
-                distance > F::ZERO && distance.is_finite(),
-                Parameter::Vertex(i),
-                v[0],
-                "a place of its own: no vertex twice, none too far",
-            )?;
-            length = length.max(distance);
-        }
-    }
-    if count == 1 {
-        return Ok(F::ONE);
-    }
-    if count > 2 {
-        check_convex(vertices, length)?;
-    }
-    Ok(length)
-}
-
-/// Every vertex lies to the left of every side, but for the two that the side joins.
-fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
-    let at = |[x, y]: [F; 2]| Vec2::new(x / length, y / length);
-    let ends = vertices.iter().skip(1).chain(vertices.first());
-    for (i, (&from, &to)) in vertices.iter().zip(ends).enumerate() {
-        let side = at(to) - at(from);
-        for (k, &v) in vertices.iter().enumerate() {
-            let joined = v == from || v == to;
-            require(
-                joined || side.cross(at(v) - at(from)) > F::ZERO,
-                Parameter::Vertex(k),
-                v[0],
-                if i == 0 && k == 2 {
-                    "a corner of a strictly convex polygon, counter-clockwise"
-                } else {
-                    "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side"
-                },
-            )?;
-        }
-    }
-    Ok(())
-}
-
-/// Checks and normalises the surfaces.
-fn surfaces<R: Real, const S: usize>(
-    given: &[SurfaceDescription<R::Si>],
-    units: &Units<R::Si>,
-) -> Result<Vec<Surface<R>, S>, SceneError<R::Si>> {
-    let count = R::Si::from_int(i32::try_from(given.len()).unwrap_or(i32::MAX));
-    let fits = given.len() <= S && given.len() <= usize::from(u8::MAX);
-    let capacity = "0 to the capacity of the solver, and at most 255";
-    require(fits, Parameter::SurfaceCount, count, capacity)?;
-    let mut checked = Vec::new();
-    for (i, d) in given.iter().enumerate() {
-        let [x, y] = d.normal;
-        let size = x.hypot(y);
-        let finite = if x.is_finite() { y } else { x };
-        require(
-            size.is_finite() && size > R::Si::ZERO,
-            Parameter::Normal(i),
-            if finite.is_finite() { size } else { finite },
-            "a finite vector that is not zero",
-        )?;
-        require(true, Parameter::Offset(i), d.offset, "a finite number")?;
-        let (mu_s, mu_d) = (d.friction_static, d.friction_dynamic);
-        require(
-            mu_d >= R::Si::ZERO,
-            Parameter::FrictionDynamic(i),
-            mu_d,
-            "0 or more",
-        )?;
-        require(
-            mu_s >= mu_d,
-            Parameter::FrictionStatic(i),
-            mu_s,
-            "not less than the dynamic friction",
-        )?;
-        let (x, y) = unit(x, y);
-        let normal = Vec2::new(R::from_si(x), R::from_si(y));
-        // The slice is not longer than S, so there is room.
-        let _ = checked.push(Surface {
-            normal,
-            tangent: Vec2::new(normal.y, -normal.x),
-            offset: R::from_si(units.of_length(d.offset)),
-            friction: Coulomb::from_coefficients(mu_s, mu_d),
-        });
-    }
-    Ok(checked)
 }

@@ -92,3 +92,48 @@ impl Real for f32 {
         (turns, (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sine_and_cosine_are_within_their_bound() {
+        for i in -32_000..=32_000_i16 {
+            let x = f32::from(i) / 5_000.0;
+            let (sin, cos) = Real::sin_cos(x);
+            assert!(
+                (f64::from(sin) - libm::sin(f64::from(x))).abs() < 1.2e-7,
+                "sin {x}"
+            );
+            assert!(
+                (f64::from(cos) - libm::cos(f64::from(x))).abs() < 1.2e-7,
+                "cos {x}"
+            );
+        }
+    }
+
+    #[test]
+    fn arctangent_is_within_its_bound() {
+        for i in -31_400..=31_400_i16 {
+            let angle = f64::from(i) / 10_000.0;
+            let (y, x) = (libm::sin(angle) as f32, libm::cos(angle) as f32);
+            let exact = libm::atan2(f64::from(y), f64::from(x));
+            assert!(
+                (f64::from(Real::atan2(y, x)) - exact).abs() < 4e-7,
+                "{angle}"
+            );
+        }
+    }
+
+    #[test]
+    fn turns_and_remainder_make_the_angle() {
+        for i in -1000..=1000_i16 {
+            let x = f32::from(i) * 0.37;
+            let (turns, rest) = x.turns();
+            let exact = f64::from(x) - f64::from(turns) * core::f64::consts::TAU;
+            assert!(rest.abs() <= PI + 1e-6);
+            assert!((f64::from(rest) - exact).abs() < 1e-6 * (1.0 + f64::from(x).abs() / 10.0));
+        }
+    }
+}

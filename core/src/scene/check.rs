@@ -1,0 +1,168 @@
+//! The checks of a description that need nothing but its numbers. The first fault ends them.
+
+use super::{Description, Parameter, SceneError, Surface, SurfaceDescription, Units};
+use crate::friction::Coulomb;
+use crate::geometry::{Vec2, unit};
+use crate::real::Real;
+use heapless::Vec;
+
+type Checked<F> = Result<(), SceneError<F>>;
+
+/// Refuses `value` unless it is finite and `holds`.
+fn require<F: Real>(
+    holds: bool,
+    parameter: Parameter,
+    value: F,
+    allowed: &'static str,
+) -> Checked<F> {
+    if value.is_finite() && holds {
+        Ok(())
+    } else {
+        Err(SceneError {
+            parameter,
+            value,
+            allowed,
+        })
+    }
+}
+
+/// The single numbers of a description.
+pub(super) fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
+    for value in d.start {
+        require(true, Parameter::Start, value, "finite numbers")?;
+    }
+    for value in d.holding_point.into_iter().flatten() {
+        require(true, Parameter::HoldingPoint, value, "finite numbers")?;
+    }
+    require(
+        d.weight >= F::ZERO,
+        Parameter::Weight,
+        d.weight,
+        "0 or more",
+    )?;
+    require(d.reach >= F::ZERO, Parameter::Reach, d.reach, "0 or more")?;
+    let (k_h, k_theta) = (d.stiffness_translation, d.stiffness_rotation);
+    require(
+        k_h > F::ZERO,
+        Parameter::StiffnessTranslation,
+        k_h,
+        "more than 0",
+    )?;
+    require(
+        k_theta >= F::ZERO,
+        Parameter::StiffnessRotation,
+        k_theta,
+        "0 or more",
+    )
+}
+
+/// The vertices; gives L, the largest distance between two of them (1 m for a point).
+pub(super) fn check_vertices<F: Real, const V: usize>(
+    vertices: &[[F; 2]],
+) -> Result<F, SceneError<F>> {
+    let count = vertices.len();
+    let shown = F::from_int(i32::try_from(count).unwrap_or(i32::MAX));
+    let fits = count >= 1 && count <= V && count <= usize::from(u8::MAX);
+    require(
+        fits,
+        Parameter::VertexCount,
+        shown,
+        "1 to the capacity of the solver, and at most 255",
+    )?;
+    for (i, v) in vertices.iter().enumerate() {
+        for &value in v {
+            require(true, Parameter::Vertex(i), value, "finite numbers")?;
+        }
+    }
+    let at = |[x, y]: [F; 2]| Vec2::new(x, y);
+    let mut length = F::ZERO;
+    for (i, &v) in vertices.iter().enumerate() {
+        for &u in vertices.iter().take(i) {
+            let distance = (at(v) - at(u)).length();
+            require(
+                distance > F::ZERO && distance.is_finite(),
+                Parameter::Vertex(i),
+                v[0],
+                "a place of its own: no vertex twice, none too far",
+            )?;
+            length = length.max(distance);
+        }
+    }
+    if count == 1 {
+        return Ok(F::ONE);
+    }
+    if count > 2 {
+        check_convex(vertices, length)?;
+    }
+    Ok(length)
+}
+
+/// Every vertex lies to the left of every side, but for the two that the side joins.
+fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
+    let at = |[x, y]: [F; 2]| Vec2::new(x / length, y / length);
+    let ends = vertices.iter().skip(1).chain(vertices.first());
+    for (i, (&from, &to)) in vertices.iter().zip(ends).enumerate() {
+        let side = at(to) - at(from);
+        for (k, &v) in vertices.iter().enumerate() {
+            let joined = v == from || v == to;
+            require(
+                joined || side.cross(at(v) - at(from)) > F::ZERO,
+                Parameter::Vertex(k),
+                v[0],
+                if i == 0 && k == 2 {
+                    "a corner of a strictly convex polygon, counter-clockwise"
+                } else {
+                    "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side"
+                },
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// Checks and normalises the surfaces.
+pub(super) fn surfaces<R: Real, const S: usize>(
+    given: &[SurfaceDescription<R::Si>],
+    units: &Units<R::Si>,
+) -> Result<Vec<Surface<R>, S>, SceneError<R::Si>> {
+    let count = R::Si::from_int(i32::try_from(given.len()).unwrap_or(i32::MAX));
+    let fits = given.len() <= S && given.len() <= usize::from(u8::MAX);
+    let capacity = "0 to the capacity of the solver, and at most 255";
+    require(fits, Parameter::SurfaceCount, count, capacity)?;
+    let mut checked = Vec::new();
+    for (i, d) in given.iter().enumerate() {
+        let [x, y] = d.normal;
+        let size = x.hypot(y);
+        let finite = if x.is_finite() { y } else { x };
+        require(
+            size.is_finite() && size > R::Si::ZERO,
+            Parameter::Normal(i),
+            if finite.is_finite() { size } else { finite },
+            "a finite vector that is not zero",
+        )?;
+        require(true, Parameter::Offset(i), d.offset, "a finite number")?;
+        let (mu_s, mu_d) = (d.friction_static, d.friction_dynamic);
+        require(
+            mu_d >= R::Si::ZERO,
+            Parameter::FrictionDynamic(i),
+            mu_d,
+            "0 or more",
+        )?;
+        require(
+            mu_s >= mu_d,
+            Parameter::FrictionStatic(i),
+            mu_s,
+            "not less than the dynamic friction",
+        )?;
+        let (x, y) = unit(x, y);
+        let normal = Vec2::new(R::from_si(x), R::from_si(y));
+        // The slice is not longer than S, so there is room.
+        let _ = checked.push(Surface {
+            normal,
+            tangent: Vec2::new(normal.y, -normal.x),
+            offset: R::from_si(units.of_length(d.offset)),
+            friction: Coulomb::from_coefficients(mu_s, mu_d),
+        });
+    }
+    Ok(checked)
+}
