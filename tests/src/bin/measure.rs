@@ -1,0 +1,137 @@
+//! Measures what the README states and writes it there: the time of one frame and the slips of the dragged box, and the
+//! worst residuals of random scenes.
+//!
+//! ```sh
+//! cargo run --profile bench -p stiction-tests --bin measure
+//! ```
+
+use std::fmt::Write as _;
+use std::time::Instant;
+use stiction_core::{Evolution, Status};
+use stiction_tests::laws::{judge, worst};
+use stiction_tests::random::scenarios;
+use stiction_tests::run::{Run, planar, run};
+use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
+
+const BEGIN: &str = "<!-- measured: begin -->";
+const END: &str = "<!-- measured: end -->";
+/// 0.1 m at 0.02 m/s and 1 kHz.
+const FRAMES: usize = 5000;
+const REPEATS: usize = 20;
+
+/// The best of some runs: mean time of one frame (ns), slips, their mean length (mm).
+fn drag<R: Number>(scenario: &Scenario, evolution: Evolution) -> (f64, u32, f64) {
+    let hands = scenario.hands(FRAMES);
+    let (pressing, dragging) = hands.split_at(FRAMES + 1);
+    let mut start = Run::<R>::start(&scenario.setup, evolution, hands[0]);
+    for &hand in pressing {
+        start.step(hand);
+    }
+    let dragging: Vec<_> = dragging.iter().map(|&hand| planar::<R>(hand)).collect();
+    let (mut best, mut slips, mut length) = (f64::MAX, 0, 0.0);
+    for _ in 0..REPEATS {
+        let mut state = start.state.clone();
+        let before = Instant::now();
+        let mut last = 0;
+        for &hand in &dragging {
+            last += start.solver.step(&mut state, hand).slips;
+        }
+        best = best.min(before.elapsed().as_nanos() as f64 / dragging.len() as f64);
+        slips = last;
+    }
+    let mut state = start.state.clone();
+    for &hand in &dragging {
+        let output = start.solver.step(&mut state, hand);
+        if output.slips > 0 {
+            length += R::wide(output.longest_slip);
+        }
+    }
+    (best, slips, 1e3 * length / f64::from(slips.max(1)))
+}
+
+fn drags(text: &mut String) {
+    let box_scenes = [
+        ("on a vertex, 30°", scenes::box_on_a_vertex()),
+        ("flat", scenes::box_flat()),
+    ];
+    let _ = writeln!(
+        text,
+        "The box 0.10 m × 0.06 m (k_h 500, k_theta 0.5, mu 0.5 / 0.3), pressed 10 mm deep, dragged 0.1 m at 0.02 m/s, 1 kHz:\n\n\
+         | scene | number | evolution | ns per frame, mean | slips | mean slip (mm) |\n|---|---|---|---|---|---|"
+    );
+    for (name, scenario) in &box_scenes {
+        for evolution in EVOLUTIONS {
+            for (number, (time, slips, length)) in [
+                ("f32", drag::<f32>(scenario, evolution)),
+                ("f64", drag::<f64>(scenario, evolution)),
+            ] {
+                let _ = writeln!(
+                    text,
+                    "| {name} | {number} | {} | {time:.0} | {slips} | {length:.3} |",
+                    format!("{evolution:?}").to_lowercase()
+                );
+            }
+        }
+    }
+}
+
+fn survey<R: Number>(evolution: Evolution, text: &mut String) {
+    let (mut frames, mut limited, mut broken) = (0, 0, 0);
+    let mut residual = 0.0_f64;
+    for scenario in scenarios(1000, 4) {
+        for frame in run::<R>(&scenario.setup, evolution, &scenario.hands(50)) {
+            frames += 1;
+            limited += u32::from(frame.status != Status::Ok);
+            let findings = judge::<R>(&scenario.setup, &frame);
+            broken += u32::from(!worst(findings.iter().copied()).holds());
+            let balance = findings.iter().filter(|f| f.law.ends_with("balance"));
+            residual = balance.fold(residual, |most, f| most.max(f.residual));
+        }
+    }
+    let _ = writeln!(
+        text,
+        "| {} | {} | {frames} | {broken} | {limited} | {residual:.1e} |",
+        R::NAME,
+        format!("{evolution:?}").to_lowercase()
+    );
+}
+
+fn processor() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info
+        .lines()
+        .find_map(|line| line.strip_prefix("model name"));
+    name.map_or_else(
+        || std::env::consts::ARCH.to_string(),
+        |name| name.trim_start_matches([' ', '\t', ':']).to_string(),
+    )
+}
+
+fn main() -> std::io::Result<()> {
+    let mut text = format!(
+        "Written by `cargo run --profile bench -p stiction-tests --bin measure`, on {}.\n\n",
+        processor()
+    );
+    drags(&mut text);
+    let _ = writeln!(
+        text,
+        "\n1000 random scenes, 200 frames each; residual: the largest unbalanced force / largest force, or moment / (largest\n\
+         force · L), of any frame:\n\n\
+         | number | evolution | frames | unlawful | status not ok | worst residual |\n|---|---|---|---|---|---|"
+    );
+    for evolution in EVOLUTIONS {
+        survey::<f32>(evolution, &mut text);
+        survey::<f64>(evolution, &mut text);
+    }
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+    let readme = std::fs::read_to_string(path)?;
+    let (Some(begin), Some(end)) = (readme.find(BEGIN), readme.find(END)) else {
+        return Err(std::io::Error::other(
+            "README.md has no place for the figures",
+        ));
+    };
+    let (head, tail) = (&readme[..begin + BEGIN.len()], &readme[end..]);
+    std::fs::write(path, format!("{head}\n{text}{tail}"))?;
+    print!("{text}");
+    Ok(())
+}

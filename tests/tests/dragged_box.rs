@@ -1,0 +1,37 @@
+//! The box of the benchmarks, dragged by 0.1 m: a slip of the flat box is (mu_s - mu_d) e long, with e the depth of the
+//! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand by other
+//! means than this solver.
+
+use stiction_core::Evolution;
+use stiction_tests::run::{Frame, run};
+use stiction_tests::{Number, Scenario, close, scenes};
+
+/// The scene with the hand at another depth (m), 1 kHz.
+fn drag<R: Number>(mut scenario: Scenario, depth: f64) -> Vec<Frame> {
+    for keyframe in scenario.keyframes.iter_mut().skip(1) {
+        keyframe[1] += 0.01 - depth;
+    }
+    let frames = run::<R>(&scenario.setup, Evolution::Path, &scenario.hands(5000));
+    frames.into_iter().filter(|frame| frame.slips > 0).collect()
+}
+
+fn slips<R: Number>(scenario: Scenario, depth: f64, (count, length): (u32, f64)) {
+    let slipping = drag::<R>(scenario, depth);
+    assert_eq!(slipping.iter().map(|f| f.slips).sum::<u32>(), count);
+    let last = slipping.last().expect("it slips");
+    close(R::NAME, last.longest_slip, length, 5e-7);
+}
+
+#[test]
+fn flat_box_slips_by_the_difference_of_the_frictions() {
+    slips::<f64>(scenes::box_flat(), 0.0095, (51, 1.9e-3));
+    slips::<f32>(scenes::box_flat(), 0.0095, (51, 1.9e-3));
+    slips::<f64>(scenes::box_flat(), 0.01, (48, 2.0e-3));
+    slips::<f32>(scenes::box_flat(), 0.01, (48, 2.0e-3));
+}
+
+#[test]
+fn tilted_box_turns_while_it_slips() {
+    slips::<f64>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
+    slips::<f32>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
+}
