@@ -125,46 +125,49 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R>,
     ) -> Option<Pair> {
         let mut first = None;
-        let mut visit = |contact: Pair| {
-            if moving.keeps.contains(&contact) {
-                return;
+        // No vertex is farther from the point than this.
+        let radius = R::ONE + (scene.body.vertex(0) - self.body_point).reach();
+        for index in scene.surface_indices() {
+            let surface = scene.surface(index);
+            let own = self.on == Some(index);
+            let level = if own {
+                R::ZERO
+            } else {
+                surface.normal.dot(self.point) - surface.offset
+            };
+            let along = surface.normal.dot(moving.shift).abs() * course.reach;
+            if level - along > R::TWO * radius {
+                continue;
             }
-            let margin = self.margin(scene, contact, moving.shift);
-            if moving.motion.stop_at(&margin, course) {
-                first = Some(contact);
-            }
-        };
-        for surface in scene.surface_indices() {
-            if self.on == Some(surface) {
-                let Some(pivot) = moving.keeps.first() else {
-                    continue;
+            // The normal in the body frame: level + normal·(vertex - point) is the gap.
+            let normal = self.orientation.rotation().undo(surface.normal);
+            let level = level - normal.dot(self.body_point);
+            let mut visit = |vertex: u8| {
+                let contact = Pair {
+                    vertex,
+                    surface: index,
                 };
-                if moving.keeps.iter().filter(|c| c.surface == surface).count() == 1 {
-                    for vertex in scene.body.neighbours(pivot.vertex) {
-                        visit(Pair { vertex, surface });
-                    }
+                let body_vertex = scene.body.vertex(vertex);
+                let swing = (body_vertex - self.body_point).reach() * course.end.turn.abs();
+                let clear = level + normal.dot(body_vertex) - along - swing;
+                if clear > R::TOUCH || moving.keeps.contains(&contact) {
+                    return;
                 }
-            } else if self.is_near(scene, surface, moving) {
-                for vertex in scene.body.indices() {
-                    visit(Pair { vertex, surface });
+                let margin = self.margin(scene, contact, moving.shift);
+                if moving.motion.stop_at(&margin, course) {
+                    first = Some(contact);
                 }
+            };
+            if !own {
+                scene.body.indices().for_each(&mut visit);
+            } else if let [pivot, others @ ..] = moving.keeps
+                && others.iter().all(|other| other.surface != index)
+            {
+                // On its own surface nothing arrives before a neighbour.
+                scene.body.neighbours(pivot.vertex).for_each(&mut visit);
             }
         }
         first
-    }
-
-    /// False where the whole body stays clear of a surface: no vertex is farther from the point than one body size,
-    /// or than the point is from vertex 0 and one body size more.
-    fn is_near<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        surface: u8,
-        moving: &Moving<'_, R>,
-    ) -> bool {
-        let surface = scene.surface(surface);
-        let level = surface.normal.dot(self.point) - surface.offset;
-        let arm = (scene.body.vertex(0) - self.body_point).reach();
-        level <= R::TWO + arm + surface.normal.dot(moving.shift).abs()
     }
 }
 

@@ -88,6 +88,8 @@ impl<R: Real> Margin<R> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Course<R> {
     pub(crate) end: Place<R>,
+    /// |tau| stays below this.
+    pub(crate) reach: R,
     pub(crate) folds: bool,
     pub(crate) unsure: bool,
 }
@@ -230,6 +232,7 @@ impl<R: Real> Motion<R> {
         };
         Course {
             end: self.at(x),
+            reach: R::ONE,
             folds,
             unsure,
         }
@@ -270,7 +273,7 @@ impl<R: Real> Motion<R> {
     pub(crate) fn stop_at(&self, margin: &Margin<R>, course: &mut Course<R>) -> bool {
         let limit = course.end;
         // The farthest that it can fall on the way: the ordinary frame is done here.
-        let fall = margin.along.abs() + margin.turning.reach() * limit.turn.abs();
+        let fall = margin.along.abs() * course.reach + margin.turning.reach() * limit.turn.abs();
         if margin.start - fall > margin.rounding {
             return false;
         }
@@ -292,6 +295,7 @@ impl<R: Real> Motion<R> {
         };
         *course = Course {
             end: self.at(x),
+            reach: course.reach,
             folds: false,
             unsure: course.unsure || unsure,
         };
@@ -302,6 +306,7 @@ impl<R: Real> Motion<R> {
     pub(crate) fn course_to(&self, x: R) -> Course<R> {
         Course {
             end: self.at(x),
+            reach: x * (self.stiffness + self.hold.reach()) / self.scale,
             folds: false,
             unsure: false,
         }

@@ -4,7 +4,6 @@ use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
-use crate::list::gather;
 use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench};
 use crate::real::Real;
 use crate::scene::Scene;
@@ -300,7 +299,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             Wrench::default()
         };
         let angle = pose.orientation.angle();
-        Output {
+        let mut output = Output {
             hand: state.hand,
             held: state.held,
             position: units.point_to_si(pose.position),
@@ -315,33 +314,36 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             longest_slip: units.to_length(log.longest_slip.to_si()),
             status: log.final_status(),
             transitions: log.transitions,
-            contacts: self.contacts(state, &stance),
+            contacts: Vec::new(),
             events: log.events,
-        }
+        };
+        self.add_contacts(state, &stance, &mut output.contacts);
+        output
     }
 
-    fn contacts(&self, state: &State<R>, stance: &Stance<R>) -> Vec<Contact<R::Si>, MAX_CONTACTS> {
+    fn add_contacts(
+        &self,
+        state: &State<R>,
+        stance: &Stance<R>,
+        contacts: &mut Vec<Contact<R::Si>, MAX_CONTACTS>,
+    ) {
         let units = self.scene.units;
-        let pairs = state.contact.contacts();
         let reactions = if state.held {
             state.contact.reactions(&self.scene, stance)
         } else {
-            gather(pairs.iter().map(|_| [R::ZERO; 2]))
+            Vec::new()
         };
-        gather(
-            pairs
-                .iter()
-                .zip(&reactions)
-                .map(|(pair, [normal, friction])| {
-                    let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
-                    Contact {
-                        vertex: usize::from(pair.vertex),
-                        surface: usize::from(pair.surface),
-                        point: units.point_to_si(at),
-                        normal: units.to_force(normal.to_si()),
-                        friction: units.to_force(friction.to_si()),
-                    }
-                }),
-        )
+        for (i, pair) in state.contact.contacts().iter().enumerate() {
+            let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
+            let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
+            // There are never more contacts than there is room for.
+            let _ = contacts.push(Contact {
+                vertex: usize::from(pair.vertex),
+                surface: usize::from(pair.surface),
+                point: units.point_to_si(at),
+                normal: units.to_force(normal.to_si()),
+                friction: units.to_force(friction.to_si()),
+            });
+        }
     }
 }
