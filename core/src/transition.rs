@@ -185,7 +185,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
         let touching = pivot.placed(self.scene).touching(self.scene, R::TOUCH);
         let mut all = Pairs::new();
         let old = state.contacts();
-        for contact in old.into_iter().chain([pair]).chain(touching) {
+        for &contact in old.iter().chain(&[pair]).chain(&touching) {
             if !all.contains(&contact) {
                 // Contacts beyond the capacity are redundant in the plane.
                 let _ = all.push(contact);

@@ -15,7 +15,7 @@ pub struct SurfaceDescription<F> {
     pub friction_dynamic: F,
 }
 
-/// A scene in SI units, as it is given to [`Scene::new`].
+/// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Description<'a, F> {
     /// Vertices (m) in the body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise.
