@@ -149,12 +149,8 @@ impl<R: Real> Motion<R> {
     pub(crate) fn at(&self, x: R) -> Place<R> {
         let turn = self.rate * x;
         let half = turn * R::HALF;
-        let (s, c, sinc) = if half == R::ZERO {
-            (R::ZERO, R::ONE, R::ONE)
-        } else {
-            let (s, c) = half.sin_cos();
-            (s, c, s / half)
-        };
+        let (sinc, c) = half.sinc_cos();
+        let s = sinc * half;
         let versine = R::TWO * s * s;
         let sine = R::TWO * s * c;
         let cosine = R::ONE - versine;

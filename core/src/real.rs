@@ -67,6 +67,16 @@ pub trait Real:
     /// An angle (rad) as whole turns and a remainder in [-pi, pi].
     fn turns(self) -> (i32, Self);
 
+    /// sin(x) / x, which is 1 at 0, and cos(x).
+    fn sinc_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.sin_cos();
+        let sinc = if self == Self::ZERO {
+            Self::ONE
+        } else {
+            sin / self
+        };
+        (sinc, cos)
+    }
     /// |x|
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }

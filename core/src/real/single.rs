@@ -9,9 +9,17 @@ use core::f32::consts::{FRAC_2_PI, FRAC_PI_2, FRAC_PI_4, PI, TAU};
 /// pi/2 in two parts, the first with 12 trailing zero bits, so that small multiples of it are exact.
 const QUARTER_TURN: (f32, f32) = (1.570_312_5, 4.838_268e-4);
 
+/// The range in which sine and cosine need no reduction.
+const SMALL: f32 = 0.78;
+
+/// sin(x) / x - 1 for |x| <= pi/4, y = x².
+fn sine_excess(y: f32) -> f32 {
+    y * (-0.166_666_51 + y * (0.008_331_978 - y * 0.000_194_955_68))
+}
+
 /// sin(x) for |x| <= pi/4, y = x².
 fn sine(x: f32, y: f32) -> f32 {
-    x + x * y * (-0.166_666_51 + y * (0.008_331_978 - y * 0.000_194_955_68))
+    x + x * sine_excess(y)
 }
 
 /// cos(x) for |x| <= pi/4, y = x².
@@ -55,6 +63,10 @@ impl Real for f32 {
         if self > 0.0 { libm::sqrtf(self) } else { 0.0 }
     }
     fn sin_cos(self) -> (f32, f32) {
+        if self.abs() < SMALL {
+            let y = self * self;
+            return (sine(self, y), cosine(y));
+        }
         let quarters = (self * FRAC_2_PI + 0.5f32.copysign(self)) as i32;
         let n = quarters as f32;
         let x = (self - n * QUARTER_TURN.0) - n * QUARTER_TURN.1;
@@ -66,6 +78,14 @@ impl Real for f32 {
             2 => (-s, -c),
             _ => (-c, s),
         }
+    }
+    fn sinc_cos(self) -> (f32, f32) {
+        if self.abs() < SMALL {
+            let y = self * self;
+            return (1.0 + sine_excess(y), cosine(y));
+        }
+        let (sin, cos) = Real::sin_cos(self);
+        (sin / self, cos)
     }
     fn atan2(self, other: f32) -> f32 {
         let (x, y) = (other.abs(), self.abs());
