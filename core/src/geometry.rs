@@ -5,54 +5,54 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// A vector in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vec2<R> {
+pub(crate) struct Vec2<R> {
     /// Along the world's (or the body's) first axis.
-    pub x: R,
+    pub(crate) x: R,
     /// Along the second axis.
-    pub y: R,
+    pub(crate) y: R,
 }
 
 impl<R: Real> Vec2<R> {
     /// The zero vector.
-    pub const ZERO: Self = Self {
+    pub(crate) const ZERO: Self = Self {
         x: R::ZERO,
         y: R::ZERO,
     };
 
     /// The vector (x, y).
-    pub const fn new(x: R, y: R) -> Self {
+    pub(crate) const fn new(x: R, y: R) -> Self {
         Self { x, y }
     }
     /// a·b
-    pub fn dot(self, b: Self) -> R {
+    pub(crate) fn dot(self, b: Self) -> R {
         self.x * b.x + self.y * b.y
     }
     /// a×b = a_x b_y - a_y b_x
-    pub fn cross(self, b: Self) -> R {
+    pub(crate) fn cross(self, b: Self) -> R {
         self.x * b.y - self.y * b.x
     }
     /// i a: turned by a quarter turn counter-clockwise.
-    pub fn turned(self) -> Self {
+    pub(crate) fn turned(self) -> Self {
         Self::new(-self.y, self.x)
     }
     /// The length, safe against overflow and underflow.
-    pub fn length(self) -> R {
+    pub(crate) fn length(self) -> R {
         self.x.hypot(self.y)
     }
     /// An upper bound of the length that costs no root: |x| + |y|.
-    pub fn reach(self) -> R {
+    pub(crate) fn reach(self) -> R {
         self.x.abs() + self.y.abs()
     }
     /// conj(a) b: the dot product and the cross product as one vector.
-    pub fn conj_mul(self, b: Self) -> Self {
+    pub(crate) fn conj_mul(self, b: Self) -> Self {
         Self::new(self.dot(b), self.cross(b))
     }
     /// False where a component is infinite or NaN.
-    pub fn is_finite(self) -> bool {
+    pub(crate) fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
     /// Linear interpolation: `self` at 0, `b` at 1.
-    pub fn lerp(self, b: Self, part: R) -> Self {
+    pub(crate) fn lerp(self, b: Self, part: R) -> Self {
         self + (b - self) * part
     }
 }
@@ -93,23 +93,23 @@ pub(crate) fn unit<F: Real>(x: F, y: F) -> (F, F) {
 
 /// A rotation R(theta), held as cosine and sine.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rotation<R> {
+pub(crate) struct Rotation<R> {
     /// cos(theta)
-    pub cos: R,
+    pub(crate) cos: R,
     /// sin(theta)
-    pub sin: R,
+    pub(crate) sin: R,
 }
 
 impl<R: Real> Rotation<R> {
     /// R a: from the body frame to the world frame.
-    pub fn apply(self, a: Vec2<R>) -> Vec2<R> {
+    pub(crate) fn apply(self, a: Vec2<R>) -> Vec2<R> {
         Vec2::new(
             self.cos * a.x - self.sin * a.y,
             self.sin * a.x + self.cos * a.y,
         )
     }
     /// The inverse of [`Self::apply`]: from the world frame to the body frame.
-    pub fn undo(self, a: Vec2<R>) -> Vec2<R> {
+    pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
         Vec2::new(
             self.cos * a.x + self.sin * a.y,
             self.cos * a.y - self.sin * a.x,
@@ -160,7 +160,7 @@ impl<R: Real> Angle<R> {
         }
     }
     /// The rotation by this angle.
-    pub fn rotation(self) -> Rotation<R> {
+    pub(crate) fn rotation(self) -> Rotation<R> {
         let (sin, cos) = self.rest.sin_cos();
         Rotation { cos, sin }
     }

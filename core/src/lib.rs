@@ -75,7 +75,7 @@ mod state;
 mod support;
 mod transition;
 
-pub use geometry::{Angle, Vec2};
+pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
 pub use output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench};
 pub use real::Real;

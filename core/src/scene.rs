@@ -163,9 +163,12 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
                 allowed: "a value that the number type can carry in units of the body's size",
             })
         };
-        let [x, y, _] = d.start;
+        let [x, y, theta] = d.start;
         if !fits(self.start.position.reach()) {
             return error(Parameter::Start, x.abs().max(y.abs()));
+        }
+        if self.start.orientation.angle().rest.abs() > R::TAU {
+            return error(Parameter::Start, theta);
         }
         if let (Some(g), Some([gx, gy])) = (self.holding_point, d.holding_point)
             && !fits(g.reach())

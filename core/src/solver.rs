@@ -1,15 +1,16 @@
 //! 5: one step: hand -> contacts -> state -> transition -> output.
 
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
-use crate::output::{Contact, Event, Log, MAX_CONTACTS, Output, Status, Wrench};
+use crate::output::{Event, Log, Output, Status};
 use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{ContactState, Free, Trigger};
 use crate::transition::settle;
-use heapless::Vec;
+
+mod answer;
 
 /// How a frame is evolved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -41,12 +42,22 @@ pub struct State<R: Real> {
     hand: Hand<R::Si>,
 }
 
+/// A held hand that turns farther than this (rad) from one sample to the next is out of range.
+const MAX_TURN: i32 = 1000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
 const FINEST_HALF: u32 = 24;
 /// This many slips fit into a frame before a limit is reported.
 const UNLIMITED_SLIPS: u32 = 100;
+
+impl<R: Real> State<R> {
+    /// The held hand turned farther than it can between two samples: the angle is not to be trusted.
+    fn turns_too_far(&self, angle: Angle<R>) -> bool {
+        let turn = angle.offset_from(self.rest_offset).minus(self.grip.angle);
+        self.held && turn.abs() > R::from_int(MAX_TURN)
+    }
+}
 
 impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     /// A solver for a scene.
@@ -77,6 +88,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
         let mut log = Log::default();
         match self.non_dimensional(&hand) {
             Err(status) => log.limit(status),
+            Ok((_, angle)) if state.turns_too_far(angle) => log.limit(Status::Saturated),
             Ok(target) => {
                 self.switch(state, &hand, target, &mut log);
                 state.hand = hand;
@@ -98,6 +110,10 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
             return Err(Status::Saturated);
         }
         let (turns, rest) = hand.angle.rest.turns();
+        if rest.abs() > R::Si::TAU {
+            // More turns than can be counted.
+            return Err(Status::Saturated);
+        }
         let angle = Angle {
             turns: hand.angle.turns.saturating_add(turns),
             rest: R::from_si(rest),
@@ -283,67 +299,5 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     /// The hand jumps.
     fn by_jump(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         settle(&self.scene, to, &mut state.contact, None, log);
-    }
-
-    fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
-        let units = self.scene.units;
-        let placed = state.contact.placed(&self.scene);
-        let pose = placed.pose();
-        let stance = Stance::new(&self.scene, placed, &state.grip);
-        let wrench = if state.held {
-            Wrench {
-                force: units.force_to_si(stance.spring),
-                moment: units.to_moment(stance.couple.to_si()),
-            }
-        } else {
-            Wrench::default()
-        };
-        let angle = pose.orientation.angle();
-        let mut output = Output {
-            hand: state.hand,
-            held: state.held,
-            position: units.point_to_si(pose.position),
-            angle: Angle {
-                turns: angle.turns,
-                rest: angle.rest.to_si(),
-            },
-            depth: state.hand.depth,
-            state: state.contact.kind(),
-            wrench,
-            slips: log.slips,
-            longest_slip: units.to_length(log.longest_slip.to_si()),
-            status: log.final_status(),
-            transitions: log.transitions,
-            contacts: Vec::new(),
-            events: log.events,
-        };
-        self.add_contacts(state, &stance, &mut output.contacts);
-        output
-    }
-
-    fn add_contacts(
-        &self,
-        state: &State<R>,
-        stance: &Stance<R>,
-        contacts: &mut Vec<Contact<R::Si>, MAX_CONTACTS>,
-    ) {
-        let units = self.scene.units;
-        let reactions = if state.held {
-            state.contact.reactions(&self.scene, stance)
-        } else {
-            Vec::new()
-        };
-        for (i, pair) in state.contact.contacts().iter().enumerate() {
-            let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
-            let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
-            // There are never more contacts than there is room for.
-            let _ = contacts.push(Contact {
-                vertex: usize::from(pair.vertex),
-                surface: usize::from(pair.surface),
-                point: units.point_to_si(at),
-                normal: units.to_force(normal.to_si()),
-                friction: units.to_force(friction.to_si()),
-            });
-        }
     }
 }

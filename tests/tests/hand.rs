@@ -206,7 +206,12 @@ mod cases {
         let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
         let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.3, 0.0]);
         let last = run.frame.clone();
-        for far in [[1e30, 0.0, 0.0], [0.0, -1e30, 0.0], [1e14, 1e14, 0.0]] {
+        for far in [
+            [1e30, 0.0, 0.0],
+            [0.0, -1e30, 0.0],
+            [1e14, 1e14, 0.0],
+            [0.0, 0.3, 1e30],
+        ] {
             let frame = run.step(far).clone();
             assert_eq!(frame.status, Status::Saturated, "{far:?}");
             assert_eq!((frame.pose, frame.wrench), (last.pose, last.wrench));

@@ -83,6 +83,7 @@ fn start_pose() {
         });
     }
     refused_by_all(Parameter::Start, 1e13, |s| s.start[1] = 1e13);
+    refused_by_all(Parameter::Start, 1e30, |s| s.start[2] = 1e30);
 }
 
 #[test]
