@@ -1,4 +1,4 @@
-//! How the body moves while a contact state lasts, as one curve. While the hand goes its way by the part tau
+//! How the body moves while a contact state lasts, as one curve (STATICS 3.3). While the hand goes its way by the part tau
 //! (or, hand frozen, while the contact slides by the part tau), the body turns by ϑ such that the moment about the
 //! contact stays zero. That balance is linear in tau,
 //!
