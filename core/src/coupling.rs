@@ -120,6 +120,15 @@ impl<R: Real> Pivot<R> {
         }
     }
 
+    /// The load on the body about the pivot.
+    pub(crate) fn stance<const V: usize, const S: usize>(
+        &self,
+        scene: &Scene<R, V, S>,
+        grip: &Grip<R>,
+    ) -> Stance<R> {
+        Stance::new(scene, self.placed(scene), grip)
+    }
+
     /// The same pivot after a slide along t and a turn.
     pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
         Self {

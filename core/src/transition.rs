@@ -1,7 +1,7 @@
 //! 4: the transition table (STATICS 8): (state, trigger) -> (state, what to do next), and the bounded loop that applies it
 //! at a frozen hand until the body rests.
 
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
 use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
@@ -166,7 +166,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
     fn after_slip(self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
         log.transitions.add(slip_arm(state));
         if let ContactState::SingleVertex(single) = state {
-            let stance = Stance::new(self.scene, single.pivot.placed(self.scene), self.grip);
+            let stance = single.pivot.stance(self.scene, self.grip);
             if stance.moment().abs() > R::from_int(16) * stance.rounding() {
                 return Next::Relax(Some(slip.sign()));
             }

@@ -101,7 +101,7 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
 fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
     let at = |[x, y]: [F; 2]| Vec2::new(x / length, y / length);
     let ends = vertices.iter().skip(1).chain(vertices.first());
-    for (i, (&from, &to)) in vertices.iter().zip(ends).enumerate() {
+    for (&from, &to) in vertices.iter().zip(ends) {
         let side = at(to) - at(from);
         for (k, &v) in vertices.iter().enumerate() {
             let joined = v == from || v == to;
@@ -109,11 +109,7 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
                 joined || side.cross(at(v) - at(from)) > F::ZERO,
                 Parameter::Vertex(k),
                 v[0],
-                if i == 0 && k == 2 {
-                    "a corner of a strictly convex polygon, counter-clockwise"
-                } else {
-                    "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side"
-                },
+                "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side",
             )?;
         }
     }

@@ -52,14 +52,6 @@ impl<R: Real> Bracing<R> {
         }
     }
 
-    fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), grip)
-    }
-
     /// To the end of the hand's way, or to where the load is not borne any more.
     pub(super) fn advance<const V: usize, const S: usize>(
         &self,
@@ -67,7 +59,7 @@ impl<R: Real> Bracing<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let [before, after] = [from, to].map(|grip| self.stance(scene, grip));
+        let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
         let rounding = R::TWO * (before.rounding() + after.rounding());
         match (self.support).first_yield(before.load(), after.load(), rounding) {
             None => Moved::by(Trigger::Balanced),
@@ -85,7 +77,7 @@ impl<R: Real> Bracing<R> {
         grip: &Grip<R>,
         attempt: usize,
     ) -> Trigger<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let (load, rounding) = (stance.load(), R::from_int(4) * stance.rounding());
         if self.support.first_yield(load, load, rounding).is_none() {
             Trigger::Balanced
@@ -101,7 +93,7 @@ impl<R: Real> Bracing<R> {
         (grip, ahead): (&Grip<R>, &Grip<R>),
         attempt: usize,
     ) -> Trigger<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let is_consistent = |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; which way it goes, shows ahead.
             let grip = if mode.1.is_none() { ahead } else { grip };
@@ -216,7 +208,7 @@ impl<R: Real> Bracing<R> {
     ) -> Option<Twist<R>> {
         let ([first, second], sliding) = *mode;
         let [a, b] = [first, second].map(|i| self.contact(i));
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         match sliding {
             None => {
                 let pressed = [a, b].iter().any(|c| {
@@ -227,7 +219,7 @@ impl<R: Real> Bracing<R> {
             }
             Some(sign) if a == b => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let about = Stance::new(scene, pivot.placed(scene), grip);
+                let about = pivot.stance(scene, grip);
                 let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
                 let stability = about.stability();
                 if stability <= R::ZERO {

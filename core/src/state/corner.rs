@@ -35,14 +35,6 @@ impl<R: Real> Corner<R> {
         gather([first, second])
     }
 
-    fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), grip)
-    }
-
     /// The edges of the two cones: contact, side and direction.
     fn cone_edges<const V: usize, const S: usize>(
         &self,
@@ -122,7 +114,7 @@ impl<R: Real> Corner<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let stance = self.stance(scene, from);
+        let stance = self.pivot.stance(scene, from);
         let way = from.way_to(to);
         let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
         leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
@@ -141,7 +133,7 @@ impl<R: Real> Corner<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned().downhill();
+        let downhill = self.pivot.stance(scene, grip).pinned().downhill();
         self.turn_by(scene, grip, &downhill)
     }
 
@@ -152,7 +144,7 @@ impl<R: Real> Corner<R> {
         grip: &Grip<R>,
         direction: R,
     ) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned().over_fold(direction);
+        let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
         self.turn_by(scene, grip, &downhill)
     }
 
@@ -175,7 +167,7 @@ impl<R: Real> Corner<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Trigger<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let rounding = stance.rounding();
         let mut trigger = Trigger::Balanced;
         let mut worst = -rounding;

@@ -38,14 +38,6 @@ impl<R: Real> Edge<R> {
         gather([first, second])
     }
 
-    fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), grip)
-    }
-
     fn reaction<const V: usize, const S: usize>(
         &self,
         scene: &Scene<R, V, S>,
@@ -81,7 +73,7 @@ impl<R: Real> Edge<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let stance = self.stance(scene, from);
+        let stance = self.pivot.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
         let mut leg = Leg::whole(Motion::straight(), Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
@@ -111,7 +103,7 @@ impl<R: Real> Edge<R> {
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Trigger<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
         let [first, second] = reaction.parts;
         match (
@@ -145,7 +137,7 @@ impl<R: Real> Edge<R> {
         grip: &Grip<R>,
         sign: R,
     ) -> Moved<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
         let shift = surface.tangent * (sign * farthest);

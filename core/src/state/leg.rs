@@ -97,7 +97,7 @@ impl<R: Real> Leg<R> {
         *pivot = pivot.moved(R::ZERO, self.turn());
         let moved = self.moved();
         if matches!(moved.trigger, Trigger::Balanced | Trigger::Stopped) && !moved.unsure {
-            let stance = Stance::new(scene, pivot.placed(scene), to);
+            let stance = pivot.stance(scene, to);
             *pivot = pivot.moved(R::ZERO, stance.correction());
         }
         moved

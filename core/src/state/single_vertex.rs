@@ -29,14 +29,6 @@ impl<R: Real> SingleVertex<R> {
         gather([self.pivot.contact])
     }
 
-    fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
-        Stance::new(scene, self.pivot.placed(scene), grip)
-    }
-
     fn reaction(stance: &Stance<R>, surface: &Surface<R>, way: &Way<R>) -> Reaction<R> {
         Reaction {
             normal: stance.reaction(surface.normal, way),
@@ -51,7 +43,7 @@ impl<R: Real> SingleVertex<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let stance = self.stance(scene, from);
+        let stance = self.pivot.stance(scene, from);
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
         let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
@@ -74,7 +66,7 @@ impl<R: Real> SingleVertex<R> {
         sliding: Option<R>,
     ) -> Moved<R> {
         let begin = self.clone();
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let mut moved = self.turn_by(scene, grip, &stance.pinned().downhill());
         let Some(sign) = sliding else {
             return moved;
@@ -86,7 +78,7 @@ impl<R: Real> SingleVertex<R> {
             *self = begin;
         }
         let at_rest = matches!(moved.trigger, Trigger::Balanced | Trigger::Slide(_));
-        if (blocked || at_rest) && self.is_driven(scene, &self.stance(scene, grip), sign) {
+        if (blocked || at_rest) && self.is_driven(scene, &self.pivot.stance(scene, grip), sign) {
             moved.trigger = Trigger::Slide(sign);
         }
         moved
@@ -115,7 +107,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         direction: R,
     ) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned().over_fold(direction);
+        let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
         self.turn_by(scene, grip, &downhill)
     }
 
@@ -139,7 +131,7 @@ impl<R: Real> SingleVertex<R> {
         scene: &Scene<R, V, S>,
         grip: &Grip<R>,
     ) -> Trigger<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
@@ -158,7 +150,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         sign: R,
     ) -> Moved<R> {
-        let stance = self.stance(scene, grip);
+        let stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         // Beyond this way the hand would pull back.
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();

@@ -6,7 +6,7 @@ use crate::coupling::{Grip, Stance};
 use crate::detect::Moving;
 use crate::geometry::Vec2;
 use crate::jet::{Jet, JetVec};
-use crate::motion::{Course, Motion, Place};
+use crate::motion::{Motion, Place};
 use crate::real::Real;
 use crate::roots::{Found, Look, first_zero};
 use crate::scene::{Scene, Surface};
@@ -254,7 +254,7 @@ impl<R: Real> Trammel<R> {
             shift: self.surfaces[0].tangent,
             keeps: &keeps,
         };
-        if let Some(pair) = self.first_touch(scene, &mut course, &moving) {
+        if let Some(pair) = self.stance.placed.first_touch(scene, &mut course, &moving) {
             ending = Ending::Touches(pair);
         }
         let run = Run {
@@ -263,15 +263,6 @@ impl<R: Real> Trammel<R> {
             unsure: unsure || course.unsure,
         };
         (run, ending)
-    }
-
-    fn first_touch<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        course: &mut Course<R>,
-        moving: &Moving<'_, R>,
-    ) -> Option<Pair> {
-        self.stance.placed.first_touch(scene, course, moving)
     }
 
     fn ending(&self, which: usize) -> Ending<R> {
