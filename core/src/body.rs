@@ -18,39 +18,14 @@ impl<R: Real, const V: usize> Body<R, V> {
         Self { vertices, centroid }
     }
 
-    /// v_i, body frame; the origin where there is no such vertex.
-    pub(crate) fn vertex(&self, i: u8) -> Vec2<R> {
-        self.vertices
-            .get(usize::from(i))
-            .copied()
-            .unwrap_or(Vec2::ZERO)
+    /// Vertices, body frame, counter-clockwise.
+    pub(crate) fn vertices(&self) -> &[Vec2<R>] {
+        &self.vertices
     }
 
     /// The centroid cg (of the area, of the rod, of the point), body frame.
     pub(crate) fn centroid(&self) -> Vec2<R> {
         self.centroid
-    }
-
-    /// The indices of all vertices.
-    pub(crate) fn indices(&self) -> impl Iterator<Item = u8> + use<R, V> {
-        0..u8::try_from(self.vertices.len()).unwrap_or(u8::MAX)
-    }
-
-    /// The two neighbours of a vertex: on the surface that it touches nothing else can arrive first.
-    pub(crate) fn neighbours(&self, i: u8) -> impl Iterator<Item = u8> + use<R, V> {
-        let last = self.vertices.len().saturating_sub(1);
-        let at = usize::from(i);
-        let next = if at >= last { 0 } else { at.saturating_add(1) };
-        let previous = if at == 0 { last } else { at.saturating_sub(1) };
-        let pair = [next, previous];
-        let distinct = match last {
-            0 => 0,
-            1 => 1,
-            _ => 2,
-        };
-        pair.into_iter()
-            .take(distinct)
-            .filter_map(|k| u8::try_from(k).ok())
     }
 
     /// The distance of a point of the body frame from the body; 0 inside.

@@ -6,7 +6,7 @@ use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::motion::Margin;
 use crate::real::Real;
 use crate::roots::PinnedMoment;
-use crate::scene::{Scene, Surface};
+use crate::scene::{Surface, World};
 use crate::state::Pair;
 use crate::support::Screw;
 
@@ -81,12 +81,8 @@ pub(crate) struct Pivot<R> {
 
 impl<R: Real> Pivot<R> {
     /// Of a body in a pose at which the vertex of `contact` is on the surface.
-    pub(crate) fn at<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
-        pose: &Pose<R>,
-        contact: Pair,
-    ) -> Self {
-        let vertex = scene.body.vertex(contact.vertex);
+    pub(crate) fn at(scene: &impl World<R>, pose: &Pose<R>, contact: Pair) -> Self {
+        let vertex = scene.vertex(contact.vertex);
         let point = pose.position + pose.orientation.rotation().apply(vertex);
         Self {
             contact,
@@ -95,37 +91,27 @@ impl<R: Real> Pivot<R> {
         }
     }
 
-    pub(crate) fn surface<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-    ) -> Surface<R> {
+    pub(crate) fn surface(&self, scene: &impl World<R>) -> Surface<R> {
         scene.surface(self.contact.surface)
     }
 
     /// c, exactly on the surface.
-    pub(crate) fn point<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Vec2<R> {
+    pub(crate) fn point(&self, scene: &impl World<R>) -> Vec2<R> {
         let surface = self.surface(scene);
         surface.normal * surface.offset + surface.tangent * self.foot
     }
 
-    pub(crate) fn placed<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-    ) -> Placed<R> {
+    pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
         Placed {
             point: self.point(scene),
-            body_point: scene.body.vertex(self.contact.vertex),
+            body_point: scene.vertex(self.contact.vertex),
             orientation: self.orientation,
             on: Some(self.contact.surface),
         }
     }
 
     /// The load on the body about the pivot.
-    pub(crate) fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
+    pub(crate) fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
         Stance::new(scene, self.placed(scene), grip)
     }
 
@@ -160,14 +146,10 @@ pub(crate) struct Stance<R> {
 }
 
 impl<R: Real> Stance<R> {
-    pub(crate) fn new<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
-        placed: Placed<R>,
-        grip: &Grip<R>,
-    ) -> Self {
+    pub(crate) fn new(scene: &impl World<R>, placed: Placed<R>, grip: &Grip<R>) -> Self {
         let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);
-        let centroid = rotation.apply(scene.body.centroid() - placed.body_point);
+        let centroid = rotation.apply(scene.centroid() - placed.body_point);
         let hand = grip.hand - placed.point;
         let spring = hand - lever;
         Self {
@@ -175,10 +157,10 @@ impl<R: Real> Stance<R> {
             lever,
             centroid,
             spring,
-            couple: scene.stiffness * grip.angle.minus(placed.orientation.angle()),
-            hold: lever.conj_mul(hand) + centroid.conj_mul(scene.weight),
-            force: spring + scene.weight,
-            stiffness: scene.stiffness,
+            couple: scene.stiffness() * grip.angle.minus(placed.orientation.angle()),
+            hold: lever.conj_mul(hand) + centroid.conj_mul(scene.weight()),
+            force: spring + scene.weight(),
+            stiffness: scene.stiffness(),
         }
     }
 

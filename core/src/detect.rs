@@ -3,7 +3,7 @@
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::motion::{Course, Margin, Motion};
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 use crate::state::{Pair, Pairs};
 
 /// The body placed by one of its points.
@@ -37,23 +37,14 @@ impl<R: Real> Placed<R> {
     }
 
     /// From the point to a vertex, world frame.
-    pub(crate) fn arm<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        vertex: u8,
-    ) -> Vec2<R> {
+    pub(crate) fn arm(&self, scene: &impl World<R>, vertex: u8) -> Vec2<R> {
         self.orientation
             .rotation()
-            .apply(scene.body.vertex(vertex) - self.body_point)
+            .apply(scene.vertex(vertex) - self.body_point)
     }
 
     /// The gap between a vertex and a surface, with its rounding.
-    fn gap_at<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        contact: Pair,
-        arm: Vec2<R>,
-    ) -> (R, R) {
+    fn gap_at(&self, scene: &impl World<R>, contact: Pair, arm: Vec2<R>) -> (R, R) {
         let surface = scene.surface(contact.surface);
         let unit = R::TWO * R::EPSILON;
         if self.on == Some(contact.surface) {
@@ -65,24 +56,16 @@ impl<R: Real> Placed<R> {
     }
 
     /// The gap between a vertex and a surface.
-    pub(crate) fn gap<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        contact: Pair,
-    ) -> R {
+    pub(crate) fn gap(&self, scene: &impl World<R>, contact: Pair) -> R {
         self.gap_at(scene, contact, self.arm(scene, contact.vertex))
             .0
     }
 
     /// All contacts whose gap is below `tolerance`, in the order of surfaces and vertices.
-    pub(crate) fn touching<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        tolerance: R,
-    ) -> Pairs {
+    pub(crate) fn touching(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
-            for vertex in scene.body.indices() {
+            for vertex in scene.vertex_indices() {
                 let contact = Pair { vertex, surface };
                 if self.gap(scene, contact) <= tolerance {
                     // Contacts beyond the capacity are redundant in the plane.
@@ -94,12 +77,7 @@ impl<R: Real> Placed<R> {
     }
 
     /// The gap on a motion on which the point moves by `shift`·tau.
-    fn margin<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        contact: Pair,
-        shift: Vec2<R>,
-    ) -> Margin<R> {
+    fn margin(&self, scene: &impl World<R>, contact: Pair, shift: Vec2<R>) -> Margin<R> {
         let surface = scene.surface(contact.surface);
         let arm = self.arm(scene, contact.vertex);
         let (start, rounding) = self.gap_at(scene, contact, arm);
@@ -118,15 +96,15 @@ impl<R: Real> Placed<R> {
 
     /// The first vertex to reach a surface on a motion, other than the contacts that it keeps. The course is
     /// shortened to there.
-    pub(crate) fn first_touch<const V: usize, const S: usize>(
+    pub(crate) fn first_touch(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         course: &mut Course<R>,
         moving: &Moving<'_, R>,
     ) -> Option<Pair> {
         let mut first = None;
         // No vertex is farther from the point than this.
-        let radius = R::ONE + (scene.body.vertex(0) - self.body_point).reach();
+        let radius = R::ONE + (scene.vertex(0) - self.body_point).reach();
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let own = self.on == Some(index);
@@ -147,7 +125,7 @@ impl<R: Real> Placed<R> {
                     vertex,
                     surface: index,
                 };
-                let body_vertex = scene.body.vertex(vertex);
+                let body_vertex = scene.vertex(vertex);
                 let swing = (body_vertex - self.body_point).reach() * course.end.turn.abs();
                 let clear = level + normal.dot(body_vertex) - along - swing;
                 if clear > R::TOUCH || moving.keeps.contains(&contact) {
@@ -159,12 +137,15 @@ impl<R: Real> Placed<R> {
                 }
             };
             if !own {
-                scene.body.indices().for_each(&mut visit);
+                scene.vertex_indices().for_each(&mut visit);
             } else if let [pivot, others @ ..] = moving.keeps
                 && others.iter().all(|other| other.surface != index)
             {
                 // On its own surface nothing arrives before a neighbour.
-                scene.body.neighbours(pivot.vertex).for_each(&mut visit);
+                scene
+                    .neighbours(pivot.vertex)
+                    .into_iter()
+                    .for_each(&mut visit);
             }
         }
         first

@@ -65,6 +65,7 @@ mod geometry;
 mod hand;
 mod jet;
 mod list;
+mod model;
 mod motion;
 mod output;
 mod real;
@@ -77,6 +78,7 @@ mod transition;
 
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
+pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
 pub use output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench};
 pub use real::Real;
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};

@@ -49,6 +49,8 @@ pub trait Real:
     const RANGE: Self;
     /// A number beyond every root: the limit of an unlimited search.
     const HUGE: Self;
+    /// -[`Self::HUGE`]
+    const LEAST: Self;
 
     /// A whole number.
     fn from_int(n: i32) -> Self;

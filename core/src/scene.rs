@@ -5,7 +5,10 @@ use crate::body::Body;
 use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
+use crate::model::{Full, Model};
 use crate::real::Real;
+use core::marker::PhantomData;
+use core::ops::Range;
 use heapless::Vec;
 
 mod check;
@@ -25,6 +28,16 @@ pub(crate) struct Surface<R> {
     pub(crate) offset: R,
     /// Friction on this surface.
     pub(crate) friction: Coulomb<R>,
+}
+
+impl<R: Real> Surface<R> {
+    /// Nothing reaches it.
+    const NOWHERE: Self = Self {
+        normal: Vec2::new(R::ZERO, R::ONE),
+        tangent: Vec2::new(R::ONE, R::ZERO),
+        offset: R::LEAST,
+        friction: Coulomb::FRICTIONLESS,
+    };
 }
 
 /// The size of 1 inside the solver, in SI units.
@@ -84,22 +97,98 @@ impl<F: Real> Units<F> {
     }
 }
 
-/// A checked scene with room for V vertices and S surfaces.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene<R: Real, const V: usize, const S: usize> {
-    pub(crate) body: Body<R, V>,
-    pub(crate) surfaces: Vec<Surface<R>, S>,
+/// What the states ask of a scene. The constants are known to the compiler: what a scene cannot need is not compiled in.
+pub(crate) trait World<R: Real> {
+    /// A body of more than one vertex: it can lie on an edge.
+    const EDGES: bool;
+    /// More than one surface: it can touch two at once.
+    const SURFACES: bool;
+    /// Surfaces have friction.
+    const FRICTION: bool;
+    /// The body has a weight.
+    const WEIGHT: bool;
+
+    /// Vertices, body frame, counter-clockwise.
+    fn vertices(&self) -> &[Vec2<R>];
+    /// The surfaces.
+    fn surfaces(&self) -> &[Surface<R>];
+    /// cg, body frame.
+    fn centroid(&self) -> Vec2<R>;
     /// k_theta / (k_h L²)
-    pub(crate) stiffness: R,
+    fn stiffness(&self) -> R;
     /// The weight as a force, W / (k_h L).
-    pub(crate) weight: Vec2<R>,
+    fn weight(&self) -> Vec2<R>;
+
+    /// v_i, body frame; the origin where there is no such vertex.
+    fn vertex(&self, i: u8) -> Vec2<R> {
+        let vertex = self.vertices().get(usize::from(i));
+        vertex.copied().unwrap_or(Vec2::ZERO)
+    }
+
+    /// The surface of an index; a plane that nothing reaches where there is none.
+    fn surface(&self, index: u8) -> Surface<R> {
+        let surface = self.surfaces().get(usize::from(index));
+        surface.copied().unwrap_or(Surface::NOWHERE)
+    }
+
+    /// The indices of all vertices.
+    fn vertex_indices(&self) -> Range<u8> {
+        0..u8::try_from(self.vertices().len()).unwrap_or(u8::MAX)
+    }
+
+    /// The indices of all surfaces.
+    fn surface_indices(&self) -> Range<u8> {
+        0..u8::try_from(self.surfaces().len()).unwrap_or(u8::MAX)
+    }
+
+    /// The two neighbours of a vertex (of a rod twice the other one, of a point itself): on the surface that it touches
+    /// nothing else can arrive first.
+    fn neighbours(&self, i: u8) -> [u8; 2] {
+        let last = self.vertex_indices().end.saturating_sub(1);
+        let next = if i >= last { 0 } else { i.saturating_add(1) };
+        let previous = if i == 0 { last } else { i.saturating_sub(1) };
+        [next, previous]
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
+    const EDGES: bool = V > 1;
+    const SURFACES: bool = S > 1;
+    const FRICTION: bool = M::FRICTION;
+    const WEIGHT: bool = M::WEIGHT;
+
+    fn vertices(&self) -> &[Vec2<R>] {
+        self.body.vertices()
+    }
+    fn surfaces(&self) -> &[Surface<R>] {
+        &self.surfaces
+    }
+    fn centroid(&self) -> Vec2<R> {
+        self.body.centroid()
+    }
+    fn stiffness(&self) -> R {
+        self.stiffness
+    }
+    fn weight(&self) -> Vec2<R> {
+        if M::WEIGHT { self.weight } else { Vec2::ZERO }
+    }
+}
+
+/// A checked scene with room for V vertices and S surfaces, for a solver with the parts of M.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
+    pub(crate) body: Body<R, V>,
+    surfaces: Vec<Surface<R>, S>,
+    stiffness: R,
+    weight: Vec2<R>,
     pub(crate) start: Pose<R>,
     pub(crate) holding_point: Option<Vec2<R>>,
     pub(crate) reach: R,
     pub(crate) units: Units<R::Si>,
+    model: PhantomData<M>,
 }
 
-impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
+impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     /// Checks a description and makes it non-dimensional.
     ///
     /// # Errors
@@ -129,28 +218,11 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
             holding_point: d.holding_point.map(nd),
             reach: R::from_si(units.of_length(d.reach)),
             units,
+            model: PhantomData,
         };
         scene.check_range(d)?;
         scene.check_start()?;
         Ok(scene)
-    }
-
-    /// The surface of an index; a plane that nothing reaches where there is none.
-    pub(crate) fn surface(&self, index: u8) -> Surface<R> {
-        self.surfaces
-            .get(usize::from(index))
-            .copied()
-            .unwrap_or(Surface {
-                normal: Vec2::new(R::ZERO, R::ONE),
-                tangent: Vec2::new(R::ONE, R::ZERO),
-                offset: -R::HUGE,
-                friction: Coulomb::FRICTIONLESS,
-            })
-    }
-
-    /// The indices of all surfaces.
-    pub(crate) fn surface_indices(&self) -> impl Iterator<Item = u8> + use<R, V, S> {
-        0..u8::try_from(self.surfaces.len()).unwrap_or(u8::MAX)
     }
 
     /// Coordinates beyond the range of the number type are refused: their sums would carry no digits.
@@ -197,10 +269,10 @@ impl<R: Real, const V: usize, const S: usize> Scene<R, V, S> {
         let rotation = self.start.orientation.rotation();
         for (s, surface) in self.surface_indices().zip(&self.surfaces) {
             let gap = |i: u8| {
-                let vertex = self.start.position + rotation.apply(self.body.vertex(i));
+                let vertex = self.start.position + rotation.apply(self.vertex(i));
                 surface.normal.dot(vertex) - surface.offset
             };
-            let deepest = self.body.indices().fold((0, gap(0)), |worst, i| {
+            let deepest = self.vertex_indices().fold((0, gap(0)), |worst, i| {
                 if gap(i) < worst.1 { (i, gap(i)) } else { worst }
             });
             if deepest.1 < -Self::start_tolerance() {

@@ -4,9 +4,10 @@ use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Vec2};
 use crate::hand::Hand;
+use crate::model::{Full, Model};
 use crate::output::{Event, Log, Output, Status};
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::{Scene, World};
 use crate::state::{ContactState, Free, Trigger};
 use crate::transition::settle;
 
@@ -24,8 +25,8 @@ pub enum Evolution {
 
 /// The solver of one scene. It holds no state of a run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Solver<R: Real, const V: usize, const S: usize> {
-    scene: Scene<R, V, S>,
+pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
+    scene: Scene<R, V, S, M>,
     evolution: Evolution,
 }
 
@@ -59,9 +60,9 @@ impl<R: Real> State<R> {
     }
 }
 
-impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
+impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// A solver for a scene.
-    pub const fn new(scene: Scene<R, V, S>, evolution: Evolution) -> Self {
+    pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self { scene, evolution }
     }
 
@@ -125,7 +126,7 @@ impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
     fn placed_at_start(&self) -> State<R> {
         let pose = self.scene.start;
         let placed = Placed::at(&pose);
-        let touching = placed.touching(&self.scene, Scene::<R, V, S>::start_tolerance());
+        let touching = placed.touching(&self.scene, Scene::<R, V, S, M>::start_tolerance());
         let contact = match touching.split_first() {
             None => ContactState::Free(Free { pose }),
             Some((&first, others)) => {

@@ -13,7 +13,7 @@ use crate::geometry::Pose;
 use crate::list::gather;
 use crate::output::{MAX_CONTACTS, StateKind};
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 use heapless::Vec;
 
 mod bracing;
@@ -139,37 +139,33 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The pivot that carries the pose; `None` without contact.
-    pub(crate) fn pivot(&self) -> Option<Pivot<R>> {
+    /// The pivot that carries the pose; without contact the pose itself.
+    pub(crate) fn carrier(&self) -> Result<&Pivot<R>, &Pose<R>> {
         match self {
-            Self::Free(_) => None,
-            Self::SingleVertex(s) => Some(s.pivot),
-            Self::Edge(s) => Some(s.pivot),
-            Self::TwoVertex(s) => Some(s.pivot),
-            Self::Corner(s) => Some(s.pivot),
-            Self::Locked(s) => Some(s.pivot),
+            Self::Free(s) => Err(&s.pose),
+            Self::SingleVertex(s) => Ok(&s.pivot),
+            Self::Edge(s) => Ok(&s.pivot),
+            Self::TwoVertex(s) => Ok(&s.pivot),
+            Self::Corner(s) => Ok(&s.pivot),
+            Self::Locked(s) => Ok(&s.pivot),
         }
     }
 
     /// The body placed by the point that carries its pose.
-    pub(crate) fn placed<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-    ) -> Placed<R> {
-        match (self, self.pivot()) {
-            (Self::Free(free), _) => Placed::at(&free.pose),
-            (_, Some(pivot)) => pivot.placed(scene),
-            (_, None) => Placed::at(&scene.start),
+    pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
+        match self.carrier() {
+            Ok(pivot) => pivot.placed(scene),
+            Err(pose) => Placed::at(pose),
         }
     }
 
-    pub(crate) fn pose<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Pose<R> {
+    pub(crate) fn pose(&self, scene: &impl World<R>) -> Pose<R> {
         self.placed(scene).pose()
     }
 
-    pub(crate) fn advance<const V: usize, const S: usize>(
+    pub(crate) fn advance(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
@@ -183,9 +179,9 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    pub(crate) fn relax<const V: usize, const S: usize>(
+    pub(crate) fn relax(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         how: Relax<R>,
     ) -> Moved<R> {
@@ -200,12 +196,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// From a fold of the branch, on in the direction of the sign. A free body finds its way from there by itself.
-    pub(crate) fn snap<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        direction: R,
-    ) -> Moved<R> {
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
         match self {
             Self::SingleVertex(s) => s.snap(scene, grip, direction),
             Self::Corner(s) => s.snap(scene, grip, direction),
@@ -214,12 +205,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
-    pub(crate) fn slide<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        sign: R,
-    ) -> Moved<R> {
+    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         match self {
             Self::SingleVertex(s) => s.slide(scene, grip, sign),
             Self::Edge(s) => s.slide(scene, grip, sign),
@@ -228,11 +214,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         match self {
             Self::Free(_) => Reactions::new(),
             Self::SingleVertex(s) => s.reactions(scene, stance),
@@ -244,11 +226,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.
-    pub(crate) fn seated<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
-        pivot: Pivot<R>,
-        others: &[Pair],
-    ) -> Self {
+    pub(crate) fn seated(scene: &impl World<R>, pivot: Pivot<R>, others: &[Pair]) -> Self {
         let pivot = seat(scene, pivot, others);
         match *others {
             [] => Self::SingleVertex(SingleVertex { pivot }),
@@ -271,8 +249,8 @@ impl<R: Real> ContactState<R> {
 
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
 /// are closed to the rounding. The pivot's foot stays unless the other contacts leave no choice.
-pub(crate) fn seat<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
+pub(crate) fn seat<R: Real>(
+    scene: &impl World<R>,
     mut pivot: Pivot<R>,
     others: &[Pair],
 ) -> Pivot<R> {

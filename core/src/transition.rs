@@ -5,7 +5,7 @@ use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
 use crate::output::{Event, Log, StateKind, Status};
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 use crate::state::{ContactState, Free, Moved, Pair, Pairs, Relax, Trigger};
 
 mod arms;
@@ -29,8 +29,8 @@ enum Next<R> {
 const MAX_TRANSITIONS: usize = 256;
 
 /// Brings the body to rest at a frozen hand, beginning with a trigger, or without one with the test of the state.
-pub(crate) fn settle<R: Real, const V: usize, const S: usize>(
-    scene: &Scene<R, V, S>,
+pub(crate) fn settle<R: Real>(
+    scene: &impl World<R>,
     grip: &Grip<R>,
     state: &mut ContactState<R>,
     trigger: Option<Trigger<R>>,
@@ -106,16 +106,15 @@ fn stays<R: Real>(log: &mut Log<R>) {
 }
 
 /// A scene with the hand frozen.
-#[derive(Clone, Copy)]
-struct At<'a, R: Real, const V: usize, const S: usize> {
-    scene: &'a Scene<R, V, S>,
+struct At<'a, R: Real, W> {
+    scene: &'a W,
     grip: &'a Grip<R>,
 }
 
-impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
+impl<R: Real, W: World<R>> At<'_, R, W> {
     /// The table: the state after a trigger and what it does next.
     fn apply(
-        self,
+        &self,
         state: &mut ContactState<R>,
         (trigger, slip): (Trigger<R>, R),
         log: &mut Log<R>,
@@ -149,7 +148,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
     }
 
     /// No motion of these contacts is consistent: others that were let go are taken back, to try the next one.
-    fn undriven(self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
+    fn undriven(&self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
         let contacts = state.contacts();
         let touching = state.placed(self.scene).touching(self.scene, R::TOUCH);
         let dropped = touching.iter().find(|pair| !contacts.contains(pair));
@@ -163,7 +162,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
 
     /// The end of a slip. One that began out of balance of moments, when another contact opened, goes on with a turn;
     /// where a trammel stops, a reaction may have fallen below zero.
-    fn after_slip(self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
+    fn after_slip(&self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
         log.transitions.add(slip_arm(state));
         if let ContactState::SingleVertex(single) = state {
             let stance = single.pivot.stance(self.scene, self.grip);
@@ -179,7 +178,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
     }
 
     /// A vertex reaches a surface; all that close together are taken together.
-    fn touch(self, state: &mut ContactState<R>, pair: Pair, log: &mut Log<R>) {
+    fn touch(&self, state: &mut ContactState<R>, pair: Pair, log: &mut Log<R>) {
         let before = state.kind();
         let pivot = self.pivot_of(state, state.contacts().first().copied().unwrap_or(pair));
         let touching = pivot.placed(self.scene).touching(self.scene, R::TOUCH);
@@ -200,7 +199,7 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
 
     /// Only one or two contacts last.
     fn keep(
-        self,
+        &self,
         state: &mut ContactState<R>,
         lasting: [usize; 2],
         sliding: Option<R>,
@@ -222,9 +221,9 @@ impl<R: Real, const V: usize, const S: usize> At<'_, R, V, S> {
     }
 
     /// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
-    fn pivot_of(self, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
-        match state.pivot() {
-            Some(pivot) if pivot.contact == pair => pivot,
+    fn pivot_of(&self, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
+        match state.carrier() {
+            Ok(pivot) if pivot.contact == pair => *pivot,
             _ => Pivot::at(self.scene, &state.pose(self.scene), pair),
         }
     }

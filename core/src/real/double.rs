@@ -16,6 +16,7 @@ impl Real for f64 {
     const MICRO: f64 = 1e-9;
     const RANGE: f64 = 1e12;
     const HUGE: f64 = 1e30;
+    const LEAST: f64 = -Self::HUGE;
 
     fn from_int(n: i32) -> f64 {
         f64::from(n)

@@ -46,6 +46,7 @@ impl Real for f32 {
     const MICRO: f32 = 1e-6;
     const RANGE: f32 = 1e6;
     const HUGE: f32 = 1e15;
+    const LEAST: f32 = -Self::HUGE;
 
     fn from_int(n: i32) -> f32 {
         n as f32

@@ -3,11 +3,12 @@
 use super::{Solver, State};
 use crate::coupling::Stance;
 use crate::geometry::Angle;
+use crate::model::Model;
 use crate::output::{Contact, Log, MAX_CONTACTS, Output, Wrench};
 use crate::real::Real;
 use heapless::Vec;
 
-impl<R: Real, const V: usize, const S: usize> Solver<R, V, S> {
+impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub(super) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);

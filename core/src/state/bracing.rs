@@ -8,7 +8,7 @@ use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::real::Real;
-use crate::scene::{Scene, Surface};
+use crate::scene::{Surface, World};
 use crate::support::{Bearing, Support, Yield};
 
 /// The contacts, placed by a pivot that is the first of them.
@@ -29,11 +29,7 @@ struct Twist<R> {
 }
 
 impl<R: Real> Bracing<R> {
-    pub(super) fn new<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
-        pivot: &Pivot<R>,
-        contacts: &Pairs,
-    ) -> Self {
+    pub(super) fn new(scene: &impl World<R>, pivot: &Pivot<R>, contacts: &Pairs) -> Self {
         let placed = pivot.placed(scene);
         let mut support = Support::default();
         for contact in contacts {
@@ -53,12 +49,7 @@ impl<R: Real> Bracing<R> {
     }
 
     /// To the end of the hand's way, or to where the load is not borne any more.
-    pub(super) fn advance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        from: &Grip<R>,
-        to: &Grip<R>,
-    ) -> Moved<R> {
+    pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
         let rounding = R::TWO * (before.rounding() + after.rounding());
         match (self.support).first_yield(before.load(), after.load(), rounding) {
@@ -71,12 +62,7 @@ impl<R: Real> Bracing<R> {
     }
 
     /// At rest, or what begins. `attempt`: how many motions were tried in vain.
-    pub(super) fn test<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        attempt: usize,
-    ) -> Trigger<R> {
+    pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
         let (load, rounding) = (stance.load(), R::from_int(4) * stance.rounding());
         if self.support.first_yield(load, load, rounding).is_none() {
@@ -87,9 +73,9 @@ impl<R: Real> Bracing<R> {
     }
 
     /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
-    fn give_way<const V: usize, const S: usize>(
+    fn give_way(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         (grip, ahead): (&Grip<R>, &Grip<R>),
         attempt: usize,
     ) -> Trigger<R> {
@@ -154,23 +140,13 @@ impl<R: Real> Bracing<R> {
     }
 
     /// Driven by the load, and no gap of another contact closes.
-    fn is_consistent<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        mode: &Mode<R>,
-    ) -> bool {
+    fn is_consistent(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
         slowest.is_some_and(|rate| rate >= -Self::rest())
     }
 
     /// Driven by the load, and every gap of another contact opens.
-    pub(super) fn opens<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        mode: &Mode<R>,
-    ) -> bool {
+    pub(super) fn opens(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
         slowest.is_some_and(|rate| rate > Self::rest())
     }
@@ -181,12 +157,7 @@ impl<R: Real> Bracing<R> {
     }
 
     /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.
-    fn slowest_opening<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        mode: &Mode<R>,
-    ) -> Option<R> {
+    fn slowest_opening(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> Option<R> {
         let twist = self.twist(scene, grip, mode, Demand::Pressed)?;
         let placed = self.pivot.placed(scene);
         let lasting = mode.0.map(|i| self.contact(i));
@@ -199,9 +170,9 @@ impl<R: Real> Bracing<R> {
     }
 
     /// The motion of a mode, if the load drives it.
-    fn twist<const V: usize, const S: usize>(
+    fn twist(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         mode: &Mode<R>,
         demand: Demand,
@@ -250,12 +221,7 @@ impl<R: Real> Bracing<R> {
     }
 
     /// A turn about one contact, in the direction of the moment about it.
-    fn pivoting<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-        about: Pair,
-    ) -> Option<Twist<R>> {
+    fn pivoting(&self, scene: &impl World<R>, stance: &Stance<R>, about: Pair) -> Option<Twist<R>> {
         let arm = stance.placed.arm(scene, about.vertex);
         let moment = stance.moment() - arm.cross(stance.force);
         let turn = moment.sign();
@@ -279,11 +245,7 @@ impl<R: Real> Bracing<R> {
     }
 
     /// Reactions, which are statically indeterminate.
-    pub(super) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(super) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         let shares = self.support.share(stance.load());
         let pairs = self.contacts.iter().zip(&shares);
         gather(pairs.map(|(contact, &[plus, minus])| {

@@ -9,7 +9,7 @@ use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::real::Real;
 use crate::roots::Downhill;
-use crate::scene::Scene;
+use crate::scene::World;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,10 +36,7 @@ impl<R: Real> Corner<R> {
     }
 
     /// The edges of the two cones: contact, side and direction.
-    fn cone_edges<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-    ) -> [(usize, R, Vec2<R>); 4] {
+    fn cone_edges(&self, scene: &impl World<R>) -> [(usize, R, Vec2<R>); 4] {
         let edge = |contact: usize, side: R| {
             let index = if contact == 0 {
                 self.pivot.contact.surface
@@ -59,10 +56,7 @@ impl<R: Real> Corner<R> {
     }
 
     /// The two outer edges; none where the cones span the whole plane.
-    fn outer_edges<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-    ) -> [Option<OuterEdge<R>>; 2] {
+    fn outer_edges(&self, scene: &impl World<R>) -> [Option<OuterEdge<R>>; 2] {
         let edges = self.cone_edges(scene);
         [R::ONE, -R::ONE].map(|turn| {
             let outer = edges.iter().find(|(_, _, direction)| {
@@ -81,11 +75,7 @@ impl<R: Real> Corner<R> {
 
     /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; where this way leads into
     /// the other surface, it climbs that one.
-    fn slides<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        outer: &OuterEdge<R>,
-    ) -> Trigger<R> {
+    fn slides(&self, scene: &impl World<R>, outer: &OuterEdge<R>) -> Trigger<R> {
         let index = [self.pivot.contact.surface, self.surface];
         let [first, second] = index.map(|s| scene.surface(s));
         let (along, other) = if outer.contact == 0 {
@@ -108,9 +98,9 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
-    pub(crate) fn advance<const V: usize, const S: usize>(
+    pub(crate) fn advance(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
@@ -128,29 +118,20 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
-    pub(crate) fn relax<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let downhill = self.pivot.stance(scene, grip).pinned().downhill();
         self.turn_by(scene, grip, &downhill)
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
-    pub(crate) fn snap<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        direction: R,
-    ) -> Moved<R> {
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
         let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
         self.turn_by(scene, grip, &downhill)
     }
 
-    fn turn_by<const V: usize, const S: usize>(
+    fn turn_by(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
@@ -162,11 +143,7 @@ impl<R: Real> Corner<R> {
         moved
     }
 
-    fn test<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Trigger<R> {
+    fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
         let rounding = stance.rounding();
         let mut trigger = Trigger::Balanced;
@@ -184,11 +161,7 @@ impl<R: Real> Corner<R> {
         if pulled { Trigger::Clear } else { trigger }
     }
 
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
     }
 }

@@ -9,7 +9,7 @@ use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::motion::{Margin, Motion};
 use crate::real::Real;
-use crate::scene::{Scene, Surface};
+use crate::scene::{Surface, World};
 
 /// The memory: where the first vertex is held, the locked angle, and the other vertex.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,12 +38,7 @@ impl<R: Real> Edge<R> {
         gather([first, second])
     }
 
-    fn reaction<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-        way: &Way<R>,
-    ) -> Reaction<R> {
+    fn reaction(&self, scene: &impl World<R>, stance: &Stance<R>, way: &Way<R>) -> Reaction<R> {
         let surface = self.pivot.surface(scene);
         let fixed = |margin: Margin<R>| Margin {
             turning: Vec2::ZERO,
@@ -52,7 +47,7 @@ impl<R: Real> Edge<R> {
         let normal = fixed(stance.reaction(surface.normal, way));
         // x_2 - x_1
         let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
-        let turn = scene.stiffness * way.turn + stance.lever.cross(way.hand);
+        let turn = scene.stiffness() * way.turn + stance.lever.cross(way.hand);
         let second = Margin {
             start: -stance.moment() / span,
             along: -turn / span,
@@ -67,12 +62,7 @@ impl<R: Real> Edge<R> {
     }
 
     /// Stays as the hand moves, to the first of friction limit and N_i = 0.
-    pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        from: &Grip<R>,
-        to: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let stance = self.pivot.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
         let mut leg = Leg::whole(Motion::straight(), Trigger::Balanced);
@@ -88,21 +78,16 @@ impl<R: Real> Edge<R> {
     }
 
     /// Puts the edge to the test as it lies.
-    pub(crate) fn relax<const V: usize, const S: usize>(
+    pub(crate) fn relax(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
         Moved::by(self.test(scene, grip, sliding))
     }
 
-    fn test<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        sliding: Option<R>,
-    ) -> Trigger<R> {
+    fn test(&self, scene: &impl World<R>, grip: &Grip<R>, sliding: Option<R>) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
         let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
         let [first, second] = reaction.parts;
@@ -131,12 +116,7 @@ impl<R: Real> Edge<R> {
     }
 
     /// Slides along sign·t to the first of |T| = mu_d N, touch, N_i = 0.
-    pub(crate) fn slide<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        sign: R,
-    ) -> Moved<R> {
+    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
@@ -160,11 +140,7 @@ impl<R: Real> Edge<R> {
     }
 
     /// The friction is collinear; it is reported in proportion to N_i.
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         let reaction = self.reaction(scene, stance, &Way::slide(Vec2::ZERO));
         let parts = reaction.parts.map(|part| part.start.max(R::ZERO));
         let normal = parts[0] + parts[1];

@@ -7,7 +7,7 @@ use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::motion::Motion;
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 
 /// The memory: the pose itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,11 +16,7 @@ pub(crate) struct Free<R> {
 }
 
 impl<R: Real> Free<R> {
-    fn stance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Stance<R> {
+    fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
         let orientation = self.pose.orientation;
         let placed = Placed {
             point: self.pose.position + orientation.rotation().apply(grip.holding_point),
@@ -32,9 +28,9 @@ impl<R: Real> Free<R> {
     }
 
     /// Along the hand's way, turning in balance with the weight.
-    pub(crate) fn advance<const V: usize, const S: usize>(
+    pub(crate) fn advance(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
@@ -50,12 +46,8 @@ impl<R: Real> Free<R> {
     }
 
     /// The pose in balance at a grip, the angle corrected from near it.
-    fn balance<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        near: Orientation<R>,
-    ) -> Self {
-        let follows = scene.weight == Vec2::ZERO && scene.stiffness > R::ZERO;
+    fn balance(scene: &impl World<R>, grip: &Grip<R>, near: Orientation<R>) -> Self {
+        let follows = scene.weight() == Vec2::ZERO && scene.stiffness() > R::ZERO;
         let orientation = if follows {
             Orientation::new(grip.angle)
         } else {
@@ -65,7 +57,7 @@ impl<R: Real> Free<R> {
             };
             near.plus(Self { pose }.stance(scene, grip).correction())
         };
-        let holding_point = grip.hand + scene.weight;
+        let holding_point = grip.hand + scene.weight();
         let position = holding_point - orientation.rotation().apply(grip.holding_point);
         Self {
             pose: Pose {
@@ -78,11 +70,7 @@ impl<R: Real> Free<R> {
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
-    pub(crate) fn relax<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let downhill = self.stance(scene, grip).pinned().downhill();
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
@@ -103,27 +91,21 @@ impl<R: Real> Free<R> {
     }
 
     /// A vertex is still at a surface.
-    fn has_just_opened<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> bool {
+    fn has_just_opened(&self, scene: &impl World<R>) -> bool {
         !Placed::at(&self.pose).touching(scene, R::TOUCH).is_empty()
     }
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
-    fn straight<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        turn: R,
-        shift: R,
-    ) -> Moved<R> {
+    fn straight(&mut self, scene: &impl World<R>, grip: &Grip<R>, turn: R, shift: R) -> Moved<R> {
         let stance = self.stance(scene, grip);
         let leg = Leg::whole(Motion::turning(turn), Trigger::Balanced);
         self.sweep(scene, &stance, leg, stance.force * shift)
     }
 
     /// Goes a leg on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
-    fn sweep<const V: usize, const S: usize>(
+    fn sweep(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         stance: &Stance<R>,
         mut leg: Leg<R>,
         shift: Vec2<R>,

@@ -8,7 +8,7 @@ use crate::geometry::Vec2;
 use crate::motion::{Course, Margin, Motion};
 use crate::real::Real;
 use crate::roots::Downhill;
-use crate::scene::Scene;
+use crate::scene::World;
 
 /// The curve, its course so far, the trigger at its end.
 #[derive(Clone, Copy, Debug)]
@@ -53,9 +53,9 @@ impl<R: Real> Leg<R> {
     }
 
     /// Ends where a further vertex reaches a surface, if that is earlier. The placed point moves by `shift` at tau = 1.
-    pub(super) fn stop_at_touch<const V: usize, const S: usize>(
+    pub(super) fn stop_at_touch(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         placed: &Placed<R>,
         (shift, keeps): (Vec2<R>, &[Pair]),
     ) {
@@ -88,9 +88,9 @@ impl<R: Real> Leg<R> {
     }
 
     /// Turns a pivot to the end of the leg; where it ends in balance with the hand at `to`, without the rounding of the way.
-    pub(super) fn turn_with_hand<const V: usize, const S: usize>(
+    pub(super) fn turn_with_hand(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         pivot: &mut Pivot<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
@@ -104,8 +104,8 @@ impl<R: Real> Leg<R> {
     }
 
     /// Turns a pivot downhill at a frozen hand, to balance or to the first touch.
-    pub(super) fn turn_downhill<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
+    pub(super) fn turn_downhill(
+        scene: &impl World<R>,
         pivot: &mut Pivot<R>,
         keeps: &[Pair],
         downhill: &Downhill<R>,

@@ -7,7 +7,7 @@ use crate::coupling::{Grip, Pivot, Stance};
 use crate::list::gather;
 use crate::output::MAX_CONTACTS;
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 use heapless::Vec;
 
 /// The memory: where the first contact is held, the fixed angle, the other contacts.
@@ -24,31 +24,17 @@ impl<R: Real> Locked<R> {
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.
-    pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        from: &Grip<R>,
-        to: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         Bracing::new(scene, &self.pivot, &self.contacts()).advance(scene, from, to)
     }
 
     /// Puts the contacts to the test as they are.
-    pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        attempt: usize,
-    ) -> Moved<R> {
+    pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Moved<R> {
         let bracing = Bracing::new(scene, &self.pivot, &self.contacts());
         Moved::by(bracing.test(scene, grip, attempt))
     }
 
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
     }
 }

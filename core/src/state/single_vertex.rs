@@ -10,7 +10,7 @@ use crate::list::gather;
 use crate::motion::Margin;
 use crate::real::Real;
 use crate::roots::Downhill;
-use crate::scene::{Scene, Surface};
+use crate::scene::{Surface, World};
 
 /// The memory: where the vertex is held, and the angle, which is the branch.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,9 +37,9 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
-    pub(crate) fn advance<const V: usize, const S: usize>(
+    pub(crate) fn advance(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
@@ -59,9 +59,9 @@ impl<R: Real> SingleVertex<R> {
 
     /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
     /// goes on while it is driven, at once where the turn is blocked.
-    pub(crate) fn relax<const V: usize, const S: usize>(
+    pub(crate) fn relax(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
@@ -85,12 +85,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
-    fn is_driven<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-        sign: R,
-    ) -> bool {
+    fn is_driven(&self, scene: &impl World<R>, stance: &Stance<R>, sign: R) -> bool {
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
@@ -101,19 +96,14 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
-    pub(crate) fn snap<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        direction: R,
-    ) -> Moved<R> {
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
         let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
         self.turn_by(scene, grip, &downhill)
     }
 
-    fn turn_by<const V: usize, const S: usize>(
+    fn turn_by(
         &mut self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
@@ -126,11 +116,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Friction at rest.
-    fn test<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Trigger<R> {
+    fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
@@ -144,12 +130,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch, lift-off, fold.
-    pub(crate) fn slide<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        sign: R,
-    ) -> Moved<R> {
+    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         // Beyond this way the hand would pull back.
@@ -170,11 +151,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);

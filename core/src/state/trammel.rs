@@ -9,7 +9,7 @@ use crate::jet::{Jet, JetVec};
 use crate::motion::{Motion, Place};
 use crate::real::Real;
 use crate::roots::{Found, Look, first_zero};
-use crate::scene::{Scene, Surface};
+use crate::scene::{Surface, World};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -78,8 +78,8 @@ struct Quantities<R> {
 
 impl<R: Real> Trammel<R> {
     /// The direction that the hand drives at a place, if any.
-    pub(crate) fn driven<const V: usize, const S: usize>(
-        scene: &Scene<R, V, S>,
+    pub(crate) fn driven(
+        scene: &impl World<R>,
         state: &TwoVertex<R>,
         grip: &Grip<R>,
         demand: Demand,
@@ -95,8 +95,8 @@ impl<R: Real> Trammel<R> {
                 surfaces,
                 stance,
                 arm,
-                stiffness: scene.stiffness,
-                weight: scene.weight,
+                stiffness: scene.stiffness(),
+                weight: scene.weight(),
                 signs: [R::ZERO; 2],
                 reactions: [Vec2::ZERO; 2],
                 excess: R::ZERO,
@@ -216,9 +216,9 @@ impl<R: Real> Trammel<R> {
     }
 
     /// Runs to the first ending.
-    pub(crate) fn run<const V: usize, const S: usize>(
+    pub(crate) fn run(
         &self,
-        scene: &Scene<R, V, S>,
+        scene: &impl World<R>,
         state: &TwoVertex<R>,
         demand: Demand,
     ) -> (Run<R>, Ending<R>) {

@@ -7,7 +7,7 @@ use super::{Moved, Pair, Pairs, Reactions, Relax, Trigger, seat};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::list::gather;
 use crate::real::Real;
-use crate::scene::Scene;
+use crate::scene::World;
 
 /// The memory: where the first contact is held, the fixed angle, the other contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,17 +24,12 @@ impl<R: Real> TwoVertex<R> {
         gather([self.pivot.contact, self.other])
     }
 
-    fn bracing<const V: usize, const S: usize>(&self, scene: &Scene<R, V, S>) -> Bracing<R> {
+    fn bracing(&self, scene: &impl World<R>) -> Bracing<R> {
         Bracing::new(scene, &self.pivot, &self.contacts())
     }
 
     /// Stays as the hand moves, as long as the interval of (E5) is not empty.
-    pub(crate) fn advance<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        from: &Grip<R>,
-        to: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let moved = self.bracing(scene).advance(scene, from, to);
         Moved {
             trigger: slides(moved.trigger),
@@ -43,12 +38,7 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
-    pub(crate) fn relax<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        how: Relax<R>,
-    ) -> Moved<R> {
+    pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
         let driven = || Trammel::driven(scene, self, grip, Demand::Pressed).is_some();
         Moved::by(match how.sliding {
             Some(sign) if driven() => Trigger::Slide(sign),
@@ -57,11 +47,7 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// Slides on both surfaces to the first of (E6), N_i = 0, touch.
-    pub(crate) fn slide<const V: usize, const S: usize>(
-        &mut self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-    ) -> Moved<R> {
+    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
@@ -93,24 +79,14 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide.
-    fn can_open<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        grip: &Grip<R>,
-        lasts: usize,
-        sliding: R,
-    ) -> bool {
+    fn can_open(&self, scene: &impl World<R>, grip: &Grip<R>, lasts: usize, sliding: R) -> bool {
         let bracing = self.bracing(scene);
         [None, Some(sliding)]
             .into_iter()
             .any(|sliding| bracing.opens(scene, grip, &([lasts, lasts], sliding)))
     }
 
-    pub(crate) fn reactions<const V: usize, const S: usize>(
-        &self,
-        scene: &Scene<R, V, S>,
-        stance: &Stance<R>,
-    ) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         self.bracing(scene).reactions(scene, stance)
     }
 }
