@@ -22,6 +22,13 @@ pub(crate) struct Grip<R> {
 }
 
 impl<R: Real> Grip<R> {
+    /// F and k_theta (phi - theta) on a body in a pose.
+    pub(crate) fn springs(&self, scene: &impl World<R>, pose: &Pose<R>) -> (Vec2<R>, R) {
+        let held = pose.position + pose.orientation.rotation().apply(self.holding_point);
+        let turn = self.angle.minus(pose.orientation.angle());
+        (self.hand - held, scene.stiffness() * turn)
+    }
+
     /// The straight way of the hand: `self` at 0, `to` at 1.
     pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
         Self {

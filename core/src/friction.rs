@@ -49,8 +49,8 @@ impl<R: Real> Coulomb<R> {
         let cone = |mu: R::Si| {
             let (cos, sin) = unit(R::Si::ONE, mu);
             Cone {
-                sin: R::from_si(sin),
-                cos: R::from_si(cos),
+                sin: R::from_si(sin, R::Si::ONE),
+                cos: R::from_si(cos, R::Si::ONE),
             }
         };
         Self {

@@ -25,11 +25,11 @@ impl<R: Real> Vec2<R> {
     }
     /// a·b
     pub(crate) fn dot(self, b: Self) -> R {
-        self.x * b.x + self.y * b.y
+        R::sum_of_products(self.x, b.x, self.y, b.y)
     }
     /// a×b = a_x b_y - a_y b_x
     pub(crate) fn cross(self, b: Self) -> R {
-        self.x * b.y - self.y * b.x
+        R::difference_of_products(self.x, b.y, self.y, b.x)
     }
     /// i a: turned by a quarter turn counter-clockwise.
     pub(crate) fn turned(self) -> Self {
@@ -104,15 +104,15 @@ impl<R: Real> Rotation<R> {
     /// R a: from the body frame to the world frame.
     pub(crate) fn apply(self, a: Vec2<R>) -> Vec2<R> {
         Vec2::new(
-            self.cos * a.x - self.sin * a.y,
-            self.sin * a.x + self.cos * a.y,
+            R::difference_of_products(self.cos, a.x, self.sin, a.y),
+            R::sum_of_products(self.sin, a.x, self.cos, a.y),
         )
     }
     /// The inverse of [`Self::apply`]: from the world frame to the body frame.
     pub(crate) fn undo(self, a: Vec2<R>) -> Vec2<R> {
         Vec2::new(
-            self.cos * a.x + self.sin * a.y,
-            self.cos * a.y - self.sin * a.x,
+            R::sum_of_products(self.cos, a.x, self.sin, a.y),
+            R::difference_of_products(self.cos, a.y, self.sin, a.x),
         )
     }
 }

@@ -23,13 +23,13 @@
 //!                                |  3 state/*.rs     each state: advance, relax, slide (motion.rs, roots.rs, friction.rs)
 //!                                |  4 transition.rs  (state, trigger) -> state, until the body rests
 //!                                v
-//!                              Output                pose, contacts, wrench, events, status
+//!                              Output                pose, events, status; wrench and contacts when asked for
 //! ```
 //!
 //! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails:
 //!
 //! ```
-//! use stiction_core::{Description, Evolution, Hand, Scene, Solver, SurfaceDescription};
+//! use stiction_core::{Description, Evolution, Hand, Scene, Solver, StateKind, SurfaceDescription};
 //!
 //! let scene: Scene<f32, 4, 1> = Scene::new(&Description {
 //!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
@@ -49,7 +49,8 @@
 //! let solver = Solver::new(scene, Evolution::Path);
 //! let (mut state, _) = solver.start(Hand::new(0.0, 0.05, 0.0));
 //! let output = solver.step(&mut state, Hand::new(0.0, 0.04, 0.0));
-//! assert_eq!(output.contacts().len(), 2);
+//! assert_eq!(solver.contacts(&state).len(), 2);
+//! assert_eq!(output.state, StateKind::Edge);
 //! # Ok::<(), stiction_core::SceneError<f32>>(())
 //! ```
 //!
@@ -79,7 +80,9 @@ mod transition;
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
 pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
-pub use output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench};
+pub use output::{
+    Contact, Contacts, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench,
+};
 pub use real::Real;
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
 pub use solver::{Evolution, Solver, State};

@@ -1,10 +1,10 @@
-//! What a step gives: the pose for the renderer, the contacts and the hand's wrench for the haptic device, and what
-//! happened on the way. SI units, world frame, in the float [`Real::Si`](crate::Real::Si) of the number type.
+//! What the solver gives: with every step the pose for the renderer and what happened on the way; when asked for, the
+//! contacts and the hand's wrench for the haptic device. SI units, world frame, in the float [`Real::Si`](crate::Real::Si) of the number type.
 
 use crate::geometry::Angle;
-use crate::hand::Hand;
 use crate::real::Real;
 use crate::transition::Transitions;
+use core::ops::Deref;
 use heapless::Vec;
 
 /// At most this many contacts are carried at once; further ones are not reported.
@@ -150,11 +150,41 @@ pub struct Wrench<F> {
     pub moment: F,
 }
 
+impl<F: Real> Wrench<F> {
+    /// The wrench that a haptic device gives to the hand: the opposite of the one on the body.
+    #[must_use]
+    pub fn feedback(&self) -> Self {
+        let [x, y] = self.force;
+        Self {
+            force: [-x, -y],
+            moment: -self.moment,
+        }
+    }
+}
+
+/// The contacts of a state, in a fixed order within a kind of state. A list that can be read like a slice.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Contacts<F> {
+    list: Vec<Contact<F>, MAX_CONTACTS>,
+}
+
+impl<F> Contacts<F> {
+    pub(crate) fn add(&mut self, contact: Contact<F>) {
+        // A state has never more contacts than there is room for.
+        let _ = self.list.push(contact);
+    }
+}
+
+impl<F> Deref for Contacts<F> {
+    type Target = [Contact<F>];
+    fn deref(&self) -> &[Contact<F>] {
+        &self.list
+    }
+}
+
 /// The answer of one step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output<F> {
-    /// The hand's sample that the answer belongs to: the last good one where a bad one was held.
-    pub hand: Hand<F>,
     /// The hand holds the body (its switch is on and it took hold within reach).
     pub held: bool,
     /// Position p of the body's origin (m).
@@ -165,8 +195,6 @@ pub struct Output<F> {
     pub depth: F,
     /// The contact state.
     pub state: StateKind,
-    /// Force and moment of the hand's springs on the body; zero while it is not held.
-    pub wrench: Wrench<F>,
     /// Slips that ended at mu_d N in this frame.
     pub slips: u32,
     /// The longest of them (m).
@@ -175,26 +203,13 @@ pub struct Output<F> {
     pub status: Status,
     /// The arms of the transition table taken in this frame.
     pub transitions: Transitions,
-    pub(crate) contacts: Vec<Contact<F>, MAX_CONTACTS>,
     pub(crate) events: Vec<Event, MAX_EVENTS>,
 }
 
 impl<F: Real> Output<F> {
-    /// The contacts, in a fixed order within a state.
-    pub fn contacts(&self) -> &[Contact<F>] {
-        &self.contacts
-    }
     /// What happened in this frame, in order.
     pub fn events(&self) -> &[Event] {
         &self.events
-    }
-    /// The wrench that a haptic device gives to the hand: the opposite of [`Self::wrench`].
-    pub fn feedback(&self) -> Wrench<F> {
-        let [x, y] = self.wrench.force;
-        Wrench {
-            force: [-x, -y],
-            moment: -self.wrench.moment,
-        }
     }
 }
 

@@ -54,10 +54,10 @@ pub trait Real:
 
     /// A whole number.
     fn from_int(n: i32) -> Self;
-    /// From a non-dimensional value in the outside float.
-    fn from_si(x: Self::Si) -> Self;
-    /// To the outside float, still non-dimensional.
-    fn to_si(self) -> Self::Si;
+    /// From a value in the outside float, counted in units of which `per` make 1 there: x·per.
+    fn from_si(x: Self::Si, per: Self::Si) -> Self;
+    /// To the outside float, times a unit.
+    fn to_si(self, unit: Self::Si) -> Self::Si;
     /// False for infinity and NaN.
     fn is_finite(self) -> bool;
     /// The square root; 0 for a negative number.
@@ -69,6 +69,14 @@ pub trait Real:
     /// An angle (rad) as whole turns and a remainder in [-pi, pi].
     fn turns(self) -> (i32, Self);
 
+    /// a b + c d; for a type that rounds to a fixed step, rounded once.
+    fn sum_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        a * b + c * d
+    }
+    /// a b - c d; for a type that rounds to a fixed step, rounded once.
+    fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        a * b - c * d
+    }
     /// sin(x) / x, which is 1 at 0, and cos(x).
     fn sinc_cos(self) -> (Self, Self) {
         let (sin, cos) = self.sin_cos();

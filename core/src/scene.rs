@@ -44,11 +44,13 @@ impl<R: Real> Surface<R> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Units<F> {
     /// L (m)
-    pub(crate) length: F,
+    length: F,
     /// k_h L (N)
-    pub(crate) force: F,
+    force: F,
     /// k_h L² (N·m)
-    pub(crate) moment: F,
+    moment: F,
+    /// 1/L (1/m)
+    per_length: F,
 }
 
 impl<F: Real> Units<F> {
@@ -58,6 +60,7 @@ impl<F: Real> Units<F> {
             length,
             force,
             moment: force * length,
+            per_length: F::ONE / length,
         }
     }
     /// Neither too large nor too small to divide by.
@@ -65,35 +68,37 @@ impl<F: Real> Units<F> {
         let usable = |unit: F| unit.is_finite() && unit > F::ONE / F::HUGE;
         usable(self.length) && usable(self.force) && usable(self.moment)
     }
-    fn of_length(&self, x: F) -> F {
-        x / self.length
-    }
-    fn of_force(&self, x: F) -> F {
-        x / self.force
-    }
-    fn of_moment(&self, x: F) -> F {
-        x / self.moment
-    }
-    pub(crate) fn to_length(self, x: F) -> F {
-        x * self.length
-    }
-    pub(crate) fn to_force(self, x: F) -> F {
-        x * self.force
-    }
-    pub(crate) fn to_moment(self, x: F) -> F {
-        x * self.moment
+    /// A length in metres made non-dimensional.
+    pub(crate) fn length_from_si<R: Real<Si = F>>(&self, x: F) -> R {
+        R::from_si(x, self.per_length)
     }
     /// A point in metres made non-dimensional.
     pub(crate) fn point_from_si<R: Real<Si = F>>(&self, [x, y]: [F; 2]) -> Vec2<R> {
-        Vec2::new(R::from_si(self.of_length(x)), R::from_si(self.of_length(y)))
+        Vec2::new(self.length_from_si(x), self.length_from_si(y))
+    }
+    /// A force in newtons made non-dimensional.
+    fn force_from_si<R: Real<Si = F>>(&self, x: F) -> R {
+        R::from_si(x, F::ONE / self.force)
+    }
+    /// A moment in newton metres made non-dimensional.
+    fn moment_from_si<R: Real<Si = F>>(&self, x: F) -> R {
+        R::from_si(x, F::ONE / self.moment)
+    }
+    /// A length in metres.
+    pub(crate) fn length_to_si<R: Real<Si = F>>(&self, x: R) -> F {
+        x.to_si(self.length)
     }
     /// A point in metres.
-    pub(crate) fn point_to_si<R: Real<Si = F>>(self, v: Vec2<R>) -> [F; 2] {
-        [v.x, v.y].map(|x| self.to_length(x.to_si()))
+    pub(crate) fn point_to_si<R: Real<Si = F>>(&self, v: Vec2<R>) -> [F; 2] {
+        [v.x, v.y].map(|x| x.to_si(self.length))
     }
     /// A force in newtons.
-    pub(crate) fn force_to_si<R: Real<Si = F>>(self, v: Vec2<R>) -> [F; 2] {
-        [v.x, v.y].map(|x| self.to_force(x.to_si()))
+    pub(crate) fn force_to_si<R: Real<Si = F>>(&self, x: R) -> F {
+        x.to_si(self.force)
+    }
+    /// A moment in newton metres.
+    pub(crate) fn moment_to_si<R: Real<Si = F>>(&self, x: R) -> F {
+        x.to_si(self.moment)
     }
 }
 
@@ -206,17 +211,17 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             position: nd([x, y]),
             orientation: Orientation::new(Angle {
                 turns: theta.turns,
-                rest: R::from_si(theta.rest),
+                rest: R::from_si(theta.rest, R::Si::ONE),
             }),
         };
         let scene = Self {
             body: Body::new(gather(d.vertices.iter().map(|&v| nd(v)))),
             surfaces: surfaces(d.surfaces, &units)?,
-            stiffness: R::from_si(units.of_moment(d.stiffness_rotation)),
-            weight: Vec2::new(R::ZERO, -R::from_si(units.of_force(d.weight))),
+            stiffness: units.moment_from_si(d.stiffness_rotation),
+            weight: Vec2::new(R::ZERO, -units.force_from_si::<R>(d.weight)),
             start,
             holding_point: d.holding_point.map(nd),
-            reach: R::from_si(units.of_length(d.reach)),
+            reach: units.length_from_si(d.reach),
             units,
             model: PhantomData,
         };
@@ -281,7 +286,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
                         surface: usize::from(s),
                         vertex: usize::from(deepest.0),
                     },
-                    value: self.units.to_length((-deepest.1).to_si()),
+                    value: self.units.length_to_si(-deepest.1),
                     allowed: "at most 1e-5 of the body's largest vertex distance",
                 });
             }

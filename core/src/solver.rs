@@ -53,6 +53,10 @@ const FINEST_HALF: u32 = 24;
 const UNLIMITED_SLIPS: u32 = 100;
 
 impl<R: Real> State<R> {
+    /// The last good sample of the hand: the one that the state belongs to.
+    pub fn hand(&self) -> &Hand<R::Si> {
+        &self.hand
+    }
     /// The held hand turned farther than it can between two samples: the angle is not to be trusted.
     fn turns_too_far(&self, angle: Angle<R>) -> bool {
         let turn = angle.offset_from(self.rest_offset).minus(self.grip.angle);
@@ -117,7 +121,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
         let angle = Angle {
             turns: hand.angle.turns.saturating_add(turns),
-            rest: R::from_si(rest),
+            rest: R::from_si(rest, R::Si::ONE),
         };
         Ok((position, angle))
     }

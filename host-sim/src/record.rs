@@ -1,10 +1,10 @@
 //! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
-use stiction_core::{Event, Evolution, Output, StateKind, Status};
+use stiction_core::{Event, Evolution, Output, Real, State, StateKind, Status};
 
 use crate::number::{Number, SiFloat};
-use crate::scene_file::SceneFile;
+use crate::scene_file::{HostSolver, SceneFile};
 
 /// A recorded run.
 #[derive(Clone, Debug)]
@@ -109,28 +109,34 @@ pub struct ContactRecord {
 }
 
 impl Frame {
-    /// The frame at time `t` (s) with the solver's answer.
-    pub fn new<F: SiFloat>(t: f64, output: &Output<F>) -> Self {
-        let placed = |[x, y]: [F; 2], angle: F| [x.widen(), y.widen(), angle.widen()];
+    /// The frame at time `t` (s) with the solver's answer and the state after it.
+    pub fn new<R: Real<Si: SiFloat>>(
+        t: f64,
+        solver: &HostSolver<R>,
+        state: &State<R>,
+        output: &Output<R::Si>,
+    ) -> Self {
+        let placed = |[x, y]: [R::Si; 2], angle: R::Si| [x.widen(), y.widen(), angle.widen()];
+        let (hand, wrench) = (state.hand(), solver.wrench(state));
         Self {
             t,
-            hand: placed(output.hand.position, output.hand.angle.radians()),
+            hand: placed(hand.position, hand.angle.radians()),
             held: output.held,
             pose: placed(output.position, output.angle.radians()),
             depth: output.depth.widen(),
             state: output.state,
-            contacts: output
-                .contacts()
+            contacts: solver
+                .contacts(state)
                 .iter()
                 .map(|contact| ContactRecord {
                     vertex: contact.vertex,
                     surface: contact.surface,
-                    point: contact.point.map(F::widen),
+                    point: contact.point.map(R::Si::widen),
                     normal: contact.normal.widen(),
                     friction: contact.friction.widen(),
                 })
                 .collect(),
-            wrench: placed(output.wrench.force, output.wrench.moment),
+            wrench: placed(wrench.force, wrench.moment),
             slips: output.slips,
             longest_slip: output.longest_slip.widen(),
             events: output.events().to_vec(),

@@ -8,7 +8,7 @@ mod locate;
 
 use std::path::Path;
 
-use stiction_core::{Description, Real, Scene, SurfaceDescription};
+use stiction_core::{Description, Real, Scene, Solver, SurfaceDescription};
 use toml::Spanned;
 
 use crate::number::{Number, SiFloat};
@@ -25,6 +25,9 @@ pub const SURFACES: usize = 16;
 
 /// A scene with the capacities of the host.
 pub type HostScene<R> = Scene<R, VERTICES, SURFACES>;
+
+/// A solver of any scene file.
+pub type HostSolver<R> = Solver<R, VERTICES, SURFACES>;
 
 /// A scene file whose numbers are finite, in range and complete. Whether they make a scene is for
 /// [`SceneFile::scene`] to say. SI units; see [`Description`] for the meaning of each.

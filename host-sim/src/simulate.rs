@@ -7,7 +7,7 @@ use stiction_core::{Evolution, Real, Solver};
 use crate::hand_path::Sample;
 use crate::number::{SiFloat, narrow_hand};
 use crate::record::Frame;
-use crate::scene_file::{HostScene, SURFACES, VERTICES};
+use crate::scene_file::{HostScene, HostSolver};
 
 /// So many steps are timed together, so that the clock costs nothing beside them.
 const BATCH: usize = 64;
@@ -26,7 +26,7 @@ pub fn simulate<R: Real, E>(
 where
     R::Si: SiFloat,
 {
-    let solver: Solver<R, VERTICES, SURFACES> = Solver::new(scene, evolution);
+    let solver: HostSolver<R> = Solver::new(scene, evolution);
     let mut state = None;
     let mut samples = samples.map(|sample| (sample.t, narrow_hand(&sample.hand)));
     let mut batch = Vec::with_capacity(BATCH);
@@ -47,11 +47,11 @@ where
                     output
                 }
             };
-            outputs.push((t, output));
+            outputs.extend(state.clone().map(|state| (t, state, output)));
         }
         spent += begun.elapsed();
-        for (t, output) in outputs.drain(..) {
-            sink(Frame::new(t, &output))?;
+        for (t, state, output) in outputs.drain(..) {
+            sink(Frame::new(t, &solver, &state, &output))?;
         }
     }
 }

@@ -37,7 +37,11 @@ pub struct Frame {
 
 impl Frame {
     /// From the output of a number type.
-    pub fn new<R: Number>(output: &Output<R::Si>) -> Self {
+    pub fn new<R: Number>(
+        solver: &TestSolver<R>,
+        state: &State<R>,
+        output: &Output<R::Si>,
+    ) -> Self {
         let wide = R::wide;
         let pose =
             |[x, y]: [R::Si; 2], angle: Angle<R::Si>| [wide(x), wide(y), R::wide_angle(angle)];
@@ -48,15 +52,16 @@ impl Frame {
             normal: wide(c.normal),
             friction: wide(c.friction),
         };
-        let [fx, fy] = output.wrench.force;
+        let (hand, wrench) = (state.hand(), solver.wrench(state));
+        let [fx, fy] = wrench.force;
         Self {
-            hand: pose(output.hand.position, output.hand.angle),
+            hand: pose(hand.position, hand.angle),
             held: output.held,
             pose: pose(output.position, output.angle),
             depth: wide(output.depth),
             state: output.state,
-            contacts: output.contacts().iter().map(contact).collect(),
-            wrench: [wide(fx), wide(fy), wide(output.wrench.moment)],
+            contacts: solver.contacts(state).iter().map(contact).collect(),
+            wrench: [wide(fx), wide(fy), wide(wrench.moment)],
             slips: output.slips,
             longest_slip: wide(output.longest_slip),
             events: output.events().to_vec(),
@@ -78,10 +83,13 @@ impl Frame {
     }
 }
 
+/// A solver of any scene of the tests.
+pub type TestSolver<R> = Solver<R, VERTICES, SURFACES>;
+
 /// A solver with its state and its last answer.
 pub struct Run<R: Number> {
     /// The solver.
-    pub solver: Solver<R, VERTICES, SURFACES>,
+    pub solver: TestSolver<R>,
     /// Its state after [`Self::frame`].
     pub state: State<R>,
     /// The last answer.
@@ -115,7 +123,7 @@ impl<R: Number> Run<R> {
             .unwrap_or_else(|e| panic!("{}: {e}: {setup:?}", R::NAME));
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(hand);
-        let frame = Frame::new::<R>(&output);
+        let frame = Frame::new(&solver, &state, &output);
         Self {
             solver,
             state,
@@ -128,7 +136,8 @@ impl<R: Number> Run<R> {
     }
     /// One frame with any hand.
     pub fn feed(&mut self, hand: Hand<R::Si>) -> &Frame {
-        self.frame = Frame::new::<R>(&self.solver.step(&mut self.state, hand));
+        let output = self.solver.step(&mut self.state, hand);
+        self.frame = Frame::new(&self.solver, &self.state, &output);
         &self.frame
     }
     /// Leads the hand straight from where it is to `to`, in equal frames.
@@ -159,7 +168,7 @@ impl<R: Number> Run<R> {
             }
             let mut trial = state.clone();
             let output = self.solver.step(&mut trial, planar::<R>(hand));
-            let frame = Frame::new::<R>(&output);
+            let frame = Frame::new(&self.solver, &trial, &output);
             if happened(&frame) {
                 (self.state, self.frame, high) = (trial, frame, middle);
             } else {

@@ -21,11 +21,11 @@ impl Real for f64 {
     fn from_int(n: i32) -> f64 {
         f64::from(n)
     }
-    fn from_si(x: f64) -> f64 {
-        x
+    fn from_si(x: f64, per: f64) -> f64 {
+        x * per
     }
-    fn to_si(self) -> f64 {
-        self
+    fn to_si(self, unit: f64) -> f64 {
+        self * unit
     }
     fn is_finite(self) -> bool {
         f64::is_finite(self)

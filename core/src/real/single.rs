@@ -51,11 +51,11 @@ impl Real for f32 {
     fn from_int(n: i32) -> f32 {
         n as f32
     }
-    fn from_si(x: f32) -> f32 {
-        x
+    fn from_si(x: f32, per: f32) -> f32 {
+        x * per
     }
-    fn to_si(self) -> f32 {
-        self
+    fn to_si(self, unit: f32) -> f32 {
+        self * unit
     }
     fn is_finite(self) -> bool {
         f32::is_finite(self)

@@ -151,12 +151,12 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             "not less than the dynamic friction",
         )?;
         let (x, y) = unit(x, y);
-        let normal = Vec2::new(R::from_si(x), R::from_si(y));
+        let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
         // The slice is not longer than S, so there is room.
         let _ = checked.push(Surface {
             normal,
             tangent: Vec2::new(normal.y, -normal.x),
-            offset: R::from_si(units.of_length(d.offset)),
+            offset: units.length_from_si(d.offset),
             friction: Coulomb::from_coefficients(mu_s, mu_d),
         });
     }

@@ -1,73 +1,67 @@
-//! The answer of a step: pose, contacts and wrench in SI units, from the state at rest.
+//! The answer of a step in SI units: the pose and what happened with every step, the forces when they are asked for.
 
 use super::{Solver, State};
 use crate::coupling::Stance;
 use crate::geometry::Angle;
 use crate::model::Model;
-use crate::output::{Contact, Log, MAX_CONTACTS, Output, Wrench};
+use crate::output::{Contact, Contacts, Log, Output, Wrench};
 use crate::real::Real;
-use heapless::Vec;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub(super) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
-        let units = self.scene.units;
-        let placed = state.contact.placed(&self.scene);
-        let pose = placed.pose();
-        let stance = Stance::new(&self.scene, placed, &state.grip);
-        let wrench = if state.held {
-            Wrench {
-                force: units.force_to_si(stance.spring),
-                moment: units.to_moment(stance.couple.to_si()),
-            }
-        } else {
-            Wrench::default()
-        };
+        let pose = state.contact.pose(&self.scene);
         let angle = pose.orientation.angle();
-        let mut output = Output {
-            hand: state.hand,
+        Output {
             held: state.held,
-            position: units.point_to_si(pose.position),
+            position: self.scene.units.point_to_si(pose.position),
             angle: Angle {
                 turns: angle.turns,
-                rest: angle.rest.to_si(),
+                rest: angle.rest.to_si(R::Si::ONE),
             },
             depth: state.hand.depth,
             state: state.contact.kind(),
-            wrench,
             slips: log.slips,
-            longest_slip: units.to_length(log.longest_slip.to_si()),
+            longest_slip: self.scene.units.length_to_si(log.longest_slip),
             status: log.final_status(),
             transitions: log.transitions,
-            contacts: Vec::new(),
             events: log.events,
-        };
-        self.add_contacts(state, &stance, &mut output.contacts);
-        output
+        }
     }
 
-    fn add_contacts(
-        &self,
-        state: &State<R>,
-        stance: &Stance<R>,
-        contacts: &mut Vec<Contact<R::Si>, MAX_CONTACTS>,
-    ) {
+    /// Force and moment of the hand's springs on the body in a state; zero while it is not held.
+    pub fn wrench(&self, state: &State<R>) -> Wrench<R::Si> {
+        if !state.held {
+            return Wrench::default();
+        }
+        let (units, grip) = (self.scene.units, &state.grip);
+        let (force, couple) = grip.springs(&self.scene, &state.contact.pose(&self.scene));
+        Wrench {
+            force: [force.x, force.y].map(|f| units.force_to_si(f)),
+            moment: units.moment_to_si(couple),
+        }
+    }
+
+    /// The contacts of a state with their reactions; these are zero while the body is not held.
+    pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;
-        let reactions = if state.held {
-            state.contact.reactions(&self.scene, stance)
-        } else {
-            Vec::new()
-        };
+        let placed = state.contact.placed(&self.scene);
+        let stance = Stance::new(&self.scene, placed, &state.grip);
+        let mut reactions = state.contact.reactions(&self.scene, &stance);
+        if !state.held {
+            reactions.clear();
+        }
+        let mut contacts = Contacts::default();
         for (i, pair) in state.contact.contacts().iter().enumerate() {
             let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
-            let at = stance.placed.point + stance.placed.arm(&self.scene, pair.vertex);
-            // There are never more contacts than there is room for.
-            let _ = contacts.push(Contact {
+            let at = placed.point + placed.arm(&self.scene, pair.vertex);
+            contacts.add(Contact {
                 vertex: usize::from(pair.vertex),
                 surface: usize::from(pair.surface),
                 point: units.point_to_si(at),
-                normal: units.to_force(normal.to_si()),
-                friction: units.to_force(friction.to_si()),
+                normal: units.force_to_si(normal),
+                friction: units.force_to_si(friction),
             });
         }
+        contacts
     }
 }
