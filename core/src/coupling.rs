@@ -139,7 +139,7 @@ pub(crate) struct Stance<R> {
     pub(crate) placed: Placed<R>,
     /// R d: from the point to the holding point.
     pub(crate) lever: Vec2<R>,
-    /// R (cg - v): from the point to the centroid.
+    /// R (cg - v): from the point to the centroid; zero for a body without weight.
     pub(crate) centroid: Vec2<R>,
     /// F: the hand's force.
     pub(crate) spring: Vec2<R>,
@@ -156,8 +156,13 @@ impl<R: Real> Stance<R> {
     pub(crate) fn new(scene: &impl World<R>, placed: Placed<R>, grip: &Grip<R>) -> Self {
         let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);
-        let centroid = rotation.apply(scene.centroid() - placed.body_point);
         let hand = grip.hand - placed.point;
+        let weight = scene.weight();
+        let (mut centroid, mut hold) = (Vec2::ZERO, lever.conj_mul(hand));
+        if weight != Vec2::ZERO {
+            centroid = rotation.apply(scene.centroid() - placed.body_point);
+            hold = hold + centroid.conj_mul(weight);
+        }
         let spring = hand - lever;
         Self {
             placed,
@@ -165,8 +170,8 @@ impl<R: Real> Stance<R> {
             centroid,
             spring,
             couple: scene.stiffness() * grip.angle.minus(placed.orientation.angle()),
-            hold: lever.conj_mul(hand) + centroid.conj_mul(scene.weight()),
-            force: spring + scene.weight(),
+            hold,
+            force: spring + weight,
             stiffness: scene.stiffness(),
         }
     }
@@ -197,6 +202,23 @@ impl<R: Real> Stance<R> {
         } else {
             R::ZERO
         }
+    }
+
+    /// The turn to balance, but for the third order in it.
+    pub(crate) fn correction_of_second_order(&self) -> R {
+        let per_stability = R::ONE / self.stability();
+        let turn = self.moment() * per_stability;
+        turn - R::HALF * (turn * turn) * (self.hold.y * per_stability)
+    }
+
+    /// The load after a turn about the point.
+    pub(crate) fn turned(&self, scene: &impl World<R>, grip: &Grip<R>, turn: R) -> Self {
+        let orientation = self.placed.orientation.plus(turn);
+        let placed = Placed {
+            orientation,
+            ..self.placed
+        };
+        Self::new(scene, placed, grip)
     }
 
     /// The moment as a function of a turn about the pinned point.

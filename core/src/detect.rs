@@ -76,6 +76,43 @@ impl<R: Real> Placed<R> {
         list
     }
 
+    /// True if no vertex but the `pivot` at the point can have come to a surface on a way that ended here: it turned the body
+    /// by at most `reach`, and no gap was negative at its beginning. A gap lies above its chord but for the sagitta.
+    pub(crate) fn is_clear(&self, scene: &impl World<R>, pivot: Option<u8>, reach: R) -> bool {
+        let radius = match pivot {
+            Some(_) => R::ONE,
+            None => self.radius(scene),
+        };
+        let least = R::TOUCH + R::HALF * radius * reach * reach;
+        scene.surface_indices().all(|index| {
+            let surface = scene.surface(index);
+            let (level, least) = if self.on == Some(index) {
+                (R::ZERO, least)
+            } else {
+                let size = R::ONE + self.point.reach() + surface.offset.abs();
+                let level = surface.normal.dot(self.point) - surface.offset;
+                (level, least + R::TWO * R::EPSILON * size)
+            };
+            if level > least + radius {
+                return true;
+            }
+            let normal = self.orientation.rotation().undo(surface.normal);
+            let clears =
+                |vertex: u8| level + normal.dot(scene.vertex(vertex) - self.body_point) > least;
+            match pivot {
+                Some(vertex) if self.on == Some(index) => {
+                    scene.neighbours(vertex).into_iter().all(clears)
+                }
+                _ => scene.vertex_indices().all(clears),
+            }
+        })
+    }
+
+    /// No vertex is farther from the point than this.
+    fn radius(&self, scene: &impl World<R>) -> R {
+        R::ONE + (scene.vertex(0) - self.body_point).reach()
+    }
+
     /// The gap on a motion on which the point moves by `shift`·tau.
     fn margin(&self, scene: &impl World<R>, contact: Pair, shift: Vec2<R>) -> Margin<R> {
         let surface = scene.surface(contact.surface);
@@ -103,8 +140,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R>,
     ) -> Option<Pair> {
         let mut first = None;
-        // No vertex is farther from the point than this.
-        let radius = R::ONE + (scene.vertex(0) - self.body_point).reach();
+        let radius = self.radius(scene);
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let own = self.on == Some(index);

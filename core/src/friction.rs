@@ -74,6 +74,13 @@ impl<R: Real> Coulomb<R> {
         normal.combine(-self.sliding.sin, friction, -self.sliding.cos * sign)
     }
 
+    /// True if a reaction lies inside the static cone by more than `slack`.
+    pub(crate) fn is_within(&self, normal: R, friction: R, slack: R) -> bool {
+        let depth =
+            R::difference_of_products(normal, self.fixed.sin, friction.abs(), self.fixed.cos);
+        normal > slack && depth > slack
+    }
+
     /// The static test of a reaction, to within `rounding` of the forces.
     pub(crate) fn judge(&self, normal: R, friction: R, rounding: R) -> Verdict<R> {
         if normal < -rounding {

@@ -59,6 +59,7 @@
 //! half-plane.
 
 mod body;
+mod calm;
 mod coupling;
 mod detect;
 mod friction;

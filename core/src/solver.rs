@@ -9,7 +9,7 @@ use crate::output::{Event, Log, Output, Status};
 use crate::real::Real;
 use crate::scene::{Scene, World};
 use crate::state::{ContactState, Free, Trigger};
-use crate::transition::settle;
+use crate::transition::{rests, settle};
 
 mod answer;
 
@@ -202,6 +202,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             angle: angle.offset_from(state.rest_offset),
         };
         if to == state.grip {
+            return;
+        }
+        if state.contact.follow(&self.scene, &state.grip, &to) {
+            rests(&state.contact, log);
+            state.grip = to;
             return;
         }
         match self.evolution {

@@ -2,6 +2,7 @@
 //! a file of its own with the same verbs in the same order:
 //!
 //! * `contacts`, `pose`: what touches, and where the body is;
+//! * `follow`: a calm frame, in which certainly nothing happens: goes with the hand, or says no and has not moved;
 //! * `advance`: follows the hand on a straight way, in balance, to the first event (path evolution);
 //! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
 //! * `slide`: hand frozen, slides to the end of the slip;
@@ -10,7 +11,6 @@
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::Pose;
-use crate::list::gather;
 use crate::output::{MAX_CONTACTS, StateKind};
 use crate::real::Real;
 use crate::scene::World;
@@ -163,6 +163,17 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+        match self {
+            Self::Free(s) => s.follow(scene, from, to),
+            Self::SingleVertex(s) => s.follow(scene, from, to),
+            Self::Edge(s) => s.follow(scene, to),
+            Self::TwoVertex(s) => s.follow(scene, to),
+            Self::Corner(_) => false,
+            Self::Locked(s) => s.follow(scene, to),
+        }
+    }
+
     pub(crate) fn advance(
         &mut self,
         scene: &impl World<R>,
@@ -238,11 +249,8 @@ impl<R: Real> ContactState<R> {
                 pivot,
                 vertex: other.vertex,
             }),
-            [other] => Self::TwoVertex(TwoVertex { pivot, other }),
-            _ => Self::Locked(Locked {
-                pivot,
-                others: gather(others.iter().copied()),
-            }),
+            [other] => Self::TwoVertex(TwoVertex::new(pivot, other)),
+            _ => Self::Locked(Locked::new(pivot, others)),
         }
     }
 }

@@ -177,6 +177,19 @@ impl<R: Real> Support<R> {
         most.map(|(_, mode)| mode)
     }
 
+    /// True if three edges alone bear a load.
+    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Screw<R>) -> bool {
+        let way = self.on_three(edges.map(usize::from), load);
+        way.is_some_and(|way| way.iter().all(|&(_, part)| part >= R::ZERO))
+    }
+
+    /// Three edges that bear a load.
+    pub(crate) fn bearers(&self, load: Screw<R>) -> Option<[u8; 3]> {
+        let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
+        let mut triples = self.triples().map(small);
+        triples.find(|&edges| self.bears_on(edges, load))
+    }
+
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
     /// on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {

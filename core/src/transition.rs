@@ -121,7 +121,7 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
     ) -> Next<R> {
         match trigger {
             Trigger::Balanced => {
-                log.transitions.add(rest_arm(state));
+                rests(state, log);
                 Next::Rest
             }
             Trigger::Stopped => self.after_slip(state, slip, log),
@@ -229,15 +229,16 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
     }
 }
 
-fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
-    match state {
+/// At rest in a state.
+pub(crate) fn rests<R: Real>(state: &ContactState<R>, log: &mut Log<R>) {
+    log.transitions.add(match state {
         ContactState::Free(_) => Transition::FreeMoves,
         ContactState::SingleVertex(_) => Transition::VertexSticks,
         ContactState::Edge(_) => Transition::EdgeSticks,
         ContactState::TwoVertex(_) => Transition::TwoSticks,
         ContactState::Corner(_) => Transition::CornerSticks,
         ContactState::Locked(_) => Transition::LockedHolds,
-    }
+    });
 }
 
 fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {

@@ -48,6 +48,23 @@ impl<R: Real> Bracing<R> {
         }
     }
 
+    /// True if the contacts bear the load on three edges of their cones: those of the last time, or others, which are
+    /// remembered.
+    pub(super) fn bears(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        bearers: &mut [u8; 3],
+    ) -> bool {
+        let load = self.pivot.stance(scene, grip).load();
+        if self.support.bears_on(*bearers, load) {
+            return true;
+        }
+        let found = self.support.bearers(load);
+        *bearers = found.unwrap_or(*bearers);
+        found.is_some()
+    }
+
     /// To the end of the hand's way, or to where the load is not borne any more.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
@@ -209,7 +226,7 @@ impl<R: Real> Bracing<R> {
             Some(_) if a.vertex == b.vertex => None,
             Some(_) => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let state = TwoVertex { pivot, other: b };
+                let state = TwoVertex::new(pivot, b);
                 let (slide, turn) = Trammel::driven(scene, &state, grip, demand)?.twist();
                 let arm = stance.placed.arm(scene, a.vertex);
                 Some(Twist {

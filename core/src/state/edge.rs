@@ -61,6 +61,20 @@ impl<R: Real> Edge<R> {
         }
     }
 
+    /// A calm frame: it stays. All is linear on the way, so that its end decides.
+    pub(crate) fn follow(&self, scene: &impl World<R>, to: &Grip<R>) -> bool {
+        let stance = self.pivot.stance(scene, to);
+        let surface = self.pivot.surface(scene);
+        let normal = -surface.normal.dot(stance.force);
+        let friction = -surface.tangent.dot(stance.force);
+        let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
+        let second = -stance.moment() / span;
+        let slack = stance.rounding() / span.abs();
+        second > slack
+            && normal - second > slack
+            && (surface.friction).is_within(normal, friction, slack)
+    }
+
     /// Stays as the hand moves, to the first of friction limit and N_i = 0.
     pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let stance = self.pivot.stance(scene, from);

@@ -2,6 +2,7 @@
 
 use super::leg::Leg;
 use super::{Moved, Trigger};
+use crate::calm::Calm;
 use crate::coupling::{Grip, Stance, Way};
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
@@ -27,6 +28,43 @@ impl<R: Real> Free<R> {
         Stance::new(scene, placed, grip)
     }
 
+    /// A calm frame: it hangs at the hand, clear of all surfaces.
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+        let way = Way::turn(from.way_to(to).turn);
+        let pose = Self::hanging(scene, to, self.pose.orientation);
+        let stance = Self { pose }.stance(scene, to);
+        let (orientation, reach) = if Self::turns_with_hand(scene) {
+            (Orientation::new(to.angle), way.turn.abs())
+        } else if let Some(calm) = Calm::turn(scene, stance, to, &way) {
+            (calm.stance.placed.orientation, calm.reach)
+        } else {
+            return false;
+        };
+        let pose = Self::hanging(scene, to, orientation);
+        let follows = Self { pose }
+            .stance(scene, to)
+            .placed
+            .is_clear(scene, None, reach);
+        if follows {
+            self.pose = pose;
+        }
+        follows
+    }
+
+    /// The body without weight has the angle of the hand.
+    fn turns_with_hand(scene: &impl World<R>) -> bool {
+        scene.weight() == Vec2::ZERO && scene.stiffness() > R::ZERO
+    }
+
+    /// The holding point hangs at the hand.
+    fn hanging(scene: &impl World<R>, grip: &Grip<R>, orientation: Orientation<R>) -> Pose<R> {
+        let held = grip.hand + scene.weight();
+        Pose {
+            position: held - orientation.rotation().apply(grip.holding_point),
+            orientation,
+        }
+    }
+
     /// Along the hand's way, turning in balance with the weight.
     pub(crate) fn advance(
         &mut self,
@@ -47,23 +85,14 @@ impl<R: Real> Free<R> {
 
     /// The pose in balance at a grip, the angle corrected from near it.
     fn balance(scene: &impl World<R>, grip: &Grip<R>, near: Orientation<R>) -> Self {
-        let follows = scene.weight() == Vec2::ZERO && scene.stiffness() > R::ZERO;
-        let orientation = if follows {
+        let orientation = if Self::turns_with_hand(scene) {
             Orientation::new(grip.angle)
         } else {
-            let pose = Pose {
-                position: grip.hand,
-                orientation: near,
-            };
+            let pose = Self::hanging(scene, grip, near);
             near.plus(Self { pose }.stance(scene, grip).correction())
         };
-        let holding_point = grip.hand + scene.weight();
-        let position = holding_point - orientation.rotation().apply(grip.holding_point);
         Self {
-            pose: Pose {
-                position,
-                orientation,
-            },
+            pose: Self::hanging(scene, grip, orientation),
         }
     }
 

@@ -15,12 +15,28 @@ use heapless::Vec;
 pub(crate) struct Locked<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) others: Vec<Pair, { MAX_CONTACTS - 1 }>,
+    /// Edges of the friction cones that bore the load last.
+    pub(crate) bearers: [u8; 3],
 }
 
 impl<R: Real> Locked<R> {
+    pub(crate) fn new(pivot: Pivot<R>, others: &[Pair]) -> Self {
+        Self {
+            pivot,
+            others: gather(others.iter().copied()),
+            bearers: [0, 1, 2],
+        }
+    }
+
     pub(crate) fn contacts(&self) -> Pairs {
         let first = [self.pivot.contact];
         gather(first.into_iter().chain(self.others.iter().copied()))
+    }
+
+    /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
+        let bracing = Bracing::new(scene, &self.pivot, &self.contacts());
+        bracing.bears(scene, to, &mut self.bearers)
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.

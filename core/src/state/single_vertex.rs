@@ -3,6 +3,7 @@
 
 use super::leg::Leg;
 use super::{Moved, Pairs, Reactions, Trigger};
+use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
@@ -34,6 +35,24 @@ impl<R: Real> SingleVertex<R> {
             normal: stance.reaction(surface.normal, way),
             friction: stance.reaction(surface.tangent, way),
         }
+    }
+
+    /// A calm frame: it sticks and turns.
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+        let stance = self.pivot.stance(scene, to);
+        let Some(calm) = Calm::turn(scene, stance, to, &from.way_to(to)) else {
+            return false;
+        };
+        let surface = self.pivot.surface(scene);
+        let normal = -surface.normal.dot(calm.stance.force);
+        let friction = -surface.tangent.dot(calm.stance.force);
+        let placed = &calm.stance.placed;
+        let follows = (surface.friction).is_within(normal, friction, calm.stray())
+            && placed.is_clear(scene, Some(self.pivot.contact.vertex), calm.reach);
+        if follows {
+            self.pivot.orientation = placed.orientation;
+        }
+        follows
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.

@@ -14,18 +14,34 @@ use crate::scene::World;
 pub(crate) struct TwoVertex<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) other: Pair,
+    /// Edges of the friction cones that bore the load last.
+    pub(crate) bearers: [u8; 3],
 }
 
 /// A slip goes at most this many times its window of one body size or radian.
 const WINDOWS: usize = 16;
 
 impl<R: Real> TwoVertex<R> {
+    pub(crate) fn new(pivot: Pivot<R>, other: Pair) -> Self {
+        Self {
+            pivot,
+            other,
+            bearers: [0, 1, 2],
+        }
+    }
+
     pub(crate) fn contacts(&self) -> Pairs {
         gather([self.pivot.contact, self.other])
     }
 
     fn bracing(&self, scene: &impl World<R>) -> Bracing<R> {
         Bracing::new(scene, &self.pivot, &self.contacts())
+    }
+
+    /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
+        let bracing = self.bracing(scene);
+        bracing.bears(scene, to, &mut self.bearers)
     }
 
     /// Stays as the hand moves, as long as the interval of (E5) is not empty.

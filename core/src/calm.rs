@@ -1,0 +1,64 @@
+//! The calm frame (STATICS 3.4): the hand goes a short way and nothing happens, the body only turns a little about the
+//! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
+//! needs no search: path and frame evolution agree in it.
+
+use crate::coupling::{Grip, Stance, Way};
+use crate::real::Real;
+use crate::scene::World;
+
+/// A turn that keeps the balance all the way, and how much anything can stray on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Calm<R> {
+    /// The body's load after the turn.
+    pub(crate) stance: Stance<R>,
+    /// No turn on the way is larger (rad).
+    pub(crate) reach: R,
+}
+
+/// Corrections of the angle before a frame is not called calm.
+const MAX_CORRECTIONS: usize = 4;
+
+impl<R: Real> Calm<R> {
+    /// With the hand at the end `to` of its way: `stance` is the body's load there before it turns, balanced at the
+    /// beginning. Nothing where the balance may fold or change much on the way (E8).
+    pub(crate) fn turn(
+        scene: &impl World<R>,
+        mut stance: Stance<R>,
+        to: &Grip<R>,
+        way: &Way<R>,
+    ) -> Option<Self> {
+        let drive = stance.lever.conj_mul(way.hand);
+        // The least stability and the largest |z| of the way.
+        let least = stance.stability() - drive.x.max(R::ZERO);
+        let size = stance.hold.reach() + drive.reach();
+        let moment = stance.moment().abs() + R::MICRO * least;
+        let quarter = R::HALF * R::HALF;
+        let certain = least > R::ZERO
+            && drive.reach() <= R::HALF * least
+            && moment <= quarter * least
+            && size * moment <= quarter * least * least;
+        if !certain {
+            return None;
+        }
+        let per_stability = R::ONE / least;
+        let bend = size * per_stability;
+        for _ in 0..MAX_CORRECTIONS {
+            let turn = stance.correction_of_second_order();
+            stance = stance.turned(scene, to, turn);
+            // What is left is of the third order in the turn.
+            let left = bend * bend * turn * turn * turn.abs();
+            if left <= R::EPSILON {
+                return Some(Self {
+                    stance,
+                    reach: R::TWO * moment * per_stability,
+                });
+            }
+        }
+        None
+    }
+
+    /// How far a reaction can lie on the way from the straight line between its beginning and its end.
+    pub(crate) fn stray(&self) -> R {
+        R::TWO * self.stance.lever.reach() * self.reach + self.stance.rounding()
+    }
+}
