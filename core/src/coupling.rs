@@ -234,7 +234,7 @@ impl<R: Real> Stance<R> {
     /// The rounding of forces and moments.
     pub(crate) fn rounding(&self) -> R {
         let size = self.force.reach() + self.lever.reach() + self.couple.abs();
-        R::from_int(4) * R::EPSILON * size
+        R::from_int(4) * R::rounding(size)
     }
 
     /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.

@@ -91,7 +91,7 @@ impl<R: Real> Placed<R> {
             } else {
                 let size = R::ONE + self.point.reach() + surface.offset.abs();
                 let level = surface.normal.dot(self.point) - surface.offset;
-                (level, least + R::TWO * R::EPSILON * size)
+                (level, least + R::TWO * R::rounding(size))
             };
             if level > least + radius {
                 return true;

@@ -51,6 +51,10 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
+    /// Divided by a number.
+    pub(crate) fn over(self, k: R) -> Self {
+        Self::new(self.x / k, self.y / k)
+    }
     /// Linear interpolation: `self` at 0, `b` at 1.
     pub(crate) fn lerp(self, b: Self, part: R) -> Self {
         self + (b - self) * part

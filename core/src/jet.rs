@@ -30,7 +30,7 @@ impl<R: Real> Jet<R> {
             value: self.value * sign,
             slope: self.slope * sign,
             curvature: self.bounds[2],
-            rounding: R::from_int(4) * R::EPSILON * self.bounds[0],
+            rounding: R::from_int(4) * R::rounding(self.bounds[0]),
         }
     }
 }

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! with z0 = Y0 + iX0 = conj(lever) load and zp = Yp + iXp = conj(lever) dp, so that tau is explicit in ϑ (STATICS 3.1,
-//! 3.2). Both are divided by the rate ϑ = rate·x, which leaves them regular where the body does not turn at all: a
-//! straight motion, a free one, a slip of a stiff or centred grip are the same curve.
+//! 3.2). Both are divided by D(0) and by the rate ϑ = rate·x, which leaves them regular where the body does not turn at
+//! all: a straight motion, a free one, a slip of a stiff or centred grip are the same curve.
 //! Everything that can end the motion is a [`Margin`], linear in tau and of first order in cos ϑ, sin ϑ.
 
 use crate::geometry::Vec2;
@@ -17,7 +17,7 @@ use crate::roots::{Found, Look, Slope, first_zero};
 
 mod jets;
 
-/// The curve x -> (tau, ϑ), x >= 0.
+/// The curve x -> (tau, ϑ), x >= 0, in units of D(0) / rate.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion<R> {
     /// ϑ = rate x
@@ -28,8 +28,6 @@ pub(crate) struct Motion<R> {
     hold: Vec2<R>,
     /// zp = (Yp, Xp)
     drive: Vec2<R>,
-    /// D(0) / rate
-    scale: R,
 }
 
 /// A place on the curve.
@@ -80,6 +78,20 @@ impl<R: Real> Margin<R> {
         }
     }
 
+    /// In units of its largest part.
+    fn scaled(&self) -> Self {
+        let unit = (self.start.abs().max(self.along.abs())).max(self.turning.reach());
+        if unit == R::ZERO {
+            return *self;
+        }
+        Self {
+            start: self.start / unit,
+            along: self.along / unit,
+            turning: self.turning.over(unit),
+            rounding: (self.rounding / unit).max(R::from_int(4) * R::EPSILON),
+        }
+    }
+
     fn at(&self, p: &Place<R>) -> R {
         self.start - self.turning.x * p.versine + self.turning.y * p.sine
     }
@@ -99,16 +111,17 @@ impl<R: Real> Motion<R> {
     /// Balanced about the contact: rotational stiffness k, z0 and zp of the module's text, and the hand's turn dphi.
     pub(crate) fn balanced(stiffness: R, hold: Vec2<R>, drive: Vec2<R>, dphi: R) -> Self {
         let start = stiffness * dphi + drive.y;
-        let scale = (stiffness + hold.reach()).max(start.abs());
+        let scale = (stiffness + hold.reach())
+            .max(start.abs())
+            .max(drive.reach());
         if scale == R::ZERO {
             return Self::straight();
         }
         Self {
             rate: start / scale,
-            stiffness,
-            hold,
-            drive,
-            scale,
+            stiffness: stiffness / scale,
+            hold: hold.over(scale),
+            drive: drive.over(scale),
         }
     }
 
@@ -119,31 +132,25 @@ impl<R: Real> Motion<R> {
 
     /// A turn by `angle` in proportion to tau = x.
     pub(crate) fn turning(angle: R) -> Self {
-        Self::kinematic(angle, Vec2::new(R::ONE, R::ZERO), R::ONE).with_stiffness(R::ONE)
+        Self {
+            stiffness: R::ONE,
+            ..Self::kinematic(angle, Vec2::ZERO)
+        }
     }
 
-    /// ϑ = rate x, tau = [sin ϑ hold.x + (1 - cos ϑ) hold.y] / (rate scale).
-    pub(crate) fn kinematic(rate: R, hold: Vec2<R>, scale: R) -> Self {
+    /// ϑ = rate x, tau = [sin ϑ hold.x + (1 - cos ϑ) hold.y] / rate.
+    pub(crate) fn kinematic(rate: R, hold: Vec2<R>) -> Self {
         Self {
             rate,
             stiffness: R::ZERO,
             hold,
             drive: Vec2::ZERO,
-            scale,
         }
     }
 
     /// The sign of the turn.
     pub(crate) fn direction(&self) -> R {
         self.rate.sign()
-    }
-
-    fn with_stiffness(self, stiffness: R) -> Self {
-        Self {
-            stiffness,
-            hold: Vec2::ZERO,
-            ..self
-        }
     }
 
     /// The place of parameter x.
@@ -165,7 +172,7 @@ impl<R: Real> Motion<R> {
             sine,
             h: x * self.stiffness + versine_x * self.hold.y + sine_x * self.hold.x,
             h_slope: self.stiffness + cosine * self.hold.x + sine * self.hold.y,
-            d: self.scale - (sine_x * self.drive.x + versine_x * self.drive.y),
+            d: R::ONE - (sine_x * self.drive.x + versine_x * self.drive.y),
             d_slope: -(cosine * self.drive.x + sine * self.drive.y),
         }
     }
@@ -185,7 +192,7 @@ impl<R: Real> Motion<R> {
         let whole = self.stiffness + z0;
         let rate = self.rate.abs();
         let least = if whole > R::ZERO {
-            self.scale / whole
+            R::ONE / whole
         } else {
             R::ONE
         };
@@ -193,7 +200,7 @@ impl<R: Real> Motion<R> {
             value: p.d - p.h,
             slope: p.d_slope - p.h_slope,
             curvature: rate * (z0 + zp),
-            rounding: R::EPSILON * self.scale,
+            rounding: R::EPSILON,
         };
         let fold = |p: &Place<R>, window: R| {
             let (h2, d2) = self.second(p);
@@ -203,7 +210,7 @@ impl<R: Real> Motion<R> {
                 value: p.h_slope * p.d - p.h * p.d_slope,
                 slope: h2 * p.d - p.h * d2,
                 curvature: rate * curved,
-                rounding: R::EPSILON * self.scale * whole,
+                rounding: R::rounding(whole),
             }
         };
         let found = if self.stiffness > z0 + zp {
@@ -240,7 +247,7 @@ impl<R: Real> Motion<R> {
         let cosine = R::ONE - p.versine;
         let e = margin.at(p);
         let turning = margin.turning.y * cosine - margin.turning.x * p.sine;
-        let rounding = margin.rounding * self.scale;
+        let rounding = margin.rounding;
         // A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero
         // is taken where the margin is overdrawn beyond doubt.
         let credit = if margin.start <= margin.rounding {
@@ -261,7 +268,7 @@ impl<R: Real> Motion<R> {
         let rate = self.rate.abs();
         let (z0, zp) = (self.hold.reach(), self.drive.reach());
         let swing = margin.turning.reach();
-        let d_most = self.scale + limit.x * zp;
+        let d_most = R::ONE + limit.x * zp;
         let value = margin.start.abs() + swing * (limit.turn.abs().min(R::TWO));
         rate * (swing * (rate * d_most + R::TWO * zp) + value * zp + margin.along.abs() * z0)
     }
@@ -274,12 +281,12 @@ impl<R: Real> Motion<R> {
         if margin.start - fall > margin.rounding {
             return false;
         }
+        let margin = &margin.scaled();
         // It lies above its chord but for the sagitta of its curvature.
         let curvature = self.curvature(margin, &limit);
-        let start = margin.start * self.scale;
         let end = margin.at(&limit) * limit.d + margin.along * limit.h;
         let sagitta = curvature * limit.x * limit.x * (R::HALF * R::HALF * R::HALF);
-        if margin.start > margin.rounding && start.min(end) > sagitta {
+        if margin.start > margin.rounding && margin.start.min(end) > sagitta {
             return false;
         }
         let found = first_zero(limit.x, |x| {
@@ -303,7 +310,7 @@ impl<R: Real> Motion<R> {
     pub(crate) fn course_to(&self, x: R) -> Course<R> {
         Course {
             end: self.at(x),
-            reach: x * (self.stiffness + self.hold.reach()) / self.scale,
+            reach: x * (self.stiffness + self.hold.reach()),
             folds: false,
             unsure: false,
         }

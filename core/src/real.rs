@@ -77,6 +77,14 @@ pub trait Real:
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         a * b - c * d
     }
+    /// sqrt(a b + c d); 0 where that is negative.
+    fn root_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
+        Self::sum_of_products(a, b, c, d).sqrt()
+    }
+    /// The rounding of a sum of numbers of a size.
+    fn rounding(size: Self) -> Self {
+        Self::EPSILON * size
+    }
     /// sin(x) / x, which is 1 at 0, and cos(x).
     fn sinc_cos(self) -> (Self, Self) {
         let (sin, cos) = self.sin_cos();

@@ -23,7 +23,7 @@ impl<R: Real> Slope<R> {
         if e <= R::ZERO || e <= self.rounding && d >= R::ZERO {
             return R::ZERO;
         }
-        let root = (d * d + R::TWO * k * e).sqrt();
+        let root = R::root_of_products(d, d, R::TWO * k, e);
         if d < R::ZERO {
             R::TWO * e / (root - d)
         } else if k > R::ZERO {
@@ -108,7 +108,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         if let Some((which, function)) = closest {
             nearest = which;
             let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
-            if !leaves && (step <= R::EPSILON * x || function.is_closed_by(step)) {
+            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
                 return Found::Zero { x: x + step, which };
             }
         }
@@ -164,9 +164,28 @@ impl<R: Real> PinnedMoment<R> {
         found
     }
 
+    /// In units of the largest of moment, load and stiffness.
+    fn scaled(&self) -> Self {
+        let load = self.dot.abs() + self.cross.abs();
+        let unit = load.max(self.now().abs()).max(self.stiffness);
+        if unit == R::ZERO {
+            return *self;
+        }
+        Self {
+            couple: self.couple / unit,
+            stiffness: self.stiffness / unit,
+            dot: self.dot / unit,
+            cross: self.cross / unit,
+        }
+    }
+
     fn search(&self, direction: R, start: R) -> Downhill<R> {
+        self.scaled().search_from(direction, start)
+    }
+
+    fn search_from(&self, direction: R, start: R) -> Downhill<R> {
         let size = self.dot.abs() + self.cross.abs();
-        let rounding = R::EPSILON * (size + self.couple.abs());
+        let rounding = R::rounding(size + self.couple.abs());
         let moment = self.now().abs();
         // Before this angle the springs' couple alone outweighs the load.
         let certain = if self.stiffness > R::ZERO {

@@ -40,10 +40,10 @@ impl<R: Real> Motion<R> {
 
     /// tau of a kinematic motion, up to x = `window`.
     pub(crate) fn part_jet(&self, p: &Place<R>, window: R) -> Jet<R> {
-        let most = self.hold.reach() / self.scale;
+        let most = self.hold.reach();
         Jet {
             value: p.part(),
-            slope: p.h_slope / self.scale,
+            slope: p.h_slope,
             bounds: [most * window, most, most * self.rate.abs()],
         }
     }
@@ -51,10 +51,10 @@ impl<R: Real> Motion<R> {
     /// dtau/dx of a kinematic motion.
     pub(crate) fn part_velocity(&self, p: &Place<R>) -> Jet<R> {
         let rate = self.rate.abs();
-        let most = self.hold.reach() / self.scale;
+        let most = self.hold.reach();
         Jet {
-            value: p.h_slope / self.scale,
-            slope: self.second(p).0 / self.scale,
+            value: p.h_slope,
+            slope: self.second(p).0,
             bounds: [most, most * rate, most * rate * rate],
         }
     }

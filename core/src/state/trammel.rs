@@ -128,12 +128,11 @@ impl<R: Real> Trammel<R> {
         let size = by_slide.hypot(by_turn);
         if size == R::ZERO {
             // Wedged straight across parallel surfaces: slides without a turn.
-            return Motion::kinematic(R::ZERO, Vec2::new(sense, R::ZERO), R::ONE);
+            return Motion::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
         Motion::kinematic(
             sense * by_slide / size,
-            Vec2::new(-by_turn, second.normal.dot(arm)) * sense,
-            size,
+            Vec2::new(-by_turn, second.normal.dot(arm)).over(size) * sense,
         )
     }
 
