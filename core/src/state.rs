@@ -163,96 +163,110 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
         match self {
             Self::Free(s) => s.follow(scene, from, to),
             Self::SingleVertex(s) => s.follow(scene, from, to),
-            Self::Edge(s) => s.follow(scene, to),
-            Self::TwoVertex(s) => s.follow(scene, to),
-            Self::Corner(_) => false,
-            Self::Locked(s) => s.follow(scene, to),
+            Self::Edge(s) if W::EDGES => s.follow(scene, to),
+            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
+            Self::Locked(s) if W::SURFACES => s.follow(scene, to),
+            _ => false,
         }
     }
 
-    pub(crate) fn advance(
+    pub(crate) fn advance<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
         match self {
             Self::Free(s) => s.advance(scene, from, to),
             Self::SingleVertex(s) => s.advance(scene, from, to),
-            Self::Edge(s) => s.advance(scene, from, to),
-            Self::TwoVertex(s) => s.advance(scene, from, to),
-            Self::Corner(s) => s.advance(scene, from, to),
-            Self::Locked(s) => s.advance(scene, from, to),
+            Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
+            Self::TwoVertex(s) if W::SURFACES => s.advance(scene, from, to),
+            Self::Corner(s) if W::SURFACES => s.advance(scene, from, to),
+            Self::Locked(s) if W::SURFACES => s.advance(scene, from, to),
+            _ => absent(),
         }
     }
 
-    pub(crate) fn relax(
+    pub(crate) fn relax<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         how: Relax<R>,
     ) -> Moved<R> {
         match self {
             Self::Free(s) => s.relax(scene, grip),
             Self::SingleVertex(s) => s.relax(scene, grip, how.sliding),
-            Self::Edge(s) => s.relax(scene, grip, how.sliding),
-            Self::TwoVertex(s) => s.relax(scene, grip, how),
-            Self::Corner(s) => s.relax(scene, grip),
-            Self::Locked(s) => s.relax(scene, grip, how.attempt),
+            Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
+            Self::TwoVertex(s) if W::SURFACES => s.relax(scene, grip, how),
+            Self::Corner(s) if W::SURFACES => s.relax(scene, grip),
+            Self::Locked(s) if W::SURFACES => s.relax(scene, grip, how.attempt),
+            _ => absent(),
         }
     }
 
     /// From a fold of the branch, on in the direction of the sign. A free body finds its way from there by itself.
-    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
+    pub(crate) fn snap<W: World<R>>(
+        &mut self,
+        scene: &W,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
         match self {
             Self::SingleVertex(s) => s.snap(scene, grip, direction),
-            Self::Corner(s) => s.snap(scene, grip, direction),
+            Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
         }
     }
 
     /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
-    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    pub(crate) fn slide<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         match self {
             Self::SingleVertex(s) => s.slide(scene, grip, sign),
-            Self::Edge(s) => s.slide(scene, grip, sign),
-            Self::TwoVertex(s) => s.slide(scene, grip),
-            Self::Free(_) | Self::Corner(_) | Self::Locked(_) => Moved::by(Trigger::Undriven),
+            Self::Edge(s) if W::EDGES => s.slide(scene, grip, sign),
+            Self::TwoVertex(s) if W::SURFACES => s.slide(scene, grip),
+            _ => absent(),
         }
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
+    pub(crate) fn reactions<W: World<R>>(&self, scene: &W, stance: &Stance<R>) -> Reactions<R> {
         match self {
-            Self::Free(_) => Reactions::new(),
             Self::SingleVertex(s) => s.reactions(scene, stance),
-            Self::Edge(s) => s.reactions(scene, stance),
-            Self::TwoVertex(s) => s.reactions(scene, stance),
-            Self::Corner(s) => s.reactions(scene, stance),
-            Self::Locked(s) => s.reactions(scene, stance),
+            Self::Edge(s) if W::EDGES => s.reactions(scene, stance),
+            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, stance),
+            Self::Corner(s) if W::SURFACES => s.reactions(scene, stance),
+            Self::Locked(s) if W::SURFACES => s.reactions(scene, stance),
+            _ => Reactions::new(),
         }
     }
 
     /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.
-    pub(crate) fn seated(scene: &impl World<R>, pivot: Pivot<R>, others: &[Pair]) -> Self {
+    pub(crate) fn seated<W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[Pair]) -> Self {
         let pivot = seat(scene, pivot, others);
         match *others {
-            [] => Self::SingleVertex(SingleVertex { pivot }),
-            [other] if other.vertex == pivot.contact.vertex => Self::Corner(Corner {
-                pivot,
-                surface: other.surface,
-            }),
-            [other] if other.surface == pivot.contact.surface => Self::Edge(Edge {
+            [other] if W::SURFACES && other.vertex == pivot.contact.vertex => {
+                Self::Corner(Corner {
+                    pivot,
+                    surface: other.surface,
+                })
+            }
+            [other] if W::EDGES && other.surface == pivot.contact.surface => Self::Edge(Edge {
                 pivot,
                 vertex: other.vertex,
             }),
-            [other] => Self::TwoVertex(TwoVertex::new(pivot, other)),
-            _ => Self::Locked(Locked::new(pivot, others)),
+            [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
+            [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),
+            _ => Self::SingleVertex(SingleVertex { pivot }),
         }
     }
+}
+
+/// The verb of a state that the scene does not have, or that has no such verb.
+fn absent<R: Real>() -> Moved<R> {
+    Moved::by(Trigger::Undriven)
 }
 
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
