@@ -110,41 +110,37 @@ impl<R: Real> Support<R> {
         self.contacts = self.contacts.saturating_add(1);
     }
 
-    /// The facets: inner normal of unit size and the incipient motion when the load crosses it.
-    fn facets(&self) -> impl Iterator<Item = (Screw<R>, Yield<R>)> + '_ {
-        let edges = self.edges.iter().enumerate();
-        edges.flat_map(move |(i, a)| {
-            self.edges
-                .iter()
-                .enumerate()
-                .skip(i.saturating_add(1))
-                .flat_map(move |(k, b)| {
-                    let normal = a.screw.cross(b.screw);
-                    let size = normal.size();
-                    let usable = size > Self::tolerance();
-                    let unit = if usable {
-                        normal.scaled(R::ONE / size)
-                    } else {
-                        normal
-                    };
-                    let inner = move |sign: R| {
-                        usable
-                            && self.edges.iter().enumerate().all(|(j, e)| {
-                                j == i || j == k || unit.dot(e.screw) * sign >= -Self::tolerance()
-                            })
-                    };
-                    [R::ONE, -R::ONE]
-                        .into_iter()
-                        .filter(move |&sign| inner(sign))
-                        .map(move |sign| (unit.scaled(sign), incipient(a, b)))
-                })
-        })
+    /// Visits the facets: inner normal of unit size and the incipient motion when the load crosses it.
+    fn each_facet(&self, visit: &mut dyn FnMut(Screw<R>, Yield<R>)) {
+        for (i, a) in self.edges.iter().enumerate() {
+            for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
+                let normal = a.screw.cross(b.screw);
+                let size = normal.size();
+                if size <= Self::tolerance() {
+                    continue;
+                }
+                let unit = normal.scaled(R::ONE / size);
+                let (mut inner, mut outer) = (true, true);
+                for (j, edge) in self.edges.iter().enumerate() {
+                    if j != i && j != k {
+                        let side = unit.dot(edge.screw);
+                        inner &= side >= -Self::tolerance();
+                        outer &= side <= Self::tolerance();
+                    }
+                }
+                for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
+                    if faces {
+                        visit(unit.scaled(sign), incipient(a, b));
+                    }
+                }
+            }
+        }
     }
 
     /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
     pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
         let mut first = None;
-        for (normal, _) in self.facets() {
+        self.each_facet(&mut |normal, _| {
             // The reactions are the opposite of the load.
             let (start, end) = (-normal.dot(from), -normal.dot(to));
             if end < -rounding {
@@ -155,7 +151,7 @@ impl<R: Real> Support<R> {
                 };
                 first = Some(first.map_or(part, |least: R| least.min(part)));
             }
-        }
+        });
         first
     }
 
@@ -164,16 +160,16 @@ impl<R: Real> Support<R> {
         &self,
         load: Screw<R>,
         rounding: R,
-        mut allows: impl FnMut(&Yield<R>) -> bool,
+        allows: &dyn Fn(&Yield<R>) -> bool,
     ) -> Option<Yield<R>> {
         let mut most: Option<(R, Yield<R>)> = None;
-        for (normal, mode) in self.facets() {
+        self.each_facet(&mut |normal, mode| {
             let excess = normal.dot(load);
             let is_most = most.is_none_or(|(largest, _)| excess > largest);
             if excess >= -rounding && is_most && allows(&mode) {
                 most = Some((excess, mode));
             }
-        }
+        });
         most.map(|(_, mode)| mode)
     }
 

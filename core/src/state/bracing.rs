@@ -21,6 +21,30 @@ pub(super) struct Bracing<R: Real> {
 /// An incipient motion: the contacts that last, and the direction in which the first of them slides.
 type Mode<R> = ([usize; 2], Option<R>);
 
+/// How a motion can begin, those with fewest openings first.
+#[derive(Clone, Copy)]
+enum Begin {
+    SlideTogether,
+    Turn,
+    SlideAlone,
+    Open,
+    SlideTogetherInBalance,
+}
+
+impl Begin {
+    const ALL: [Self; 5] = [
+        Self::SlideTogether,
+        Self::Turn,
+        Self::SlideAlone,
+        Self::Open,
+        Self::SlideTogetherInBalance,
+    ];
+}
+
+fn keep<R: Real>((contacts, sliding): Mode<R>) -> Trigger<R> {
+    Trigger::Keep { contacts, sliding }
+}
+
 /// The instantaneous velocity of the body: of the pivot, and the turn.
 #[derive(Clone, Copy)]
 struct Twist<R> {
@@ -102,30 +126,65 @@ impl<R: Real> Bracing<R> {
             let grip = if mode.1.is_none() { ahead } else { grip };
             self.is_consistent(scene, grip, mode)
         };
-        let is_driven = |mode: &Mode<R>| self.twist(scene, grip, mode, Demand::AtTheEnd).is_some();
         let facet = self
             .support
-            .yields(stance.load(), stance.rounding(), |yields| {
+            .yields(stance.load(), stance.rounding(), &|yields| {
                 is_consistent(&self.mode_of(yields))
             });
+        let mut in_vain = attempt;
+        let mut is_next = |begins: bool| {
+            let is = begins && in_vain == 0;
+            in_vain = in_vain.saturating_sub(usize::from(begins));
+            is
+        };
+        if let Some(yields) = facet
+            && is_next(true)
+        {
+            return keep(self.mode_of(&yields));
+        }
+        for begin in Begin::ALL {
+            for (i, k, sign) in self.choices(begin) {
+                let mode = match begin {
+                    Begin::Turn => self.about(i),
+                    _ => ([i, k], Some(sign)),
+                };
+                let begins = match begin {
+                    Begin::Open => self.is_pulled(scene, &stance),
+                    Begin::SlideTogetherInBalance => {
+                        self.twist(scene, grip, &mode, Demand::AtTheEnd).is_some()
+                    }
+                    _ => is_consistent(&mode),
+                };
+                if is_next(begins) {
+                    return match begin {
+                        Begin::Open => Trigger::Clear,
+                        _ => keep(mode),
+                    };
+                }
+            }
+        }
+        Trigger::Undriven
+    }
+
+    /// The pairs of contacts and directions in which a motion of a kind can begin.
+    fn choices(&self, begin: Begin) -> impl Iterator<Item = (usize, usize, R)> + use<R> {
         let count = self.contacts.len();
-        let ordered = (0..count).flat_map(|i| (0..count).map(move |k| (i, k)));
-        let pairs = ordered.clone().filter(|(i, k)| i < k);
-        let slides = |(i, k): (usize, usize)| [R::ONE, -R::ONE].map(|sign| ([i, k], Some(sign)));
-        let modes = (facet.iter().map(|yields| self.mode_of(yields)))
-            .chain(pairs.clone().flat_map(slides))
-            .chain((0..count).map(|i| self.about(i)))
-            .chain((0..count).flat_map(|i| slides((i, i))))
-            .filter(is_consistent);
-        let pulled = self.contacts.iter().all(|c| {
+        let all = (0..count).flat_map(move |i| (i..count).map(move |k| (i, k)));
+        all.flat_map(|(i, k)| [(i, k, R::ONE), (i, k, -R::ONE)])
+            .filter(move |&(i, k, sign)| match begin {
+                Begin::SlideTogether | Begin::SlideTogetherInBalance => i < k,
+                Begin::Turn => i == k && sign > R::ZERO,
+                Begin::SlideAlone => i == k,
+                Begin::Open => i == 0 && k == 0 && sign > R::ZERO,
+            })
+    }
+
+    /// The load pulls every contact off.
+    fn is_pulled(&self, scene: &impl World<R>, stance: &Stance<R>) -> bool {
+        self.contacts.iter().all(|c| {
             let normal = scene.surface(c.surface).normal;
             normal.dot(stance.force) > R::ZERO
-        });
-        let keep = |(contacts, sliding)| Trigger::Keep { contacts, sliding };
-        let mut triggers = (modes.map(keep))
-            .chain(pulled.then_some(Trigger::Clear))
-            .chain(pairs.flat_map(slides).filter(is_driven).map(keep));
-        triggers.nth(attempt).unwrap_or(Trigger::Undriven)
+        })
     }
 
     /// A turn about a contact; in a corner both contacts of the vertex last.

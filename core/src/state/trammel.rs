@@ -19,8 +19,9 @@ pub(crate) struct Trammel<R> {
     stance: Stance<R>,
     /// r = c2 - c1
     arm: Vec2<R>,
-    stiffness: R,
     weight: Vec2<R>,
+    /// 1 over the size of the load: forces and moments are counted in it.
+    per_load: R,
     /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
@@ -88,6 +89,8 @@ impl<R: Real> Trammel<R> {
         let placed = pivot.placed(scene);
         let stance = Stance::new(scene, placed, grip);
         let arm = placed.arm(scene, state.other.vertex);
+        let size = stance.force.reach() + stance.lever.reach() + scene.weight().reach();
+        let per_load = R::ONE / (size + stance.couple.abs() + stance.stiffness);
         let surfaces = [pivot.surface(scene), scene.surface(state.other.surface)];
         let [forth, back] = [R::ONE, -R::ONE].map(|sense| {
             let mut trammel = Self {
@@ -95,8 +98,8 @@ impl<R: Real> Trammel<R> {
                 surfaces,
                 stance,
                 arm,
-                stiffness: scene.stiffness(),
                 weight: scene.weight(),
+                per_load,
                 signs: [R::ZERO; 2],
                 reactions: [Vec2::ZERO; 2],
                 excess: R::ZERO,
@@ -153,7 +156,7 @@ impl<R: Real> Trammel<R> {
         });
         let found = self.quantities(&start, R::ONE);
         self.resistance = found.resistance.value;
-        let rounding = self.stance.rounding();
+        let rounding = (self.stance.rounding() * self.per_load).max(R::from_int(4) * R::EPSILON);
         let [n1, n2] = found.normals.map(|n| n.value * self.resistance.sign());
         self.excess = found.imbalance.value * self.resistance.sign();
         let pressed = n1 >= -rounding && n2 >= -rounding;
@@ -188,11 +191,13 @@ impl<R: Real> Trammel<R> {
         let lever = self.rotated(p, self.stance.lever);
         let centroid = self.rotated(p, self.stance.centroid);
         let arm = self.rotated(p, self.arm);
-        let hand = JetVec::constant(self.stance.spring + self.stance.lever)
-            - JetVec::constant(self.surfaces[0].tangent).scaled(slide);
-        let weight = JetVec::constant(self.weight);
-        let force = hand - lever - JetVec::constant(-self.weight);
-        let couple = Jet::constant(self.stance.couple) - turn * Jet::constant(self.stiffness);
+        let load = |v: Vec2<R>| JetVec::constant(v * self.per_load);
+        let hand = load(self.stance.spring + self.stance.lever)
+            - load(self.surfaces[0].tangent).scaled(slide);
+        let weight = load(self.weight);
+        let force = hand - lever.scaled(Jet::constant(self.per_load)) + weight;
+        let couple = Jet::constant(self.stance.couple * self.per_load)
+            - turn * Jet::constant(self.stance.stiffness * self.per_load);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
         let [f1, f2] = self.reactions.map(JetVec::constant);
         let [t1, t2] = self.surfaces.map(|s| JetVec::constant(s.tangent));

@@ -1,0 +1,48 @@
+//! What the linker must know of the chip, by target, and which scene the footprint's image holds.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The scene file of the footprint's image, instead of `scenes/box.rs`: see there.
+const SCENE: &str = "STICTION_SCENE";
+
+fn main() {
+    let package = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
+    let scene = env::var_os(SCENE).map_or(package.join("scenes/box.rs"), PathBuf::from);
+    println!("cargo::rerun-if-env-changed={SCENE}");
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed=memory");
+    println!("cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"virt\"))");
+    println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
+
+    let chip = match variable("TARGET").as_str() {
+        "thumbv7em-none-eabihf" => "stm32f405",
+        "thumbv6m-none-eabi" => "nrf51822",
+        "riscv32imc-unknown-none-elf" => "virt",
+        _ => return,
+    };
+    println!("cargo::rustc-cfg=chip=\"{chip}\"");
+    let folder = PathBuf::from(variable("OUT_DIR"));
+    copy(
+        &package.join("memory").join(chip).with_extension("x"),
+        &folder.join("memory.x"),
+    );
+    println!("cargo::rustc-link-search={}", folder.display());
+    if chip == "virt" {
+        // cortex-m-rt's link.x includes memory.x, that of riscv-rt does not.
+        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+    }
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    println!("cargo::rustc-link-arg-bins=--nmagic");
+}
+
+/// What cargo sets for every build script.
+fn variable(name: &str) -> String {
+    env::var(name).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn copy(from: &Path, to: &Path) {
+    if let Err(error) = std::fs::copy(from, to) {
+        panic!("{}: {error}", from.display());
+    }
+}

@@ -1,0 +1,26 @@
+//! Prints what the walk of the hand comes to on this machine: `cargo run --example bits -- f32 100000`.
+
+use std::process::ExitCode;
+use stiction_firmware::bits::of_walk;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let hash = match arguments.as_slice() {
+        [number, frames] => frames.parse().ok().and_then(|n| hash(number, n)),
+        _ => None,
+    };
+    let Some(hash) = hash else {
+        eprintln!("usage: bits f32|f64 FRAMES");
+        return ExitCode::from(2);
+    };
+    println!("{hash:016x}");
+    ExitCode::SUCCESS
+}
+
+fn hash(number: &str, frames: u32) -> Option<u64> {
+    match number {
+        "f32" => Some(of_walk::<f32>(frames)),
+        "f64" => Some(of_walk::<f64>(frames)),
+        _ => None,
+    }
+}

@@ -1,0 +1,25 @@
+// The scene in the image of the footprint: a box on a floor. A file named by the environment variable STICTION_SCENE takes
+// its place; it must define the same three names.
+
+use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightless};
+
+/// The number type, room for vertices and surfaces, and what else the scene needs.
+pub(crate) type CompiledScene = Scene<f32, 4, 1, Weightless>;
+/// How a frame is evolved.
+pub(crate) const EVOLUTION: Evolution = Evolution::Path;
+/// The scene, in the outside float of the number type.
+pub(crate) const SCENE: Description<'static, f32> = Description {
+    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+    start: [0.0, 0.03, 0.0],
+    weight: 0.0,
+    holding_point: Some([0.0, 0.02]),
+    reach: 0.0,
+    stiffness_translation: 500.0,
+    stiffness_rotation: 0.5,
+    surfaces: &[SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        friction_static: 0.5,
+        friction_dynamic: 0.3,
+    }],
+};

@@ -1,0 +1,10 @@
+//! Prints what the walk of the hand comes to with `f64`.
+#![no_std]
+#![no_main]
+
+use stiction_firmware::board::{self, entry};
+
+#[entry]
+fn main() -> ! {
+    board::print_bits::<f64>()
+}

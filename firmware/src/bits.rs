@@ -1,0 +1,76 @@
+//! The same bits on every machine: a walk of the hand through the solver, and one number that stands for every bit of
+//! every answer. Two machines that come to the same number agree in all of them.
+
+mod walk;
+
+use stiction_core::{Contact, Evolution, Real};
+
+use crate::si::SiFloat;
+pub use walk::{Answer, Walk, follow};
+
+/// The hash of a walk of so many frames, gone once in each evolution.
+pub fn of_walk<R: Real<Si: SiFloat>>(frames: u32) -> u64 {
+    let mut hash = Hash::new();
+    for evolution in [Evolution::Path, Evolution::Frame] {
+        follow::<R>(evolution, frames, |answer| hash.answer(answer));
+    }
+    hash.value
+}
+
+/// FNV-1a, taking 32 bits at once.
+struct Hash {
+    value: u64,
+}
+
+impl Hash {
+    const fn new() -> Self {
+        Self {
+            value: 0xCBF2_9CE4_8422_2325,
+        }
+    }
+
+    fn word(&mut self, word: u32) {
+        self.value = (self.value ^ u64::from(word)).wrapping_mul(0x0000_0100_0000_01B3);
+    }
+
+    fn float<F: SiFloat>(&mut self, value: F) {
+        let bits = value.bits();
+        self.word(bits as u32);
+        self.word((bits >> 32) as u32);
+    }
+
+    fn answer<F: SiFloat>(&mut self, answer: &Answer<F>) {
+        let Answer {
+            output,
+            wrench,
+            contacts,
+        } = answer;
+        self.word(u32::from(output.held));
+        self.word(output.state as u32);
+        self.word(output.status as u32);
+        self.word(output.slips);
+        self.word(output.angle.turns.cast_unsigned());
+        let ([x, y], [force_x, force_y]) = (output.position, wrench.force);
+        for value in [x, y, output.angle.rest, output.longest_slip] {
+            self.float(value);
+        }
+        for value in [force_x, force_y, wrench.moment] {
+            self.float(value);
+        }
+        for &event in output.events() {
+            self.word(event as u32);
+        }
+        for contact in contacts.iter() {
+            self.contact(contact);
+        }
+    }
+
+    fn contact<F: SiFloat>(&mut self, contact: &Contact<F>) {
+        self.word(contact.vertex as u32);
+        self.word(contact.surface as u32);
+        let [x, y] = contact.point;
+        for value in [x, y, contact.normal, contact.friction] {
+            self.float(value);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! A random walk of the hand, made of whole numbers, so that every machine has the same one: straight legs between random
+//! poses around a corner of floor and wall, pushing the body of the benchmarks into all contact states.
+
+use stiction_core::{
+    Angle, Contacts, Description, Evolution, Hand, Output, Real, Scene, Solver, State,
+    SurfaceDescription, Wrench,
+};
+
+use crate::si::SiFloat;
+
+/// A whole number of the walk is so much of a metre or radian.
+const UNITS_PER_ONE: i32 = 1 << 14;
+/// Where the hand goes (m, m, rad): the middle and how far from it.
+const REACH: [[f64; 2]; 3] = [[0.0, 0.17], [0.05, 0.06], [0.0, 2.0]];
+/// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
+const WALL: ([f64; 2], f64) = ([-0.8, 0.6], -0.096);
+
+/// The hand's samples; they never end.
+#[derive(Clone, Debug)]
+pub struct Walk {
+    random: u32,
+    from: [i32; 3],
+    to: [i32; 3],
+    /// Frames of this leg, and how many of them are gone.
+    length: i32,
+    gone: i32,
+    held: bool,
+}
+
+impl Walk {
+    /// Begins over the floor, the body's bottom side down.
+    pub fn new() -> Self {
+        let [start, _, _] = REACH.map(|[middle, _]| in_units(middle));
+        let start = [start, in_units(0.1), 0];
+        Self {
+            random: 0x2545_F491,
+            from: start,
+            to: start,
+            length: 1,
+            gone: 0,
+            held: true,
+        }
+    }
+
+    /// The next random number (xorshift).
+    fn random(&mut self) -> u32 {
+        self.random ^= self.random << 13;
+        self.random ^= self.random >> 17;
+        self.random ^= self.random << 5;
+        self.random
+    }
+
+    /// A random whole number of at most this size.
+    fn within(&mut self, size: i32) -> i32 {
+        let size = size.unsigned_abs();
+        (self.random() % (2 * size + 1)).cast_signed() - size.cast_signed()
+    }
+
+    /// The next leg: every other one ends with a side of the body nearly level, one in 32 is gone with an open hand.
+    fn turn(&mut self) {
+        let target = REACH.map(|[middle, size]| in_units(middle) + self.within(in_units(size)));
+        let [x, y, mut phi] = target;
+        if self.random().is_multiple_of(2) {
+            let quarter = in_units(core::f64::consts::FRAC_PI_2);
+            phi = self.within(1) * quarter + self.within(in_units(0.02));
+        }
+        self.from = self.to;
+        self.to = [x, y, phi];
+        self.length = 128 + self.within(120);
+        self.gone = 0;
+        self.held = !self.random().is_multiple_of(32);
+    }
+
+    /// The next sample.
+    pub fn sample<F: SiFloat>(&mut self) -> Hand<F> {
+        if self.gone == self.length {
+            self.turn();
+        }
+        self.gone += 1;
+        let ([x, y, phi], [to_x, to_y, to_phi]) = (self.from, self.to);
+        let now = [(x, to_x), (y, to_y), (phi, to_phi)]
+            .map(|(from, to)| from + (to - from) * self.gone / self.length);
+        // Exact: the numbers have less than 24 bits and the unit is a power of two.
+        let [x, y, rest] = now.map(|n| F::from_int(n) / F::from_int(UNITS_PER_ONE));
+        Hand {
+            position: [x, y],
+            angle: Angle { turns: 0, rest },
+            depth: F::ZERO,
+            held: self.held,
+        }
+    }
+}
+
+impl Default for Walk {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+fn in_units(value: f64) -> i32 {
+    (value * f64::from(UNITS_PER_ONE)) as i32
+}
+
+/// The box of the benchmarks over a floor, before a wall.
+fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
+    let narrow = R::Si::narrow;
+    let surface = |normal: [f64; 2], offset: f64| SurfaceDescription {
+        normal: normal.map(narrow),
+        offset: narrow(offset),
+        friction_static: narrow(0.5),
+        friction_dynamic: narrow(0.3),
+    };
+    let vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]];
+    let description = Description {
+        vertices: &vertices.map(|vertex| vertex.map(narrow)),
+        start: [-0.03, 0.08, 0.0].map(narrow),
+        weight: narrow(0.0),
+        holding_point: Some([0.0, 0.02].map(narrow)),
+        reach: narrow(0.0),
+        stiffness_translation: narrow(500.0),
+        stiffness_rotation: narrow(0.5),
+        surfaces: &[surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)],
+    };
+    Scene::new(&description).ok()
+}
+
+/// All that the solver says of a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer<F> {
+    /// The answer of the step.
+    pub output: Output<F>,
+    /// The wrench of the hand.
+    pub wrench: Wrench<F>,
+    /// The contacts with their forces.
+    pub contacts: Contacts<F>,
+}
+
+/// Takes the body along a walk of so many frames and shows every answer.
+pub fn follow<R: Real<Si: SiFloat>>(
+    evolution: Evolution,
+    frames: u32,
+    mut seen: impl FnMut(&Answer<R::Si>),
+) {
+    let Some(scene) = scene::<R>() else { return };
+    let solver = Solver::new(scene, evolution);
+    let mut walk = Walk::new();
+    let mut see = |state: &State<R>, output| {
+        seen(&Answer {
+            output,
+            wrench: solver.wrench(state),
+            contacts: solver.contacts(state),
+        });
+    };
+    let (mut state, output) = solver.start(walk.sample());
+    see(&state, output);
+    for _ in 1..frames {
+        let output = solver.step(&mut state, walk.sample());
+        see(&state, output);
+    }
+}

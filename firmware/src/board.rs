@@ -1,0 +1,96 @@
+//! The emulated boards: their counter and stack, and the files of the host by semihosting. Exit statuses: 0 done, 1 a file
+//! cannot be read or written, 2 bad command line, 3 not a job, 4 not a scene, 5 the emulator does not count instructions
+//! as it should, 101 a panic, 102 a fault of the processor.
+
+use core::ffi::CStr;
+use semihosting::experimental::env;
+use semihosting::fs::File;
+use semihosting::io::{Read, Write};
+use semihosting::process;
+use stiction_core::Real;
+
+use crate::bits;
+use crate::count::{self, Failure, FileError, Files};
+use crate::si::SiFloat;
+
+#[cfg(target_arch = "arm")]
+mod cortex_m;
+#[cfg(target_arch = "riscv32")]
+mod riscv;
+mod stack;
+
+#[cfg(target_arch = "arm")]
+use self::cortex_m::Counter;
+#[cfg(target_arch = "riscv32")]
+use self::riscv::Counter;
+#[cfg(target_arch = "arm")]
+pub use cortex_m_rt::entry;
+#[cfg(target_arch = "riscv32")]
+pub use riscv_rt::entry;
+
+/// The longest command line, and the longest file name in it.
+const LINE: usize = 256;
+
+/// The files of the host that the command line names.
+struct HostFiles {
+    job: File,
+    results: File,
+}
+
+impl Files for HostFiles {
+    fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError> {
+        self.job.read_exact(bytes).map_err(|_| FileError)
+    }
+    fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
+        self.results.write_all(bytes).map_err(|_| FileError)
+    }
+}
+
+/// The program `count`: does the job of the file that the command line names first, writes to the second one, and ends.
+pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
+    let Some(mut files) = open() else {
+        process::exit(1)
+    };
+    let Some(mut instruments) = Counter::take() else {
+        process::exit(5)
+    };
+    process::exit(match count::run::<R, V, S>(&mut files, &mut instruments) {
+        Ok(()) => 0,
+        Err(Failure::File) => 1,
+        Err(Failure::Format(_)) => 3,
+        Err(Failure::Scene(_)) => 4,
+    })
+}
+
+fn open() -> Option<HostFiles> {
+    let job = argument(1, |name| File::open(name))?;
+    let results = argument(2, |name| File::create(name))?;
+    Some(HostFiles {
+        job: job.ok()?,
+        results: results.ok()?,
+    })
+}
+
+/// The program `bits`: prints what the walk of so many frames comes to, as the command line says, and ends.
+pub fn print_bits<R: Real<Si: SiFloat>>() -> ! {
+    let frames = argument(1, |text| text.to_str().ok()?.parse().ok()).flatten();
+    let Some(frames) = frames else {
+        process::exit(2)
+    };
+    semihosting::println!("{:016x}", bits::of_walk::<R>(frames));
+    process::exit(0)
+}
+
+/// Uses a word of the command line; the program's own name is word 0.
+fn argument<T>(index: usize, used: impl FnOnce(&CStr) -> T) -> Option<T> {
+    let line = env::args::<LINE>().ok()?;
+    let word = (&line).into_iter().nth(index)?.ok()?;
+    let mut name = [0; LINE];
+    name.get_mut(..word.len())?.copy_from_slice(word.as_bytes());
+    CStr::from_bytes_until_nul(&name).ok().map(used)
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    process::exit(101)
+}

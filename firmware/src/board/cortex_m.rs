@@ -1,0 +1,114 @@
+//! Instructions on an emulated Cortex-M: SysTick, whose clock QEMU ties to the instructions with `-icount shift=N`, where
+//! each takes 2^N ns.
+#![allow(unsafe_code)]
+
+use core::arch::asm;
+use core::hint::black_box;
+use core::sync::atomic::{AtomicU32, Ordering};
+use cortex_m::Peripherals;
+use cortex_m::peripheral::SYST;
+use cortex_m::peripheral::syst::SystClkSource;
+use cortex_m_rt::{ExceptionFrame, exception};
+
+use super::stack::Watch;
+use crate::count::Instruments;
+
+/// Clock of SysTick (Hz) and N of `-icount shift=N`, which make more than 4 ticks of an instruction.
+#[cfg(chip = "stm32f405")]
+const CLOCK_AND_SHIFT: (u64, u32) = (168_000_000, 5);
+#[cfg(chip = "nrf51822")]
+const CLOCK_AND_SHIFT: (u64, u32) = (16_000_000, 8);
+
+/// SysTick counts down from here.
+const RELOAD: u32 = 0x00FF_FFFF;
+/// Instructions of a loop that must be counted.
+const PROBE: u32 = 501;
+/// The compiler may put so many instructions of the caller between the two readings of the counter.
+const TOLERANCE: u32 = 4;
+
+/// How often SysTick reached 0.
+static ROUNDS: AtomicU32 = AtomicU32::new(0);
+
+/// Counts instructions.
+pub(super) struct Counter {
+    systick: SYST,
+    watch: Option<Watch>,
+    /// Ticks of no work at all.
+    idle: u64,
+}
+
+impl Counter {
+    /// The counter of this board. `None`: it is taken, or the emulator was not started with the right `-icount`.
+    pub(super) fn take() -> Option<Self> {
+        let mut systick = Peripherals::take()?.SYST;
+        systick.set_clock_source(SystClkSource::Core);
+        systick.set_reload(RELOAD);
+        systick.enable_interrupt();
+        systick.enable_counter();
+        let mut counter = Self {
+            systick,
+            watch: None,
+            idle: 0,
+        };
+        (counter.idle, ()) = counter.ticks(|| ());
+        let (counted, ()) = counter.count(probe);
+        (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
+    }
+
+    #[inline(always)]
+    fn ticks<T>(&mut self, work: impl FnOnce() -> T) -> (u64, T) {
+        self.systick.clear_current();
+        ROUNDS.store(0, Ordering::SeqCst);
+        let begun = SYST::get_current();
+        let done = work();
+        let ended = SYST::get_current();
+        let rounds = u64::from(ROUNDS.load(Ordering::SeqCst));
+        let ticks =
+            (rounds * u64::from(RELOAD + 1) + u64::from(begun)).saturating_sub(u64::from(ended));
+        // Nothing of this is put off into the next work.
+        (black_box(ticks), done)
+    }
+}
+
+impl Instruments for Counter {
+    #[inline(always)]
+    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+        let (ticks, done) = self.ticks(work);
+        let (clock, shift) = CLOCK_AND_SHIFT;
+        let per_second = 1_000_000_000 >> shift;
+        let instructions = ((ticks - self.idle) * per_second + clock / 2) / clock;
+        (u32::try_from(instructions).unwrap_or(u32::MAX), done)
+    }
+    #[inline(always)]
+    fn watch_stack(&mut self) {
+        self.watch = Some(Watch::begin());
+    }
+    fn deepest_stack(&mut self) -> u32 {
+        self.watch.as_ref().map_or(0, Watch::depth)
+    }
+}
+
+/// [`PROBE`] instructions.
+#[inline(always)]
+fn probe() {
+    // SAFETY: changes nothing but a scratch register and the flags.
+    unsafe {
+        asm!(
+            "movs {n}, #250",
+            "2: subs {n}, {n}, #1",
+            "bne 2b",
+            n = out(reg) _,
+            options(nomem, nostack),
+        );
+    }
+}
+
+#[exception]
+fn SysTick() {
+    ROUNDS.store(ROUNDS.load(Ordering::SeqCst) + 1, Ordering::SeqCst);
+}
+
+#[exception]
+unsafe fn HardFault(_: &ExceptionFrame) -> ! {
+    semihosting::process::exit(102)
+}

@@ -1,0 +1,72 @@
+//! Instructions on an emulated RISC-V: `minstret`, which QEMU counts exactly with `-icount`.
+#![allow(unsafe_code)]
+
+use core::arch::asm;
+use core::hint::black_box;
+use riscv::register::minstret;
+
+use super::stack::Watch;
+use crate::count::Instruments;
+
+/// Instructions of a loop that must be counted.
+const PROBE: u32 = 501;
+/// The compiler may put so many instructions of the caller between the two readings of the counter.
+const TOLERANCE: u32 = 4;
+
+/// Counts instructions.
+pub(super) struct Counter {
+    watch: Option<Watch>,
+    /// Instructions of no work at all.
+    idle: u64,
+}
+
+impl Counter {
+    /// The counter of this board. `None`: the emulator was not started with `-icount`.
+    pub(super) fn take() -> Option<Self> {
+        let mut counter = Self {
+            watch: None,
+            idle: 0,
+        };
+        let (idle, ()) = counter.count(|| ());
+        counter.idle = u64::from(idle);
+        let (counted, ()) = counter.count(probe);
+        (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
+    }
+}
+
+impl Instruments for Counter {
+    #[inline(always)]
+    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+        let begun = minstret::read64();
+        let done = work();
+        let ended = minstret::read64();
+        let instructions = (ended - begun).saturating_sub(self.idle);
+        // Nothing of this is put off into the next work.
+        (
+            black_box(u32::try_from(instructions).unwrap_or(u32::MAX)),
+            done,
+        )
+    }
+    #[inline(always)]
+    fn watch_stack(&mut self) {
+        self.watch = Some(Watch::begin());
+    }
+    fn deepest_stack(&mut self) -> u32 {
+        self.watch.as_ref().map_or(0, Watch::depth)
+    }
+}
+
+/// [`PROBE`] instructions.
+#[inline(always)]
+fn probe() {
+    // SAFETY: changes nothing but a scratch register.
+    unsafe {
+        asm!(
+            "li {n}, 250",
+            "2: addi {n}, {n}, -1",
+            "bnez {n}, 2b",
+            n = out(reg) _,
+            options(nomem, nostack),
+        );
+    }
+}

@@ -1,0 +1,162 @@
+//! The scene of a job: to bytes on the host, from bytes to the scene of any number type on the board.
+
+use heapless::Vec;
+use stiction_core::{Description, Evolution, Real, Scene, SceneError, SurfaceDescription};
+
+use super::fields::{Fields, Record};
+use super::{FormatError, VERSION};
+use crate::si::SiFloat;
+
+/// The bytes of a job before its vertices.
+pub const HEAD_BYTES: usize = 88;
+const VERTEX_BYTES: usize = 16;
+const SURFACE_BYTES: usize = 40;
+const MARK: [u8; 4] = *b"stjb";
+
+/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many.
+///
+/// # Errors
+/// The first error of `sink`.
+///
+/// # Panics
+/// More than 255 vertices or surfaces, which no scene has.
+pub fn write_scene<E>(
+    scene: &Description<'_, f64>,
+    evolution: Evolution,
+    samples: u32,
+    mut sink: impl FnMut(&[u8]) -> Result<(), E>,
+) -> Result<(), E> {
+    let count = |n: usize| u8::try_from(n).unwrap_or(u8::MAX);
+    let mut head = Record::<HEAD_BYTES>::new();
+    head.put(MARK).u8(VERSION);
+    head.u8(match evolution {
+        Evolution::Path => 0,
+        Evolution::Frame => 1,
+    });
+    head.u8(count(scene.vertices.len()))
+        .u8(count(scene.surfaces.len()));
+    head.u32(samples)
+        .u32(u32::from(scene.holding_point.is_some()));
+    let [x, y, theta] = scene.start;
+    head.f64(x).f64(y).f64(theta).f64(scene.weight);
+    let [x, y] = scene.holding_point.unwrap_or_default();
+    head.f64(x).f64(y).f64(scene.reach);
+    head.f64(scene.stiffness_translation)
+        .f64(scene.stiffness_rotation);
+    sink(&head.bytes())?;
+    for &[x, y] in scene.vertices {
+        sink(&Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes())?;
+    }
+    for surface in scene.surfaces {
+        let [x, y] = surface.normal;
+        let mut record = Record::<SURFACE_BYTES>::new();
+        record.f64(x).f64(y).f64(surface.offset);
+        record
+            .f64(surface.friction_static)
+            .f64(surface.friction_dynamic);
+        sink(&record.bytes())?;
+    }
+    Ok(())
+}
+
+/// The head of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Head {
+    /// The evolution within a frame.
+    pub evolution: Evolution,
+    /// How many hand samples follow.
+    pub samples: u32,
+    vertices: u8,
+    surfaces: u8,
+    start: [f64; 3],
+    weight: f64,
+    holding_point: Option<[f64; 2]>,
+    reach: f64,
+    stiffness_translation: f64,
+    stiffness_rotation: f64,
+}
+
+impl Head {
+    /// The head of these bytes.
+    ///
+    /// # Errors
+    /// They are not a job of this version.
+    pub fn decode(bytes: &[u8; HEAD_BYTES]) -> Result<Self, FormatError> {
+        let mut fields = Fields::new(bytes);
+        if fields.take() != MARK || fields.u8() != VERSION {
+            return Err(FormatError::Mark);
+        }
+        let evolution = match fields.u8() {
+            0 => Evolution::Path,
+            1 => Evolution::Frame,
+            _ => return Err(FormatError::Value),
+        };
+        let (vertices, surfaces) = (fields.u8(), fields.u8());
+        let (samples, has_holding_point) = (fields.u32(), fields.u32() != 0);
+        let start = [fields.f64(), fields.f64(), fields.f64()];
+        let weight = fields.f64();
+        let holding_point = [fields.f64(), fields.f64()];
+        Ok(Self {
+            evolution,
+            samples,
+            vertices,
+            surfaces,
+            start,
+            weight,
+            holding_point: has_holding_point.then_some(holding_point),
+            reach: fields.f64(),
+            stiffness_translation: fields.f64(),
+            stiffness_rotation: fields.f64(),
+        })
+    }
+
+    /// The scene, whose vertices and surfaces are taken from `source`.
+    ///
+    /// # Errors
+    /// `source` fails, or the numbers do not make a scene of these capacities.
+    pub fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, E>(
+        &self,
+        mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
+    ) -> Result<Scene<R, V, S>, E>
+    where
+        E: From<SceneError<R::Si>> + From<FormatError>,
+    {
+        let narrow = R::Si::narrow;
+        let mut vertices: Vec<[R::Si; 2], V> = Vec::new();
+        for _ in 0..self.vertices {
+            let mut bytes = [0; VERTEX_BYTES];
+            source(&mut bytes)?;
+            let mut fields = Fields::new(&bytes);
+            let vertex = [fields.f64(), fields.f64()].map(narrow);
+            vertices.push(vertex).map_err(|_| FormatError::Value)?;
+        }
+        let mut surfaces: Vec<SurfaceDescription<R::Si>, S> = Vec::new();
+        for _ in 0..self.surfaces {
+            let mut bytes = [0; SURFACE_BYTES];
+            source(&mut bytes)?;
+            let surface = surface(&bytes);
+            surfaces.push(surface).map_err(|_| FormatError::Value)?;
+        }
+        Ok(Scene::new(&Description {
+            vertices: &vertices,
+            start: self.start.map(narrow),
+            weight: narrow(self.weight),
+            holding_point: self.holding_point.map(|point| point.map(narrow)),
+            reach: narrow(self.reach),
+            stiffness_translation: narrow(self.stiffness_translation),
+            stiffness_rotation: narrow(self.stiffness_rotation),
+            surfaces: &surfaces,
+        })?)
+    }
+}
+
+fn surface<F: SiFloat>(bytes: &[u8; SURFACE_BYTES]) -> SurfaceDescription<F> {
+    let mut fields = Fields::new(bytes);
+    let mut next = || F::narrow(fields.f64());
+    SurfaceDescription {
+        normal: [next(), next()],
+        offset: next(),
+        friction_static: next(),
+        friction_dynamic: next(),
+    }
+}

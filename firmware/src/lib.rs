@@ -1,0 +1,28 @@
+#![no_std]
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing
+    )
+)]
+//! `stiction-core` on microcontrollers: what one frame costs there, and whether every machine gives the same bits.
+//!
+//! ```text
+//! job.rs    a scene and a hand's motion as bytes, and what is sent back
+//! count.rs  such a job through the solver, frame by frame: instructions and stack
+//! bits.rs   a walk of the hand through the solver, to one number that stands for every bit of its answers
+//! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
+//! ```
+//!
+//! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
+//! programs are in `src/bin`, one for each number type.
+
+pub mod bits;
+#[cfg(all(feature = "board", target_os = "none"))]
+pub mod board;
+pub mod count;
+pub mod job;
+pub mod si;

@@ -1,0 +1,50 @@
+//! The floats in which the solver takes and gives SI values, and their way from and to the f64 and the bits of a file.
+
+use stiction_core::{Angle, Hand, Real};
+
+/// A float in which the solver takes and gives SI values.
+pub trait SiFloat: Real<Si = Self> {
+    /// The nearest value of this type.
+    fn narrow(value: f64) -> Self;
+    /// The same value as f64.
+    fn widen(self) -> f64;
+    /// The bits, those of f32 in the lower half.
+    fn bits(self) -> u64;
+}
+
+impl SiFloat for f32 {
+    fn narrow(value: f64) -> Self {
+        value as Self
+    }
+    fn widen(self) -> f64 {
+        f64::from(self)
+    }
+    fn bits(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+}
+
+impl SiFloat for f64 {
+    fn narrow(value: f64) -> Self {
+        value
+    }
+    fn widen(self) -> f64 {
+        self
+    }
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+}
+
+/// The hand of the solver; the angle stays split into turns and remainder.
+pub fn narrow_hand<F: SiFloat>(hand: &Hand<f64>) -> Hand<F> {
+    Hand {
+        position: hand.position.map(F::narrow),
+        angle: Angle {
+            turns: hand.angle.turns,
+            rest: F::narrow(hand.angle.rest),
+        },
+        depth: F::narrow(hand.depth),
+        held: hand.held,
+    }
+}

@@ -1,0 +1,187 @@
+//! A job of the instruction bench comes back with the solver's own answers; what is not a job is refused.
+
+use stiction_core::{
+    Angle, Description, Evolution, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+};
+use stiction_firmware::count::{Failure, FileError, Files, Instruments, run};
+use stiction_firmware::job::{self, FormatError, Frame, Results};
+use stiction_firmware::si::{SiFloat, narrow_hand};
+
+const SAMPLES: u32 = 100;
+const SURFACE: SurfaceDescription<f64> = SurfaceDescription {
+    normal: [0.0, 1.0],
+    offset: 0.0,
+    friction_static: 0.5,
+    friction_dynamic: 0.3,
+};
+const SCENE: Description<'static, f64> = Description {
+    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+    start: [0.01, 0.0727, 0.5],
+    weight: 0.25,
+    holding_point: Some([0.0, 0.02]),
+    reach: 0.01,
+    stiffness_translation: 500.0,
+    stiffness_rotation: 0.5,
+    surfaces: &[SURFACE],
+};
+
+/// Files in memory.
+struct Memory {
+    job: Vec<u8>,
+    taken: usize,
+    results: Vec<u8>,
+}
+
+impl Memory {
+    fn new(job: Vec<u8>) -> Self {
+        Self {
+            job,
+            taken: 0,
+            results: Vec::new(),
+        }
+    }
+}
+
+/// Counts calls instead of instructions.
+struct Calls(u32);
+
+impl Files for Memory {
+    fn read(&mut self, bytes: &mut [u8]) -> Result<(), FileError> {
+        let end = self.taken + bytes.len();
+        bytes.copy_from_slice(self.job.get(self.taken..end).ok_or(FileError)?);
+        self.taken = end;
+        Ok(())
+    }
+    fn write(&mut self, bytes: &[u8]) -> Result<(), FileError> {
+        self.results.extend_from_slice(bytes);
+        Ok(())
+    }
+}
+
+impl Instruments for Calls {
+    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+        self.0 += 1;
+        (self.0, work())
+    }
+    fn watch_stack(&mut self) {}
+    fn deepest_stack(&mut self) -> u32 {
+        4321
+    }
+}
+
+/// Down onto the floor and along it, with some whole turns.
+fn hand(i: u32) -> Hand<f64> {
+    let t = f64::from(i) / f64::from(SAMPLES);
+    Hand {
+        position: [0.05 * t, 0.09 - 0.05 * t],
+        angle: Angle {
+            turns: -3,
+            rest: 0.5 - t,
+        },
+        depth: 0.0,
+        held: i != 60,
+    }
+}
+
+fn job_of(scene: &Description<'_, f64>, evolution: Evolution) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let done: Result<(), ()> = job::write_scene(scene, evolution, SAMPLES, |part| {
+        bytes.extend_from_slice(part);
+        Ok(())
+    });
+    assert_eq!(done, Ok(()));
+    bytes.extend((0..SAMPLES).flat_map(|i| job::encode_sample(&hand(i))));
+    bytes
+}
+
+fn done(job: Vec<u8>) -> Result<Vec<u8>, Failure> {
+    let mut files = Memory::new(job);
+    run::<f32, 8, 4>(&mut files, &mut Calls(0))?;
+    Ok(files.results)
+}
+
+fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
+    let mut files = Memory::new(job_of(&SCENE, evolution));
+    run::<R, 8, 4>(&mut files, &mut Calls(0)).unwrap();
+    let results = Results::read(&files.results).unwrap();
+    assert_eq!(
+        (results.totals.frames, results.totals.stack),
+        (SAMPLES, 4321)
+    );
+
+    let narrow = R::Si::narrow;
+    let scene = Scene::<R, 8, 4>::new(&Description {
+        vertices: &SCENE
+            .vertices
+            .iter()
+            .map(|v| v.map(narrow))
+            .collect::<Vec<_>>(),
+        start: SCENE.start.map(narrow),
+        weight: narrow(SCENE.weight),
+        holding_point: SCENE.holding_point.map(|point| point.map(narrow)),
+        reach: narrow(SCENE.reach),
+        stiffness_translation: narrow(SCENE.stiffness_translation),
+        stiffness_rotation: narrow(SCENE.stiffness_rotation),
+        surfaces: &[SurfaceDescription {
+            normal: SURFACE.normal.map(narrow),
+            offset: narrow(SURFACE.offset),
+            friction_static: narrow(SURFACE.friction_static),
+            friction_dynamic: narrow(SURFACE.friction_dynamic),
+        }],
+    });
+    let solver = Solver::new(scene.unwrap(), evolution);
+    let (mut state, first) = solver.start(narrow_hand(&hand(0)));
+    for (i, frame) in (0..).zip(results.frames()) {
+        let output = match i {
+            0 => first.clone(),
+            _ => solver.step(&mut state, narrow_hand(&hand(i))),
+        };
+        assert_eq!(frame, Ok(Frame::new(i + 1, &output)), "frame {i}");
+    }
+}
+
+#[test]
+fn a_job_comes_back_with_the_answers_of_the_solver() {
+    for evolution in [Evolution::Path, Evolution::Frame] {
+        comes_back::<f32>(evolution);
+        comes_back::<f64>(evolution);
+    }
+}
+
+#[test]
+fn what_is_not_a_job_is_refused() {
+    let good = job_of(&SCENE, Evolution::Path);
+    for (at, wrong, expected) in [
+        (0, b'x', Failure::Format(FormatError::Mark)),
+        (4, job::VERSION + 1, Failure::Format(FormatError::Mark)),
+        (5, 2, Failure::Format(FormatError::Value)),
+        (6, 9, Failure::Format(FormatError::Value)),
+        (7, 5, Failure::Format(FormatError::Value)),
+    ] {
+        let mut job = good.clone();
+        job[at] = wrong;
+        assert_eq!(done(job), Err(expected), "byte {at}");
+    }
+    let short = good[..good.len() - 1].to_vec();
+    assert_eq!(done(short), Err(Failure::File));
+    let sunk = Description {
+        start: [0.0; 3],
+        ..SCENE
+    };
+    assert!(matches!(
+        done(job_of(&sunk, Evolution::Path)),
+        Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
+    ));
+}
+
+#[test]
+fn what_is_not_whole_is_no_result() {
+    let good = done(job_of(&SCENE, Evolution::Frame)).unwrap();
+    assert!(Results::read(&good).is_ok());
+    for cut in [1, 24, 40, good.len() - 9] {
+        assert!(Results::read(&good[..good.len() - cut]).is_err(), "{cut}");
+    }
+    let mut other = good;
+    other[0] = b'x';
+    assert_eq!(Results::read(&other).err(), Some(FormatError::Mark));
+}
