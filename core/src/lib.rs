@@ -84,7 +84,7 @@ pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
 pub use output::{
     Contact, Contacts, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench,
 };
-pub use real::Real;
+pub use real::{Fixed, Real};
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
 pub use solver::{Evolution, Solver, State};
 pub use transition::{Transition, Transitions};

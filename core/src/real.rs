@@ -9,10 +9,13 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 mod double;
+mod fixed;
 mod single;
 
-/// A number of the solver. Implemented for `f32` (own polynomials, the default of the product) and `f64`
-/// (libm, the reference).
+pub use fixed::Fixed;
+
+/// A number of the solver. Implemented for `f32` (own polynomials, the default of the product), [`Fixed`] (chips
+/// without a floating point unit) and `f64` (libm, the reference).
 pub trait Real:
     Copy
     + Debug
