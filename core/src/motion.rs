@@ -111,9 +111,9 @@ impl<R: Real> Motion<R> {
     /// Balanced about the contact: rotational stiffness k, z0 and zp of the module's text, and the hand's turn dphi.
     pub(crate) fn balanced(stiffness: R, hold: Vec2<R>, drive: Vec2<R>, dphi: R) -> Self {
         let start = stiffness * dphi + drive.y;
-        let scale = (stiffness + hold.reach())
-            .max(start.abs())
-            .max(drive.reach());
+        // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
+        let largest = (stiffness + hold.reach()).max(drive.reach());
+        let scale = start.abs().max(R::HALF * R::HALF * largest);
         if scale == R::ZERO {
             return Self::straight();
         }
@@ -231,8 +231,7 @@ impl<R: Real> Motion<R> {
         };
         let (x, folds, unsure) = match found {
             Found::Zero { x, which } => (x, which == 0, false),
-            Found::Unsure { x, .. } => (x, false, true),
-            Found::Nothing => (R::ZERO, false, true),
+            Found::Unsure { x, .. } | Found::Nothing { x } => (x, false, true),
         };
         Course {
             end: self.at(x),
@@ -293,7 +292,7 @@ impl<R: Real> Motion<R> {
             Look::far([self.slope(margin, &self.at(x), curvature)])
         });
         let (x, unsure) = match found {
-            Found::Nothing => return false,
+            Found::Nothing { .. } => return false,
             Found::Zero { x, .. } => (x, false),
             Found::Unsure { x, .. } => (x, true),
         };

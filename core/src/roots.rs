@@ -55,8 +55,8 @@ impl<R: Real> Slope<R> {
 /// The outcome of a search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Found<R> {
-    /// No zero before the limit.
-    Nothing,
+    /// No zero before the limit; `x` is the last place that was looked at.
+    Nothing { x: R },
     /// Function number `which` is the first to become zero, at `x`.
     Zero { x: R, which: usize },
     /// The bound of steps was hit at `x`, up to which there is no zero; `which` is the nearest to one.
@@ -103,7 +103,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
             }
         }
         if x + step >= limit {
-            return Found::Nothing;
+            return Found::Nothing { x };
         }
         if let Some((which, function)) = closest {
             nearest = which;
@@ -213,7 +213,7 @@ impl<R: Real> PinnedMoment<R> {
         let (way, unsure) = match found {
             Found::Zero { x, .. } => (start + x, false),
             Found::Unsure { x, .. } => (start + x, true),
-            Found::Nothing => (start, false),
+            Found::Nothing { x } => (start + x, true),
         };
         Downhill {
             turn: direction * way,

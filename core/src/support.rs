@@ -43,6 +43,13 @@ impl<R: Real> Screw<R> {
         }
     }
 
+    fn over(self, k: R) -> Self {
+        Self {
+            force: self.force.over(k),
+            moment: self.moment / k,
+        }
+    }
+
     fn size(self) -> R {
         self.force.length().hypot(self.moment)
     }
@@ -119,7 +126,7 @@ impl<R: Real> Support<R> {
                 if size <= Self::tolerance() {
                     continue;
                 }
-                let unit = normal.scaled(R::ONE / size);
+                let unit = normal.over(size);
                 let (mut inner, mut outer) = (true, true);
                 for (j, edge) in self.edges.iter().enumerate() {
                     if j != i && j != k {
@@ -192,7 +199,10 @@ impl<R: Real> Support<R> {
         let mut parts: Parts<R> = gather(self.edges.iter().map(|_| R::ZERO));
         let mut ways = 0_i32;
         for way in self.triples().filter_map(|t| self.on_three(t, load)) {
-            if way.iter().all(|&(_, part)| part >= R::ZERO) {
+            if way
+                .iter()
+                .all(|&(_, part)| part >= R::ZERO && part < R::RANGE)
+            {
                 ways = ways.saturating_add(1);
                 add(&mut parts, &way);
             }
@@ -266,7 +276,7 @@ impl<R: Real> Support<R> {
         let (a, b) = (self.screw(i)?, self.screw(k)?);
         let normal = a.cross(b);
         let area = normal.size();
-        let unit = normal.scaled(R::ONE / area);
+        let unit = normal.over(area);
         let part = |face: Screw<R>| -face.dot(unit) / area;
         let usable = area > Self::tolerance();
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])

@@ -54,7 +54,11 @@ pub(crate) fn settle<R: Real>(
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
         record(state, &moved, &next, log);
-        next = at.apply(state, (moved.trigger, moved.slip), log);
+        next = match (moved.trigger, next) {
+            // Not at the end of the slip, but at the bound of the search.
+            (Trigger::Stopped, Next::Slide(sign)) if moved.unsure => Next::Relax(Some(sign)),
+            (trigger, _) => at.apply(state, (trigger, moved.slip), log),
+        };
     }
     stays(log);
 }

@@ -1,6 +1,6 @@
 //! The number types under test, and the bounds that hold for each of them.
 
-use stiction_core::{Angle, Real};
+use stiction_core::{Angle, Fixed, Real};
 
 /// A number type with its bounds. All bounds are relative to the characteristic size of what they bound.
 pub trait Number: Real {
@@ -47,6 +47,21 @@ impl Number for f64 {
 
 impl Number for f32 {
     const NAME: &'static str = "f32";
+    const ANALYTIC: f64 = 1e-4;
+    const RESIDUAL: f64 = 1e-4;
+    const GAP: f64 = 1e-5;
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+
+    fn si(x: f64) -> f32 {
+        x as f32
+    }
+    fn wide(x: f32) -> f64 {
+        f64::from(x)
+    }
+}
+
+impl Number for Fixed {
+    const NAME: &'static str = "fixed";
     const ANALYTIC: f64 = 1e-4;
     const RESIDUAL: f64 = 1e-4;
     const GAP: f64 = 1e-5;

@@ -2,7 +2,7 @@
 //! none escapes the laws of balance by being ambiguous.
 
 use std::collections::BTreeMap;
-use stiction_core::{Evolution, Status};
+use stiction_core::{Evolution, Fixed, Status};
 use stiction_tests::laws::{Finding, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
@@ -64,5 +64,12 @@ fn no_frame_of_any_random_scene_violates_a_law_f64() {
 fn no_frame_of_any_random_scene_violates_a_law_f32() {
     for evolution in EVOLUTIONS {
         survey::<f32>(evolution);
+    }
+}
+
+#[test]
+fn no_frame_of_any_random_scene_violates_a_law_fixed() {
+    for evolution in EVOLUTIONS {
+        survey::<Fixed>(evolution);
     }
 }

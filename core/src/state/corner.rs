@@ -35,6 +35,11 @@ impl<R: Real> Corner<R> {
         gather([first, second])
     }
 
+    /// Directions whose sine is below this are parallel.
+    fn parallel() -> R {
+        R::from_int(4) * R::EPSILON
+    }
+
     /// The edges of the two cones: contact, side and direction.
     fn cone_edges(&self, scene: &impl World<R>) -> [(usize, R, Vec2<R>); 4] {
         let edge = |contact: usize, side: R| {
@@ -63,7 +68,7 @@ impl<R: Real> Corner<R> {
                 let inner = direction.turned() * turn;
                 edges
                     .iter()
-                    .all(|(_, _, other)| inner.dot(*other) >= -R::EPSILON)
+                    .all(|(_, _, other)| inner.dot(*other) >= -Self::parallel())
             });
             outer.map(|&(contact, side, direction)| OuterEdge {
                 contact,
@@ -84,7 +89,7 @@ impl<R: Real> Corner<R> {
             (second, first)
         };
         let way = along.tangent * outer.sign;
-        let climbs = other.normal.dot(way) < -R::EPSILON;
+        let climbs = other.normal.dot(way) < -Self::parallel();
         let (contact, sign) = if climbs {
             let beside = if outer.contact == 0 { 1 } else { 0 };
             (beside, other.tangent.dot(way).sign())

@@ -246,7 +246,7 @@ impl<R: Real> Trammel<R> {
             Look::far([q.imbalance.as_slope(sense), n1, n2, turns1, turns2])
         });
         let (x, mut ending, unsure) = match found {
-            Found::Nothing => (window, Ending::Window, false),
+            Found::Nothing { .. } => (window, Ending::Window, false),
             Found::Zero { x, which } => (x, self.ending(which), false),
             // So far nothing ended it: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
