@@ -194,11 +194,13 @@ impl<R: Real> Stance<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The turn that takes the rounding out of a balance; none where it would be more than that, next to a fold.
+    /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
+    /// to this balance (the condition of Kantorovich: E1's curvature is at most |z|).
     pub(crate) fn correction(&self) -> R {
         let (moment, stability) = (self.moment(), self.stability());
-        if moment.abs() < R::from_int(16) * R::MICRO * stability {
-            moment / stability
+        let bend = R::from_int(4) * (self.hold.reach() * moment.abs());
+        if stability > R::ZERO && bend <= stability * stability {
+            self.correction_of_second_order()
         } else {
             R::ZERO
         }

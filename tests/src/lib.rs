@@ -22,7 +22,7 @@ use stiction_core::Evolution;
 /// Both evolutions.
 pub const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 
-/// Makes a test of every generic function `name::<R>(evolution)`: both number types, both evolutions.
+/// Makes a test of every generic function `name::<R>(evolution)`: every number type, both evolutions.
 #[macro_export]
 macro_rules! test_each {
     ($($module:ident::$case:ident),* $(,)?) => {$(
@@ -33,6 +33,8 @@ macro_rules! test_each {
                 $module::$case::<f64>(evolution);
                 println!("f32 {evolution:?}");
                 $module::$case::<f32>(evolution);
+                println!("fixed {evolution:?}");
+                $module::$case::<stiction_core::Fixed>(evolution);
             }
         }
     )*};

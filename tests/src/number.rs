@@ -15,6 +15,9 @@ pub trait Number: Real {
     /// Half the spacing of numbers near 1: the error of one rounding.
     const ROUNDING: f64;
 
+    /// The farthest coordinate (L) and the largest load (kL).
+    const FARTHEST: f64;
+
     /// From f64 to the float in which the type takes SI values.
     fn si(x: f64) -> Self::Si;
     /// From the float in which the type gives SI values.
@@ -36,6 +39,7 @@ impl Number for f64 {
     const RESIDUAL: f64 = 1e-9;
     const GAP: f64 = 1e-9;
     const ROUNDING: f64 = f64::EPSILON / 2.0;
+    const FARTHEST: f64 = 1e12;
 
     fn si(x: f64) -> f64 {
         x
@@ -51,6 +55,7 @@ impl Number for f32 {
     const RESIDUAL: f64 = 1e-4;
     const GAP: f64 = 1e-5;
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+    const FARTHEST: f64 = 1e6;
 
     fn si(x: f64) -> f32 {
         x as f32
@@ -66,6 +71,7 @@ impl Number for Fixed {
     const RESIDUAL: f64 = 1e-4;
     const GAP: f64 = 1e-5;
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+    const FARTHEST: f64 = 8.0;
 
     fn si(x: f64) -> f32 {
         x as f32

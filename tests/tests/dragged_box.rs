@@ -2,7 +2,7 @@
 //! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand by other
 //! means than this solver.
 
-use stiction_core::Evolution;
+use stiction_core::{Evolution, Fixed};
 use stiction_tests::run::{Frame, run};
 use stiction_tests::{Number, Scenario, close, scenes};
 
@@ -26,12 +26,15 @@ fn slips<R: Number>(scenario: Scenario, depth: f64, (count, length): (u32, f64))
 fn flat_box_slips_by_the_difference_of_the_frictions() {
     slips::<f64>(scenes::box_flat(), 0.0095, (51, 1.9e-3));
     slips::<f32>(scenes::box_flat(), 0.0095, (51, 1.9e-3));
+    slips::<Fixed>(scenes::box_flat(), 0.0095, (51, 1.9e-3));
     slips::<f64>(scenes::box_flat(), 0.01, (48, 2.0e-3));
     slips::<f32>(scenes::box_flat(), 0.01, (48, 2.0e-3));
+    slips::<Fixed>(scenes::box_flat(), 0.01, (48, 2.0e-3));
 }
 
 #[test]
 fn tilted_box_turns_while_it_slips() {
     slips::<f64>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
     slips::<f32>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
+    slips::<Fixed>(scenes::box_on_a_vertex(), 0.0095, (51, 1.651e-3));
 }

@@ -1,7 +1,7 @@
-//! Every law on every frame of random scenes and of the named ones, in both number types and both evolutions.
+//! Every law on every frame of random scenes and of the named ones, in every number type and both evolutions.
 
 use proptest::prelude::*;
-use stiction_core::Evolution;
+use stiction_core::{Evolution, Fixed};
 use stiction_tests::laws::{assert_lawful, creep};
 use stiction_tests::random::{same_every_run, scenario};
 use stiction_tests::run::run;
@@ -23,6 +23,7 @@ fn named_scenes_obey_every_law() {
         for evolution in EVOLUTIONS {
             lawful::<f64>(&scenario, evolution);
             lawful::<f32>(&scenario, evolution);
+            lawful::<Fixed>(&scenario, evolution);
         }
     }
 }
@@ -34,11 +35,13 @@ proptest! {
     fn path_evolution_obeys_every_law(scenario in scenario(4)) {
         lawful::<f64>(&scenario, Evolution::Path);
         lawful::<f32>(&scenario, Evolution::Path);
+        lawful::<Fixed>(&scenario, Evolution::Path);
     }
 
     #[test]
     fn frame_evolution_obeys_every_law(scenario in scenario(4)) {
         lawful::<f64>(&scenario, Evolution::Frame);
         lawful::<f32>(&scenario, Evolution::Frame);
+        lawful::<Fixed>(&scenario, Evolution::Frame);
     }
 }

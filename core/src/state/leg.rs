@@ -96,7 +96,7 @@ impl<R: Real> Leg<R> {
     ) -> Moved<R> {
         *pivot = pivot.moved(R::ZERO, self.turn());
         let moved = self.moved();
-        if matches!(moved.trigger, Trigger::Balanced | Trigger::Stopped) && !moved.unsure {
+        if moved.trigger == Trigger::Balanced && !moved.unsure {
             let stance = pivot.stance(scene, to);
             *pivot = pivot.moved(R::ZERO, stance.correction());
         }

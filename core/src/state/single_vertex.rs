@@ -148,7 +148,8 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch, lift-off, fold.
+    /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
+    /// (E3), touch, lift-off, fold.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);

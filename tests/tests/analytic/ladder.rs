@@ -56,16 +56,17 @@ mod cases {
         close("critical part", highest, 0.674_968_180_915, R::ANALYTIC);
     }
 
-    /// Case 8: wrenches of size 1000 in all directions, evenly spread. Only one whose free motion opens both gaps,
-    /// which no friction can hold back, may take the rod away.
+    /// Case 8: wrenches of size 1000, or as large as the number type has them, in all directions, evenly spread. Only
+    /// one whose free motion opens both gaps, which no friction can hold back, may take the rod away.
     pub(super) fn jammed_rod_resists_every_wrench<R: Number>(evolution: Evolution) {
-        let setup = ladder(FRAC_PI_4, 0.5, 1.2).springs(1.0, 1000.0);
+        let size = R::FARTHEST.min(1000.0);
+        let setup = ladder(FRAC_PI_4, 0.5, 1.2).springs(1.0, size);
         let ([x, y], theta) = (setup.grip(), setup.start[2]);
         let mut stays = 0;
         for i in 0..2000 {
             let direction = f64::from(i) * 2.399_963;
             let turn = 2.0 * (f64::from(i) * 0.754_877_666).fract() - 1.0;
-            let (fx, fy) = (1000.0 * direction.cos(), 1000.0 * direction.sin());
+            let (fx, fy) = (size * direction.cos(), size * direction.sin());
             let mut run = Run::<R>::start(&setup, evolution, [x, y, theta]);
             let start = run.frame.clone();
             let frame = run.step([x + fx, y + fy, theta + turn]);
