@@ -45,8 +45,8 @@ impl<R: Real> Calm<R> {
         for _ in 0..MAX_CORRECTIONS {
             let turn = stance.correction_of_second_order();
             stance = stance.turned(scene, to, turn);
-            // What is left is of the third order in the turn.
-            let left = bend * bend * turn * turn * turn.abs();
+            // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
+            let left = R::HALF * bend * (bend + R::ONE) * (turn * turn * turn.abs());
             if left <= R::EPSILON {
                 return Some(Self {
                     stance,

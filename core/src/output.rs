@@ -106,7 +106,7 @@ pub enum Status {
     IterationLimit,
     /// No mode of motion is consistent with the friction laws: the body stayed.
     Ambiguous,
-    /// The hand was out of range; the last pose is held.
+    /// The hand, or its pull on the body, was beyond the range of the number type; the last pose is held.
     Saturated,
     /// The hand's sample was not finite or absent; the last pose is held.
     HeldLast,

@@ -14,7 +14,7 @@ use heapless::Vec;
 mod check;
 mod description;
 
-use check::{check_numbers, check_vertices, surfaces};
+use check::{check_model, check_numbers, check_vertices, surfaces};
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// A checked surface, lengths / L.
@@ -108,15 +108,13 @@ pub(crate) trait World<R: Real> {
     const EDGES: bool;
     /// More than one surface: it can touch two at once.
     const SURFACES: bool;
-    /// Surfaces have friction.
-    const FRICTION: bool;
-    /// The body has a weight.
-    const WEIGHT: bool;
 
     /// Vertices, body frame, counter-clockwise.
     fn vertices(&self) -> &[Vec2<R>];
-    /// The surfaces.
-    fn surfaces(&self) -> &[Surface<R>];
+    /// The surface of an index; a plane that nothing reaches where there is none.
+    fn surface(&self, index: u8) -> Surface<R>;
+    /// The indices of all surfaces.
+    fn surface_indices(&self) -> Range<u8>;
     /// cg, body frame.
     fn centroid(&self) -> Vec2<R>;
     /// k_theta / (k_h L²)
@@ -130,20 +128,9 @@ pub(crate) trait World<R: Real> {
         vertex.copied().unwrap_or(Vec2::ZERO)
     }
 
-    /// The surface of an index; a plane that nothing reaches where there is none.
-    fn surface(&self, index: u8) -> Surface<R> {
-        let surface = self.surfaces().get(usize::from(index));
-        surface.copied().unwrap_or(Surface::NOWHERE)
-    }
-
     /// The indices of all vertices.
     fn vertex_indices(&self) -> Range<u8> {
         0..u8::try_from(self.vertices().len()).unwrap_or(u8::MAX)
-    }
-
-    /// The indices of all surfaces.
-    fn surface_indices(&self) -> Range<u8> {
-        0..u8::try_from(self.surfaces().len()).unwrap_or(u8::MAX)
     }
 
     /// The two neighbours of a vertex (of a rod twice the other one, of a point itself): on the surface that it touches
@@ -159,14 +146,9 @@ pub(crate) trait World<R: Real> {
 impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
     const EDGES: bool = V > 1;
     const SURFACES: bool = S > 1;
-    const FRICTION: bool = M::FRICTION;
-    const WEIGHT: bool = M::WEIGHT;
 
     fn vertices(&self) -> &[Vec2<R>] {
         self.body.vertices()
-    }
-    fn surfaces(&self) -> &[Surface<R>] {
-        &self.surfaces
     }
     fn centroid(&self) -> Vec2<R> {
         self.body.centroid()
@@ -176,6 +158,18 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
+    }
+    fn surface(&self, index: u8) -> Surface<R> {
+        let surface = self.surfaces.get(usize::from(index));
+        let mut surface = surface.copied().unwrap_or(Surface::NOWHERE);
+        if !M::FRICTION {
+            // As a constant it leaves nothing of the friction to compile.
+            surface.friction = Coulomb::FRICTIONLESS;
+        }
+        surface
+    }
+    fn surface_indices(&self) -> Range<u8> {
+        0..u8::try_from(self.surfaces.len()).unwrap_or(u8::MAX)
     }
 }
 
@@ -202,6 +196,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     pub fn new(description: &Description<'_, R::Si>) -> Result<Self, SceneError<R::Si>> {
         let d = description;
         check_numbers(d)?;
+        check_model::<R::Si, M>(d)?;
         let length = check_vertices::<R::Si, V>(d.vertices)?;
         let units = Units::new(length, d.stiffness_translation);
         let nd = |point| units.point_from_si::<R>(point);
@@ -240,6 +235,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
                 allowed: "a value that the number type can carry in units of the body's size",
             })
         };
+        for (i, (vertex, given)) in self.vertices().iter().zip(d.vertices).enumerate() {
+            if !fits(vertex.reach()) {
+                return error(Parameter::Vertex(i), given[0].abs().max(given[1].abs()));
+            }
+        }
         let [x, y, theta] = d.start;
         if !fits(self.start.position.reach()) {
             return error(Parameter::Start, x.abs().max(y.abs()));

@@ -43,7 +43,7 @@ pub struct State<R: Real> {
     hand: Hand<R::Si>,
 }
 
-/// A held hand that turns farther than this (rad) from one sample to the next is out of range.
+/// A hand that is turned farther than this (rad) from the body that it holds is out of range.
 const MAX_TURN: i32 = 1000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
@@ -56,11 +56,6 @@ impl<R: Real> State<R> {
     /// The last good sample of the hand: the one that the state belongs to.
     pub fn hand(&self) -> &Hand<R::Si> {
         &self.hand
-    }
-    /// The held hand turned farther than it can between two samples: the angle is not to be trusted.
-    fn turns_too_far(&self, angle: Angle<R>) -> bool {
-        let turn = angle.offset_from(self.rest_offset).minus(self.grip.angle);
-        self.held && turn.abs() > R::from_int(MAX_TURN)
     }
 }
 
@@ -93,12 +88,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let mut log = Log::default();
         match self.non_dimensional(&hand) {
             Err(status) => log.limit(status),
-            Ok((_, angle)) if state.turns_too_far(angle) => log.limit(Status::Saturated),
             Ok(target) => {
                 self.switch(state, &hand, target, &mut log);
-                state.hand = hand;
-                if state.held {
-                    self.follow(state, target, &mut log);
+                if self.follow(state, target, &mut log) {
+                    state.hand = hand;
+                } else {
+                    log.limit(Status::Saturated);
                 }
             }
         }
@@ -183,37 +178,65 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 (at, angle.offset_from(pose.orientation.angle()))
             }
         };
-        state.held = true;
-        state.was_held = true;
-        state.rest_offset = rest_offset;
-        state.grip = Grip {
+        let grip = Grip {
             holding_point,
             hand: position,
             angle: angle.offset_from(rest_offset),
         };
+        if !self.carries(&state.contact, &grip) {
+            log.limit(Status::Saturated);
+            return;
+        }
+        state.held = true;
+        state.was_held = true;
+        state.rest_offset = rest_offset;
+        state.grip = grip;
         settle(&self.scene, &state.grip, &mut state.contact, None, log);
     }
 
-    /// The hand goes to `target` and the body with it.
-    fn follow(&self, state: &mut State<R>, (hand, angle): (Vec2<R>, Angle<R>), log: &mut Log<R>) {
+    /// The number type carries the springs between a body and a hand: their moment and what it is made of.
+    fn carries(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
+        let placed = contact.placed(&self.scene);
+        let pull = (grip.hand - placed.point).reach();
+        let lever = (grip.holding_point - placed.body_point).reach();
+        let turn = grip.angle.minus(placed.orientation.angle()).abs();
+        pull <= R::RANGE
+            && turn <= R::from_int(MAX_TURN).min(R::HALF * R::HUGE)
+            && lever * pull + self.scene.stiffness() * turn <= R::RANGE
+    }
+
+    /// The hand goes to `target` and the body with it, if it holds it. False, and nothing has moved, where it is out of
+    /// range.
+    fn follow(
+        &self,
+        state: &mut State<R>,
+        (hand, angle): (Vec2<R>, Angle<R>),
+        log: &mut Log<R>,
+    ) -> bool {
+        if !state.held {
+            return true;
+        }
         let to = Grip {
             holding_point: state.grip.holding_point,
             hand,
             angle: angle.offset_from(state.rest_offset),
         };
         if to == state.grip {
-            return;
+            return true;
+        }
+        if !self.carries(&state.contact, &to) {
+            return false;
         }
         if state.contact.follow(&self.scene, &state.grip, &to) {
             rests(&state.contact, log);
-            state.grip = to;
-            return;
-        }
-        match self.evolution {
-            Evolution::Path => self.along_path(state, &to, log),
-            Evolution::Frame => self.by_jump(state, &to, log),
+        } else {
+            match self.evolution {
+                Evolution::Path => self.along_path(state, &to, log),
+                Evolution::Frame => self.by_jump(state, &to, log),
+            }
         }
         state.grip = to;
+        true
     }
 
     /// Event by event along the straight way of the hand (STATICS 7).

@@ -7,6 +7,9 @@ use crate::setup::Setup;
 use std::collections::BTreeSet;
 use stiction_core::{Contact, StateKind, Status};
 
+/// The law that every frame obeys, whatever its status.
+pub const FINITE: &str = "every number is finite";
+
 /// How far a frame is from one law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Finding {
@@ -120,7 +123,7 @@ fn finite(frame: &Frame) -> Finding {
         .chain(scalars);
     let all =
         numbers.all(f64::is_finite) && frame.contacts.iter().flat_map(contact).all(f64::is_finite);
-    law("every number is finite", f64::from(!all), 0.0)
+    law(FINITE, f64::from(!all), 0.0)
 }
 
 fn name(frame: &Frame) -> Finding {

@@ -2,6 +2,7 @@
 //! gathers frames as f64, an independent judge of the laws, and random scenes.
 
 pub mod expect;
+pub mod extremes;
 pub mod laws;
 pub mod number;
 pub mod random;

@@ -1,10 +1,10 @@
 //! A scene in f64, built in one expression, from which the scene of any number type is made.
 
 use crate::number::Number;
-use stiction_core::{Description, Scene, SceneError, SurfaceDescription};
+use stiction_core::{Description, Model, Scene, SceneError, SurfaceDescription};
 
 /// Room for vertices in the tests' scenes.
-pub const VERTICES: usize = 8;
+pub const VERTICES: usize = 64;
 /// Room for surfaces in the tests' scenes.
 pub const SURFACES: usize = 4;
 
@@ -175,11 +175,20 @@ impl Setup {
             surfaces: self.surfaces.iter().map(rounded_surface::<R>).collect(),
         }
     }
-    /// The scene of a number type.
+    /// The scene of a number type, with room for any of the tests' scenes.
     ///
     /// # Errors
     /// What [`Scene::new`] refuses.
     pub fn scene<R: Number>(&self) -> Result<Scene<R, VERTICES, SURFACES>, SceneError<R::Si>> {
+        self.scene_of()
+    }
+    /// The scene of a number type, capacity and model.
+    ///
+    /// # Errors
+    /// What [`Scene::new`] refuses.
+    pub fn scene_of<R: Number, const V: usize, const S: usize, M: Model>(
+        &self,
+    ) -> Result<Scene<R, V, S, M>, SceneError<R::Si>> {
         let pair = |p: [f64; 2]| p.map(R::si);
         let vertices: Vec<_> = self.vertices.iter().map(|&v| pair(v)).collect();
         let surface = |s: &SurfaceDescription<f64>| SurfaceDescription {

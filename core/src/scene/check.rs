@@ -3,6 +3,7 @@
 use super::{Description, Parameter, SceneError, Surface, SurfaceDescription, Units};
 use crate::friction::Coulomb;
 use crate::geometry::{Vec2, unit};
+use crate::model::Model;
 use crate::real::Real;
 use heapless::Vec;
 
@@ -54,6 +55,26 @@ pub(super) fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
         k_theta,
         "0 or more",
     )
+}
+
+/// Friction and weight only where the model has them.
+pub(super) fn check_model<F: Real, M: Model>(d: &Description<'_, F>) -> Checked<F> {
+    require(
+        M::WEIGHT || d.weight == F::ZERO,
+        Parameter::Weight,
+        d.weight,
+        "0 in a model without weight",
+    )?;
+    for (i, surface) in d.surfaces.iter().enumerate() {
+        let mu_s = surface.friction_static;
+        require(
+            M::FRICTION || mu_s == F::ZERO,
+            Parameter::FrictionStatic(i),
+            mu_s,
+            "0 in a model without friction",
+        )?;
+    }
+    Ok(())
 }
 
 /// The vertices; gives L, the largest distance between two of them (1 m for a point).

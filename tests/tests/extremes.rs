@@ -1,0 +1,193 @@
+//! The ends of every parameter (STATICS 10): whatever a number type is given, it gives finite numbers, and every frame
+//! either obeys the laws or says in its status that it does not.
+
+use stiction_core::{Angle, Evolution, Hand, StateKind, Status};
+use stiction_tests::extremes::{Outcome, SWEEPS, outcome};
+use stiction_tests::laws::{FINITE, assert_lawful, judge};
+use stiction_tests::run::{planar, polyline, run};
+use stiction_tests::{Number, Run, Setup, test_each};
+
+test_each! {
+    cases::no_sweep_breaks,
+    cases::at_a_fold_each_side_is_lawful,
+    cases::slip_that_ends_on_a_double_root,
+    cases::million_turns_cost_no_digits,
+    cases::denormal_parameters,
+    cases::number_type_holds_what_users_need,
+}
+
+mod cases {
+    use super::*;
+
+    pub(super) fn no_sweep_breaks<R: Number>(evolution: Evolution) {
+        for sweep in SWEEPS {
+            for &value in sweep.values {
+                let outcome = outcome::<R>(sweep, value, evolution);
+                println!("{} = {value:e}: {outcome:?}", sweep.name);
+                assert!(!matches!(outcome, Outcome::Broken(_)));
+            }
+        }
+    }
+
+    /// The part of every sweep that a user meets: there every number type holds its error without a word.
+    pub(super) fn number_type_holds_what_users_need<R: Number>(evolution: Evolution) {
+        for (name, from, to) in [
+            ("mu_s of the floor (mu_d = 0.6 mu_s)", 0.0, 1e3),
+            ("k_theta / (k_h L²)", 0.0, 10.0),
+            ("body size L (m)", 1e-6, 1e6),
+            ("k_h (N/m)", 1e-6, 1e9),
+            ("weight / (k_h L)", 0.0, 10.0),
+            ("way of the hand in one frame (L)", 0.1, 1.0),
+            ("scene away from the origin (L)", 0.0, 1.0),
+            ("angle between two floors (rad)", 1e-7, 1.0),
+            ("angle between floor and ceiling (rad)", 0.0, 0.1),
+            ("height of a triangle (L)", 1e-7, 0.5),
+            ("vertices of a regular polygon", 1.0, 64.0),
+            ("normal force left before a drag, N / (k_h L)", 0.0, 0.01),
+            ("holding point from the contact (L)", 0.0, 1.0),
+        ] {
+            let sweep = SWEEPS.iter().find(|sweep| sweep.name == name);
+            let sweep = sweep.unwrap_or_else(|| panic!("no sweep of {name}"));
+            for &value in sweep.values.iter().filter(|v| (from..=to).contains(*v)) {
+                let outcome = outcome::<R>(sweep, value, evolution);
+                assert!(
+                    matches!(outcome, Outcome::Holds { .. }),
+                    "{name} = {value:e}: {outcome:?}"
+                );
+            }
+        }
+    }
+
+    /// u + kappa sin u = delta folds at u* = acos(-1/kappa): up to it, to within roundings of it and beyond it.
+    pub(super) fn at_a_fold_each_side_is_lawful<R: Number>(evolution: Evolution) {
+        for kappa in [1.0 + 1e-6, 1.0001, 1.01, 1.5, 5.0, 40.0_f64] {
+            // A lever of 0.3 that is held down from the contact: |z| = 0.3 · 0.4.
+            let setup = Setup::point()
+                .held_at([0.3, 0.0])
+                .springs(1.0, 0.12 / kappa)
+                .floor([1e3, 1e3])
+                .at([0.0, 0.0, -std::f64::consts::FRAC_PI_2]);
+            let u = (-1.0 / kappa).acos();
+            let fold = u + kappa * u.sin();
+            let start = setup.start[2];
+            let hand = |turn: f64| [0.0, -0.4, start + turn];
+            let tiny = R::ROUNDING * (fold + 2.0);
+            for off in [
+                -1e-2,
+                -1e-4,
+                -4.0 * tiny,
+                -tiny,
+                0.0,
+                tiny,
+                4.0 * tiny,
+                1e-4,
+                1e-2,
+            ] {
+                let keyframes = [hand(0.0), hand(fold + off), hand(fold + 0.7), hand(0.0)];
+                let mut frames = run::<R>(&setup, evolution, &polyline(&keyframes[..2], 100));
+                let last = &keyframes[1..];
+                let mut whole = Run::<R>::start(&setup, evolution, keyframes[0]);
+                frames.extend(whole.lead(last[0], 1));
+                frames.extend(whole.lead(last[1], 30));
+                frames.extend(whole.lead(last[2], 30));
+                // Next to the triple root of kappa = 1 a search may end at its bound of steps, and says so.
+                frames.retain(|frame| kappa > 1.001 || frame.status < Status::IterationLimit);
+                assert_lawful::<R>(&setup, &frames);
+            }
+        }
+    }
+
+    /// Where mu_d grows to the place at which two ends of a slip meet in a double root, the slip becomes shorter by a
+    /// leap: on both sides, to the last digit of mu_d, it ends in balance at mu_d N.
+    pub(super) fn slip_that_ends_on_a_double_root<R: Number>(evolution: Evolution) {
+        let slip = |mu_d: f64| {
+            let setup = Setup::point()
+                .held_at([0.0, 0.8])
+                .springs(1.0, 0.226)
+                .floor([1.25, mu_d])
+                .at([0.0, 0.0, 0.64]);
+            let ([x, y], theta) = (setup.grip(), setup.start[2]);
+            let mut run = Run::<R>::start(&setup, evolution, [x, y, theta]);
+            let mut frames = run.lead([x, y - 0.46, theta], 10);
+            let onset = run.onset([x + 2.0, y - 0.46, theta], |frame| frame.slips > 0);
+            frames.push(onset.before);
+            frames.push(run.frame.clone());
+            assert_lawful::<R>(&setup, &frames);
+            assert_eq!(run.frame.state, StateKind::SingleVertex);
+            run.frame.longest_slip
+        };
+        let (mut low, mut high) = (R::rounded(0.10), R::rounded(0.25));
+        let (long, short) = (slip(low), slip(high));
+        assert!(long > 1.2 && short < 0.8, "{long} {short}");
+        loop {
+            let middle = R::rounded((low + high) / 2.0);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if slip(middle) > 1.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let leap = slip(low) - slip(high);
+        assert!(leap > 0.3, "leaps by {leap} at mu_d {low}");
+    }
+
+    /// Turned in the air a million times, five turns a frame, the body lands as if it had never turned, to the bit.
+    pub(super) fn million_turns_cost_no_digits<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(0.8, 0.6)
+            .held_at([0.0, 0.4])
+            .springs(1.0, 0.3)
+            .floor([0.5, 0.3])
+            .at([0.0, 1.0, 0.3]);
+        let [x, y] = setup.grip();
+        let landed = |most: i32| {
+            let hand = |turns: i32, y: f64| -> Hand<R::Si> {
+                let hand = planar::<R>([x, y, 0.3]);
+                let rest = hand.angle.rest;
+                Hand {
+                    angle: Angle { turns, rest },
+                    ..hand
+                }
+            };
+            let mut run = Run::<R>::start_with(&setup, evolution, hand(0, y));
+            for turns in (0..=most).step_by(5) {
+                run.feed(hand(turns, y));
+            }
+            for i in 0..100 {
+                run.feed(hand(most, y - 0.012 * f64::from(i)));
+                assert_eq!(run.frame.status, Status::Ok);
+            }
+            run.frame
+        };
+        let (once, often) = (landed(0), landed(1_000_000));
+        assert_eq!(once.state, often.state);
+        assert_eq!(once.contacts, often.contacts);
+        assert_eq!(once.wrench, often.wrench);
+    }
+
+    /// Parameters below the normal numbers of f32 are as good as zero.
+    pub(super) fn denormal_parameters<R: Number>(evolution: Evolution) {
+        let tiny = 1e-40;
+        let setup = Setup::block(0.8, 0.6)
+            .held_at([tiny, 0.4])
+            .springs(1.0, tiny)
+            .weighing(tiny)
+            .surface([tiny, 1.0], tiny, [tiny, tiny])
+            .at([tiny, tiny, tiny]);
+        let [x, y] = setup.grip();
+        let keyframes = [
+            [x, y, tiny],
+            [x + tiny, y - 0.1, -tiny],
+            [x + 0.3, y - 0.1, 0.2],
+        ];
+        let frames = run::<R>(&setup, evolution, &polyline(&keyframes, 30));
+        for frame in &frames {
+            let broken = judge::<R>(&setup, frame)
+                .into_iter()
+                .find(|f| !f.holds() && (frame.status <= Status::EventLimit || f.law == FINITE));
+            assert_eq!(broken, None, "{frame:?}");
+        }
+    }
+}
