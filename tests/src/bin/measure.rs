@@ -1,5 +1,5 @@
-//! Measures what the README states and writes it there: the time of one frame and the slips of the dragged box, and the
-//! worst residuals of random scenes.
+//! Measures what the README states and writes it there: the time of one frame and the slips of the dragged box, the worst
+//! residuals of random scenes, and the range of every number type.
 //!
 //! ```sh
 //! cargo run --profile bench -p stiction-tests --bin measure
@@ -7,7 +7,8 @@
 
 use std::fmt::Write as _;
 use std::time::Instant;
-use stiction_core::{Evolution, Status};
+use stiction_core::{Evolution, Fixed, Status};
+use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
@@ -64,6 +65,7 @@ fn drags(text: &mut String) {
             for (number, (time, slips, length)) in [
                 ("f32", drag::<f32>(scenario, evolution)),
                 ("f64", drag::<f64>(scenario, evolution)),
+                ("fixed", drag::<Fixed>(scenario, evolution)),
             ] {
                 let _ = writeln!(
                     text,
@@ -96,6 +98,62 @@ fn survey<R: Number>(evolution: Evolution, text: &mut String) {
     );
 }
 
+/// In words, what a number type makes of the values of a sweep, in both evolutions: where it holds, and what it says of the
+/// others.
+fn range<R: Number>(sweep: &Sweep) -> String {
+    let outcomes = sweep.values.iter().map(|&value| {
+        let both = EVOLUTIONS.map(|evolution| outcome::<R>(sweep, value, evolution));
+        let verdict = |o: &Outcome| match o {
+            Outcome::Holds { .. } => (0, "holds".to_string()),
+            Outcome::Refused(_) => (1, "refused".to_string()),
+            Outcome::Says(status) => (2, status.name().to_string()),
+            Outcome::Broken(_) => (3, "**broken**".to_string()),
+        };
+        let [path, frame] = both.each_ref().map(verdict);
+        (value, path.max(frame).1)
+    });
+    let mut parts: Vec<(f64, f64, String)> = Vec::new();
+    for (value, verdict) in outcomes {
+        match parts.last_mut() {
+            Some((_, to, last)) if *last == verdict => *to = value,
+            _ => parts.push((value, value, verdict)),
+        }
+    }
+    let said = parts
+        .iter()
+        .map(|(from, to, verdict)| match verdict.as_str() {
+            "holds" if parts.len() == 1 => "all".to_string(),
+            "holds" => format!("{from} to {to}"),
+            _ if from == to => format!("{verdict} at {from}"),
+            _ => format!("{verdict} from {from} to {to}"),
+        });
+    said.collect::<Vec<_>>().join("; ")
+}
+
+fn ranges(text: &mut String) {
+    let _ = writeln!(
+        text,
+        "\nWhere a number type holds its error (worst residual f64 1e-9, f32 and fixed 1e-4) on every frame, by parameter; \
+         elsewhere the\nscene is refused, or the frames say so in their status:\n\n\
+         | parameter | tried | f64 | f32 | fixed |\n|---|---|---|---|---|"
+    );
+    for sweep in SWEEPS {
+        let (Some(from), Some(to)) = (sweep.values.first(), sweep.values.last()) else {
+            continue;
+        };
+        let [double, single, fixed] = [
+            range::<f64>(sweep),
+            range::<f32>(sweep),
+            range::<Fixed>(sweep),
+        ];
+        let _ = writeln!(
+            text,
+            "| {} | {from} to {to} | {double} | {single} | {fixed} |",
+            sweep.name
+        );
+    }
+}
+
 fn processor() -> String {
     let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = info
@@ -122,7 +180,9 @@ fn main() -> std::io::Result<()> {
     for evolution in EVOLUTIONS {
         survey::<f32>(evolution, &mut text);
         survey::<f64>(evolution, &mut text);
+        survey::<Fixed>(evolution, &mut text);
     }
+    ranges(&mut text);
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
     let readme = std::fs::read_to_string(path)?;
     let (Some(begin), Some(end)) = (readme.find(BEGIN), readme.find(END)) else {
