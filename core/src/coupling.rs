@@ -233,9 +233,10 @@ impl<R: Real> Stance<R> {
         }
     }
 
-    /// The rounding of forces and moments.
+    /// The rounding of forces and moments, and of the coordinates whose difference they are.
     pub(crate) fn rounding(&self) -> R {
-        let size = self.force.reach() + self.lever.reach() + self.couple.abs();
+        let pull = self.force.reach() + self.lever.reach();
+        let size = pull + self.placed.point.reach() + self.couple.abs();
         R::from_int(4) * R::rounding(size)
     }
 

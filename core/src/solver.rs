@@ -43,8 +43,6 @@ pub struct State<R: Real> {
     hand: Hand<R::Si>,
 }
 
-/// A hand that is turned farther than this (rad) from the body that it holds is out of range.
-const MAX_TURN: i32 = 1000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
@@ -194,15 +192,15 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         settle(&self.scene, &state.grip, &mut state.contact, None, log);
     }
 
-    /// The number type carries the springs between a body and a hand: their moment and what it is made of.
+    /// The number type carries the springs between a body and a hand: the pull, the turn, and the moment of both.
     fn carries(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
         let placed = contact.placed(&self.scene);
         let pull = (grip.hand - placed.point).reach();
         let lever = (grip.holding_point - placed.body_point).reach();
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
-            && turn <= R::from_int(MAX_TURN).min(R::HALF * R::HUGE)
-            && lever * pull + self.scene.stiffness() * turn <= R::RANGE
+            && turn <= R::HALF * R::HUGE
+            && lever * pull + self.scene.stiffness() * turn <= R::from_int(4) * R::RANGE
     }
 
     /// The hand goes to `target` and the body with it, if it holds it. False, and nothing has moved, where it is out of
