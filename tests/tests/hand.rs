@@ -14,7 +14,6 @@ test_each!(
     cases::bad_sample_is_held_and_forgotten,
     cases::start_with_a_bad_sample_is_finite,
     cases::hand_out_of_range_is_held,
-    cases::many_turns_cost_no_digits,
     cases::depth_passes_through,
 );
 
@@ -233,35 +232,6 @@ mod cases {
                 "{frame:?}"
             );
         }
-    }
-
-    /// After 10 000 turns in the air the body lands as if it had never turned, to the digits of a single turn.
-    pub(super) fn many_turns_cost_no_digits<R: Number>(evolution: Evolution) {
-        let setup = Setup::point()
-            .held_at([0.3, 0.0])
-            .floor([0.5, 0.3])
-            .at([0.0, 1.0, 1.2]);
-        let landed = |turns: i32| {
-            let twist = |x, y| {
-                let hand = planar::<R>([x, y, 1.2]);
-                let angle = Angle {
-                    turns,
-                    ..hand.angle
-                };
-                Hand { angle, ..hand }
-            };
-            let mut run = Run::<R>::start_with(&setup, evolution, twist(0.3, 1.0));
-            run.feed(twist(0.1, 0.1)).clone()
-        };
-        let (near, far) = (landed(0), landed(10_000));
-        assert_eq!(
-            (near.state, far.state),
-            (StateKind::SingleVertex, StateKind::SingleVertex)
-        );
-        let turned = far.pose[2] - 10_000.0 * std::f64::consts::TAU;
-        close("theta", turned, near.pose[2], R::ANALYTIC);
-        close("x", far.pose[0], near.pose[0], R::ANALYTIC);
-        close("N", far.normal(), near.normal(), R::ANALYTIC);
     }
 
     pub(super) fn depth_passes_through<R: Number>(evolution: Evolution) {
