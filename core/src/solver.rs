@@ -43,6 +43,8 @@ pub struct State<R: Real> {
     hand: Hand<R::Si>,
 }
 
+/// A hand that is turned farther than this (rad) from the body that it holds is out of range.
+const MAX_TURN: i32 = 1000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
@@ -199,7 +201,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let lever = (grip.holding_point - placed.body_point).reach();
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
-            && turn <= R::HALF * R::HUGE
+            && turn <= R::from_int(MAX_TURN).min(R::HALF * R::HUGE)
             && lever * pull + self.scene.stiffness() * turn <= R::from_int(4) * R::RANGE
     }
 
