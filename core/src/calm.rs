@@ -40,6 +40,12 @@ impl<R: Real> Calm<R> {
         if !certain {
             return None;
         }
+        if R::TWO * moment <= stance.tolerance * least {
+            return Some(Self {
+                stance,
+                reach: stance.tolerance,
+            });
+        }
         let per_stability = R::ONE / least;
         let bend = size * per_stability;
         for _ in 0..MAX_CORRECTIONS {
@@ -47,7 +53,7 @@ impl<R: Real> Calm<R> {
             stance = stance.turned(scene, to, turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
             let left = R::HALF * bend * (bend + R::ONE) * (turn * turn * turn.abs());
-            if left <= R::EPSILON {
+            if left <= R::EPSILON.max(stance.tolerance) {
                 return Some(Self {
                     stance,
                     reach: R::TWO * moment * per_stability,

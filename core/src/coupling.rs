@@ -150,6 +150,8 @@ pub(crate) struct Stance<R> {
     /// F - W y
     pub(crate) force: Vec2<R>,
     pub(crate) stiffness: R,
+    /// Balances are found to within this angle (rad); 0: as far as the digits go.
+    pub(crate) tolerance: R,
 }
 
 impl<R: Real> Stance<R> {
@@ -173,6 +175,7 @@ impl<R: Real> Stance<R> {
             hold,
             force: spring + weight,
             stiffness: scene.stiffness(),
+            tolerance: scene.tolerance(),
         }
     }
 
@@ -230,6 +233,7 @@ impl<R: Real> Stance<R> {
             stiffness: self.stiffness,
             dot: self.hold.x,
             cross: self.hold.y,
+            tolerance: self.tolerance,
         }
     }
 

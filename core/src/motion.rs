@@ -28,6 +28,8 @@ pub(crate) struct Motion<R> {
     hold: Vec2<R>,
     /// zp = (Yp, Xp)
     drive: Vec2<R>,
+    /// Places are found to within this x; 0: as far as the digits go.
+    tolerance: R,
 }
 
 /// A place on the curve.
@@ -122,6 +124,7 @@ impl<R: Real> Motion<R> {
             stiffness: stiffness / scale,
             hold: hold.over(scale),
             drive: drive.over(scale),
+            tolerance: R::ZERO,
         }
     }
 
@@ -145,6 +148,17 @@ impl<R: Real> Motion<R> {
             stiffness: R::ZERO,
             hold,
             drive: Vec2::ZERO,
+            tolerance: R::ZERO,
+        }
+    }
+
+    /// The same with its places found only to within a tolerance, in ϑ (rad) and in the way of a point that goes
+    /// `shift` at tau = 1.
+    pub(crate) fn to_within(self, tolerance: R, shift: R) -> Self {
+        let swiftest = (self.stiffness + self.hold.reach()) * shift;
+        Self {
+            tolerance: tolerance / swiftest.max(R::ONE),
+            ..self
         }
     }
 
@@ -215,12 +229,12 @@ impl<R: Real> Motion<R> {
         };
         let found = if self.stiffness > z0 + zp {
             // kappa < 1 all the way: no fold.
-            match first_zero(R::HUGE, |x| Look::far([end(&self.at(x))])) {
+            match first_zero((R::HUGE, self.tolerance), |x| Look::far([end(&self.at(x))])) {
                 Found::Zero { x, .. } => Found::Zero { x, which: 1 },
                 other => other,
             }
         } else {
-            first_zero(R::HUGE, |x| {
+            first_zero((R::HUGE, self.tolerance), |x| {
                 let p = self.at(x);
                 let window = least + R::TWO * x;
                 Look {
@@ -288,7 +302,7 @@ impl<R: Real> Motion<R> {
         if margin.start > margin.rounding && margin.start.min(end) > sagitta {
             return false;
         }
-        let found = first_zero(limit.x, |x| {
+        let found = first_zero((limit.x, self.tolerance), |x| {
             Look::far([self.slope(margin, &self.at(x), curvature)])
         });
         let (x, unsure) = match found {

@@ -17,6 +17,11 @@ pub(crate) struct Slope<R> {
 }
 
 impl<R: Real> Slope<R> {
+    /// This and less counts as zero: its rounding, or what its zero is away by a tolerance of x.
+    fn closed(&self, tolerance: R) -> R {
+        self.rounding.max(tolerance * self.slope.abs())
+    }
+
     /// The longest step that cannot pass a zero.
     fn safe_step(&self) -> R {
         let (e, d, k) = (self.value, self.slope, self.curvature);
@@ -33,9 +38,10 @@ impl<R: Real> Slope<R> {
         }
     }
 
-    /// After a certified step E is at most K step²; true if that or E itself is within its rounding.
-    fn is_closed_by(&self, step: R) -> bool {
-        self.value <= self.rounding || self.curvature * step * step <= self.rounding
+    /// After a certified step E is at most K step²; true if that or E itself counts as zero.
+    fn is_closed_by(&self, step: R, tolerance: R) -> bool {
+        let closed = self.closed(tolerance);
+        self.value <= closed || self.curvature * step * step <= closed
     }
 
     /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
@@ -80,9 +86,10 @@ impl<R: Real, const M: usize> Look<R, M> {
     }
 }
 
-/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one place the first listed counts.
+/// The first x in [0, limit) at which one of M functions is zero, to within a tolerance of x. Of two zeros at one place the
+/// first listed counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
-    limit: R,
+    (limit, tolerance): (R, R),
     mut look: impl FnMut(R) -> Look<R, M>,
 ) -> Found<R> {
     let mut x = R::ZERO;
@@ -108,7 +115,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         if let Some((which, function)) = closest {
             nearest = which;
             let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
-            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
+            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step, tolerance)) {
                 return Found::Zero { x: x + step, which };
             }
         }
@@ -136,6 +143,8 @@ pub(crate) struct PinnedMoment<R> {
     pub(crate) stiffness: R,
     pub(crate) dot: R,
     pub(crate) cross: R,
+    /// To be found to within this (rad); 0: as far as the digits go.
+    pub(crate) tolerance: R,
 }
 
 impl<R: Real> PinnedMoment<R> {
@@ -176,6 +185,7 @@ impl<R: Real> PinnedMoment<R> {
             stiffness: self.stiffness / unit,
             dot: self.dot / unit,
             cross: self.cross / unit,
+            tolerance: self.tolerance,
         }
     }
 
@@ -195,7 +205,7 @@ impl<R: Real> PinnedMoment<R> {
         };
         let start = start.max(certain);
         let mut snapped = false;
-        let found = first_zero(R::HUGE, |y| {
+        let found = first_zero((R::HUGE, self.tolerance), |y| {
             let turn = direction * (start + y);
             let (half_sin, half_cos) = (turn * R::HALF).sin_cos();
             let versine = R::TWO * half_sin * half_sin;
@@ -241,6 +251,7 @@ mod tests {
                 stiffness: 1.0,
                 dot: kappa * libm::cos(fold),
                 cross: -kappa * libm::sin(fold),
+                tolerance: 0.0,
             };
             let found = moment.over_fold(1.0);
             assert!(found.snapped && !found.unsure);
@@ -255,7 +266,7 @@ mod tests {
     #[test]
     fn first_zero_is_the_first() {
         for shift in [0.3, 1.0, 1.7, 2.9_f64] {
-            let found = first_zero(100.0, |x| {
+            let found = first_zero((100.0, 0.0), |x| {
                 Look::far([Slope {
                     value: libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1,
                     slope: libm::cos(shift + x) + 1.4 * libm::cos(7.0 * (shift + x)),

@@ -121,6 +121,9 @@ pub(crate) trait World<R: Real> {
     fn stiffness(&self) -> R;
     /// The weight as a force, W / (k_h L).
     fn weight(&self) -> Vec2<R>;
+    /// Balances and the ends of slips are found to within this angle (rad) and part of the body size; 0: as far as the
+    /// digits go.
+    fn tolerance(&self) -> R;
 
     /// v_i, body frame; the origin where there is no such vertex.
     fn vertex(&self, i: u8) -> Vec2<R> {
@@ -159,6 +162,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
     }
+    fn tolerance(&self) -> R {
+        self.tolerance
+    }
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
         let mut surface = surface.copied().unwrap_or(Surface::NOWHERE);
@@ -184,6 +190,7 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
     pub(crate) holding_point: Option<Vec2<R>>,
     pub(crate) reach: R,
     pub(crate) units: Units<R::Si>,
+    pub(crate) tolerance: R,
     model: PhantomData<M>,
 }
 
@@ -218,6 +225,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
+            tolerance: R::ZERO,
             model: PhantomData,
         };
         scene.check_range(d)?;

@@ -65,6 +65,17 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         Self { scene, evolution }
     }
 
+    /// Less accurate and faster: angles of balance are found to within `radians`, the ends of slips to within that part
+    /// of the body size, in every frame anew: nothing adds up. From 0 (the default: as far as the digits of the number
+    /// type go) to 0.01; what is beyond is taken as the nearer end, what is not a number as 0. Contacts are not touched by
+    /// it: feet stick and surfaces are met to the last digit.
+    #[must_use]
+    pub fn with_tolerance(mut self, radians: R::Si) -> Self {
+        let given = R::from_si(R::Si::ZERO.max(radians), R::Si::ONE);
+        self.scene.tolerance = given.min(R::ONE / R::from_int(100));
+        self
+    }
+
     /// The first record: the equilibrium reached from the start pose with the hand at its first pose. A hand that is not
     /// finite or out of range is taken as absent: the body stays at its start until a good one takes hold.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {

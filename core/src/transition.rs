@@ -170,7 +170,9 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
         log.transitions.add(slip_arm(state));
         if let ContactState::SingleVertex(single) = state {
             let stance = single.pivot.stance(self.scene, self.grip);
-            if stance.moment().abs() > R::from_int(16) * stance.rounding() {
+            let within = R::TWO * stance.tolerance * stance.stability();
+            let rounding = R::from_int(16) * stance.rounding();
+            if stance.moment().abs() > rounding.max(within) {
                 return Next::Relax(Some(slip.sign()));
             }
         }

@@ -31,7 +31,8 @@ impl<R: Real> Leg<R> {
     /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.
     pub(super) fn balanced(stance: &Stance<R>, way: &Way<R>, trigger: Trigger<R>) -> Self {
         let drive = stance.lever.conj_mul(way.hand);
-        let motion = Motion::balanced(stance.stiffness, stance.hold, drive, way.turn);
+        let motion = Motion::balanced(stance.stiffness, stance.hold, drive, way.turn)
+            .to_within(stance.tolerance, way.hand.reach());
         let course = motion.course();
         let trigger = if course.folds {
             Trigger::Fold(motion.direction())

@@ -151,8 +151,12 @@ impl<R: Real> SingleVertex<R> {
     /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
     /// (E3), touch, lift-off, fold.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
-        let stance = self.pivot.stance(scene, grip);
+        let mut stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
+        if surface.friction.is_continuous() {
+            // Where it stops it must also stick.
+            stance.tolerance = R::ZERO;
+        }
         // Beyond this way the hand would pull back.
         let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
         let shift = surface.tangent * (sign * farthest);

@@ -87,11 +87,18 @@ impl<R: Real> Trammel<R> {
     ) -> Option<Self> {
         let pivot = &state.pivot;
         let placed = pivot.placed(scene);
-        let stance = Stance::new(scene, placed, grip);
+        let mut stance = Stance::new(scene, placed, grip);
         let arm = placed.arm(scene, state.other.vertex);
         let size = stance.force.reach() + stance.lever.reach() + scene.weight().reach();
         let per_load = R::ONE / (size + stance.couple.abs() + stance.stiffness);
         let surfaces = [pivot.surface(scene), scene.surface(state.other.surface)];
+        if surfaces
+            .iter()
+            .all(|surface| surface.friction.is_continuous())
+        {
+            // Where it stops it must also stick.
+            stance.tolerance = R::ZERO;
+        }
         let [forth, back] = [R::ONE, -R::ONE].map(|sense| {
             let mut trammel = Self {
                 motion: Self::motion(&surfaces, arm, sense),
@@ -228,7 +235,7 @@ impl<R: Real> Trammel<R> {
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.resistance.sign();
-        let found = first_zero(window, |x| {
+        let found = first_zero((window, self.stance.tolerance), |x| {
             let q = self.quantities(&self.motion.at(x), window);
             let never = Jet::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
