@@ -36,7 +36,7 @@ impl<R: Real> Calm<R> {
         let certain = least > R::ZERO
             && drive.reach() <= R::HALF * least
             && moment <= quarter * least
-            && size * moment <= quarter * least * least;
+            && size * moment < quarter * least * least;
         if !certain {
             return None;
         }
@@ -47,12 +47,17 @@ impl<R: Real> Calm<R> {
             });
         }
         let per_stability = R::ONE / least;
+        if per_stability >= R::HUGE {
+            return None;
+        }
         let bend = size * per_stability;
         for _ in 0..MAX_CORRECTIONS {
             let turn = stance.correction_of_second_order();
             stance = stance.turned(scene, to, turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
-            let left = R::HALF * bend * (bend + R::ONE) * (turn * turn * turn.abs());
+            let size = turn.abs();
+            let bent = bend * size;
+            let left = R::HALF * (bent * (bent + size) * size);
             if left <= R::EPSILON.max(stance.tolerance) {
                 return Some(Self {
                     stance,

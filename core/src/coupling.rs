@@ -202,7 +202,7 @@ impl<R: Real> Stance<R> {
     pub(crate) fn correction(&self) -> R {
         let (moment, stability) = (self.moment(), self.stability());
         let bend = R::from_int(4) * (self.hold.reach() * moment.abs());
-        if stability > R::ZERO && bend <= stability * stability {
+        if stability > R::ZERO && bend < stability * stability {
             self.correction_of_second_order()
         } else {
             R::ZERO
@@ -211,7 +211,12 @@ impl<R: Real> Stance<R> {
 
     /// The turn to balance, but for the third order in it.
     pub(crate) fn correction_of_second_order(&self) -> R {
-        let per_stability = R::ONE / self.stability();
+        let stability = self.stability();
+        let per_stability = R::ONE / stability;
+        if per_stability >= R::HUGE {
+            // Too soft for a reciprocal in this number type.
+            return self.moment() / stability;
+        }
         let turn = self.moment() * per_stability;
         turn - R::HALF * (turn * turn) * (self.hold.y * per_stability)
     }
@@ -237,10 +242,9 @@ impl<R: Real> Stance<R> {
         }
     }
 
-    /// The rounding of forces and moments, and of the coordinates whose difference they are.
+    /// The rounding of forces and moments at a place.
     pub(crate) fn rounding(&self) -> R {
-        let pull = self.force.reach() + self.lever.reach();
-        let size = pull + self.placed.point.reach() + self.couple.abs();
+        let size = self.force.reach() + self.lever.reach() + self.couple.abs();
         R::from_int(4) * R::rounding(size)
     }
 

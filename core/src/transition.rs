@@ -171,7 +171,9 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
         if let ContactState::SingleVertex(single) = state {
             let stance = single.pivot.stance(self.scene, self.grip);
             let within = R::TWO * stance.tolerance * stance.stability();
-            let rounding = R::from_int(16) * stance.rounding();
+            // The foot, too, is rounded, as a coordinate.
+            let place = R::rounding(stance.placed.point.reach());
+            let rounding = R::from_int(16) * (stance.rounding() + place);
             if stance.moment().abs() > rounding.max(within) {
                 return Next::Relax(Some(slip.sign()));
             }

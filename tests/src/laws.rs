@@ -199,6 +199,7 @@ fn statics<R: Number>(setup: &Setup, frame: &Frame) -> Vec<Finding> {
         .chain(&frame.pose)
         .take(2)
         .chain(&frame.pose[..2])
+        .chain(frame.contacts.iter().flat_map(|contact| &contact.point))
         .fold(l, |m, x| m.max(x.abs()));
     let turns = frame.pose[2].abs().max(frame.hand[2].abs()).max(1.0);
     let carried = 64.0 * R::ROUNDING / R::RESIDUAL;

@@ -13,7 +13,7 @@ impl Real for f64 {
     const TAU: f64 = TAU;
     const EPSILON: f64 = f64::EPSILON;
     const TOUCH: f64 = 1e-10;
-    const MICRO: f64 = 1e-9;
+    const MICRO: f64 = 1.0 / 524_288.0;
     const RANGE: f64 = 1e12;
     const HUGE: f64 = 1e30;
     const LEAST: f64 = -Self::HUGE;

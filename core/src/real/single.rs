@@ -43,7 +43,7 @@ impl Real for f32 {
     const TAU: f32 = TAU;
     const EPSILON: f32 = f32::EPSILON;
     const TOUCH: f32 = 1e-6;
-    const MICRO: f32 = 1e-6;
+    const MICRO: f32 = 1.0 / 524_288.0;
     const RANGE: f32 = 1e6;
     const HUGE: f32 = 1e15;
     const LEAST: f32 = -Self::HUGE;
