@@ -84,6 +84,8 @@ pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
 pub use output::{
     Contact, Contacts, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench,
 };
+#[cfg(feature = "comparison")]
+pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
 pub use solver::{Evolution, Solver, State};

@@ -8,10 +8,14 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[cfg(feature = "comparison")]
+mod comparison;
 mod double;
 mod fixed;
 mod single;
 
+#[cfg(feature = "comparison")]
+pub use comparison::{CordicFixed, LibmSingle, MicromathSingle};
 pub use fixed::Fixed;
 
 /// A number of the solver. Implemented for `f32` (own polynomials, the default of the product), [`Fixed`] (chips

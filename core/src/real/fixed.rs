@@ -126,7 +126,7 @@ impl Real for Fixed {
         (turns, Self::new(rest))
     }
     fn hypot(self, other: Self) -> Self {
-        Self::root_of_products(self, self, other, other)
+        Self::new(root::hypotenuse(self.bits(), other.bits()))
     }
     fn root_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::new(root::root_of_sum(a.bits(), b.bits(), c.bits(), d.bits()))

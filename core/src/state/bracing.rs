@@ -129,7 +129,9 @@ impl<R: Real> Bracing<R> {
         let facet = self
             .support
             .yields(stance.load(), stance.rounding(), &|yields| {
-                is_consistent(&self.mode_of(yields))
+                // At the bound itself the drive is zero.
+                let mode = self.mode_of(yields);
+                is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
             });
         let mut in_vain = attempt;
         let mut is_next = |begins: bool| {

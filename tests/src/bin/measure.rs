@@ -12,10 +12,8 @@ use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
-use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
+use stiction_tests::{EVOLUTIONS, Number, Scenario, readme, scenes};
 
-const BEGIN: &str = "<!-- measured: begin -->";
-const END: &str = "<!-- measured: end -->";
 /// 0.1 m at 0.02 m/s and 1 kHz.
 const FRAMES: usize = 5000;
 const REPEATS: usize = 20;
@@ -154,21 +152,10 @@ fn ranges(text: &mut String) {
     }
 }
 
-fn processor() -> String {
-    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = info
-        .lines()
-        .find_map(|line| line.strip_prefix("model name"));
-    name.map_or_else(
-        || std::env::consts::ARCH.to_string(),
-        |name| name.trim_start_matches([' ', '\t', ':']).to_string(),
-    )
-}
-
 fn main() -> std::io::Result<()> {
     let mut text = format!(
         "Written by `cargo run --profile bench -p stiction-tests --bin measure`, on {}.\n\n",
-        processor()
+        readme::processor()
     );
     drags(&mut text);
     let _ = writeln!(
@@ -183,15 +170,7 @@ fn main() -> std::io::Result<()> {
         survey::<Fixed>(evolution, &mut text);
     }
     ranges(&mut text);
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
-    let readme = std::fs::read_to_string(path)?;
-    let (Some(begin), Some(end)) = (readme.find(BEGIN), readme.find(END)) else {
-        return Err(std::io::Error::other(
-            "README.md has no place for the figures",
-        ));
-    };
-    let (head, tail) = (&readme[..begin + BEGIN.len()], &readme[end..]);
-    std::fs::write(path, format!("{head}\n{text}{tail}"))?;
+    readme::write("measured", &text)?;
     print!("{text}");
     Ok(())
 }

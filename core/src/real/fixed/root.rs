@@ -24,12 +24,25 @@ pub(super) fn square_root(x: i32) -> i32 {
     root as i32
 }
 
+/// sqrt(x² + y²), rounded to the nearest.
+#[inline(never)]
+pub(super) fn hypotenuse(x: i32, y: i32) -> i32 {
+    nearest(wide(x, x).wrapping_add(wide(y, y)))
+}
+
 /// sqrt(a b + c d), rounded to the nearest; 0 where that is negative.
 #[inline(never)]
 pub(super) fn root_of_sum(a: i32, b: i32, c: i32, d: i32) -> i32 {
-    let square = wide(a, b).saturating_add(wide(c, d)).max(0) as u64;
+    nearest(wide(a, b).wrapping_add(wide(c, d)))
+}
+
+/// sqrt(square), rounded to the nearest; 0 for a negative number.
+#[inline(never)]
+fn nearest(square: i64) -> i32 {
     let (upper, lower) = ((square >> 32) as u32, square as u32);
-    let mut root = if upper >> 30 != 0 {
+    let mut root = if square < 0 {
+        return 0;
+    } else if upper >> 30 != 0 {
         return RAIL;
     } else if upper != 0 {
         let pairs = upper.leading_zeros() / 2;
@@ -43,7 +56,7 @@ pub(super) fn root_of_sum(a: i32, b: i32, c: i32, d: i32) -> i32 {
     } else {
         return 0;
     };
-    let mut remainder = (square as i64).wrapping_sub(wide(root as i32, root as i32));
+    let mut remainder = square.wrapping_sub(wide(root as i32, root as i32));
     while remainder > i64::from(root) {
         remainder = remainder.wrapping_sub(i64::from(root).wrapping_mul(2).wrapping_add(1));
         root = root.wrapping_add(1);
@@ -95,11 +108,9 @@ mod tests {
 
     fn check(a: i32, b: i32) {
         let squares = [a, b].map(|x| u128::from(x.unsigned_abs()).pow(2));
-        assert_eq!(
-            root_of_sum(a, a, b, b),
-            nearest_root(squares[0] + squares[1]),
-            "{a} {b}"
-        );
+        let exact = nearest_root(squares[0] + squares[1]);
+        assert_eq!(hypotenuse(a, b), exact, "{a} {b}");
+        assert_eq!(root_of_sum(a, a, b, b), exact, "{a} {b}");
         let product = i128::from(a) * i128::from(b) + i128::from(b) * i128::from(a >> 3);
         let exact = u128::try_from(product).map_or(0, nearest_root);
         assert_eq!(root_of_sum(a, b, b, a >> 3), exact, "{a} {b}");

@@ -1,0 +1,152 @@
+//! stiction beside a physics engine: the same scenes, the same hand, in one run; a table on the terminal.
+//!
+//! ```sh
+//! cargo bench --bench rivals               # the table
+//! cargo bench --bench rivals -- --write    # and puts it into the README
+//! ```
+//!
+//! Under `cargo test --benches` a short run shows that everything works.
+
+mod case;
+mod engine;
+mod measure;
+mod rapier;
+mod table;
+
+use std::time::Duration;
+
+use case::Case;
+use engine::{Engine, Stiction};
+use measure::{Findings, observe, statics, time};
+use rapier::Rapier;
+use stiction_tests::readme;
+use table::{Row, Setting};
+
+/// Name in the table and bundled scene.
+const SCENES: [(&str, &str); 3] = [
+    ("vertex", "vertex-stick-slip"),
+    ("ladder", "ladder"),
+    ("edge", "box-flat"),
+];
+
+/// How much is run.
+#[derive(Clone, Copy)]
+struct Effort {
+    repeats: usize,
+    /// At most this many frames are dragged.
+    frames: usize,
+}
+
+const FULL: Effort = Effort {
+    repeats: 30,
+    frames: usize::MAX,
+};
+const SHORT: Effort = Effort {
+    repeats: 1,
+    frames: 100,
+};
+
+/// An engine in a case, still to be run.
+struct Entry {
+    case: Case,
+    engine: String,
+    is_rival: bool,
+    time: fn(&Case) -> Vec<Duration>,
+    observe: fn(&Case) -> Findings,
+}
+
+impl Entry {
+    fn of<E: Engine>(case: &Case, is_rival: bool) -> Self {
+        Self {
+            case: case.clone(),
+            engine: E::name(),
+            is_rival,
+            time: time::<E>,
+            observe: observe::<E>,
+        }
+    }
+
+    fn row(&self, best: &[Duration]) -> Row {
+        let findings = (self.observe)(&self.case);
+        let statics = statics(&self.case, findings.pressed);
+        let whole: Duration = best.iter().sum();
+        Row {
+            scene: self.case.name,
+            engine: self.engine.clone(),
+            is_rival: self.is_rival,
+            friction: self.case.friction(),
+            time: whole.as_secs_f64() / self.case.drag.len() as f64,
+            error: self.case.distance(findings.held, statics),
+            findings,
+        }
+    }
+}
+
+/// Every engine in every case. The runs of one entry are spread over the whole time, so that a disturbance meets all alike.
+fn rows(effort: Effort) -> Vec<Row> {
+    let mut entries = Vec::new();
+    for (name, file) in SCENES {
+        let two = Case::new(name, file, effort.frames);
+        let one = two.with_one_coefficient();
+        entries.push(Entry::of::<Rapier>(&one, true));
+        entries.push(Entry::of::<Stiction>(&one, false));
+        entries.push(Entry::of::<Stiction>(&two, false));
+    }
+    let mut best: Vec<_> = entries
+        .iter()
+        .map(|entry| (entry.time)(&entry.case))
+        .collect();
+    for _ in 1..effort.repeats {
+        for (entry, best) in entries.iter().zip(&mut best) {
+            for (best, now) in best.iter_mut().zip((entry.time)(&entry.case)) {
+                *best = now.min(*best);
+            }
+        }
+    }
+    let rows = entries.iter().zip(&best);
+    rows.map(|(entry, best)| entry.row(best)).collect()
+}
+
+/// Whether the names to run, if the command line has any, are part of this one.
+fn is_asked_for(arguments: &[String]) -> bool {
+    let mut names = arguments
+        .iter()
+        .filter(|argument| !argument.starts_with('-'));
+    let asks = |name: &String| "rivals".contains(name.as_str());
+    names.clone().next().is_none() || names.any(asks)
+}
+
+fn main() -> std::io::Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let has = |flag: &str| arguments.iter().any(|argument| argument == flag);
+    if has("--list") {
+        println!("rivals: benchmark");
+        return Ok(());
+    }
+    if !is_asked_for(&arguments) {
+        return Ok(());
+    }
+    // cargo says --bench under `cargo bench` only.
+    let full = has("--bench") && !has("--test");
+    let effort = if full { FULL } else { SHORT };
+    let setting = Setting {
+        processor: readme::processor(),
+        repeats: effort.repeats,
+    };
+    let rows = rows(effort);
+    let (plain, markdown) = (
+        table::plain(&rows, &setting),
+        table::markdown(&rows, &setting),
+    );
+    if !full {
+        println!(
+            "rivals: ok, too short to be measured; `cargo bench --bench rivals` gives the table"
+        );
+        return Ok(());
+    }
+    print!("{plain}");
+    if has("--write") {
+        readme::write("rivals", &markdown)?;
+    }
+    Ok(())
+}
