@@ -7,9 +7,12 @@
 //!                                                └─ plot
 //! ```
 
+mod balance;
 pub mod hand_path;
+pub mod machine;
 pub mod number;
 pub mod plot;
+pub mod readme;
 pub mod record;
 mod report;
 pub mod run;

@@ -6,15 +6,16 @@
 //! ```
 
 use std::fmt::Write as _;
+use std::path::Path;
 use std::time::Instant;
 use stiction_core::{Evolution, Status};
+use stiction_host_sim::machine::processor;
+use stiction_host_sim::readme::Section;
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
 use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
 
-const BEGIN: &str = "<!-- measured: begin -->";
-const END: &str = "<!-- measured: end -->";
 /// 0.1 m at 0.02 m/s and 1 kHz.
 const FRAMES: usize = 5000;
 const REPEATS: usize = 20;
@@ -96,17 +97,6 @@ fn survey<R: Number>(evolution: Evolution, text: &mut String) {
     );
 }
 
-fn processor() -> String {
-    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = info
-        .lines()
-        .find_map(|line| line.strip_prefix("model name"));
-    name.map_or_else(
-        || std::env::consts::ARCH.to_string(),
-        |name| name.trim_start_matches([' ', '\t', ':']).to_string(),
-    )
-}
-
 fn main() -> std::io::Result<()> {
     let mut text = format!(
         "Written by `cargo run --profile bench -p stiction-tests --bin measure`, on {}.\n\n",
@@ -123,15 +113,8 @@ fn main() -> std::io::Result<()> {
         survey::<f32>(evolution, &mut text);
         survey::<f64>(evolution, &mut text);
     }
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
-    let readme = std::fs::read_to_string(path)?;
-    let (Some(begin), Some(end)) = (readme.find(BEGIN), readme.find(END)) else {
-        return Err(std::io::Error::other(
-            "README.md has no place for the figures",
-        ));
-    };
-    let (head, tail) = (&readme[..begin + BEGIN.len()], &readme[end..]);
-    std::fs::write(path, format!("{head}\n{text}{tail}"))?;
+    let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"));
+    Section::find(readme, "measured")?.write(&text)?;
     print!("{text}");
     Ok(())
 }
