@@ -6,6 +6,8 @@
 //! hand.csv ─── hand_path ──┘                     ├─ summary
 //!                                                └─ plot
 //! ```
+//!
+//! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
 
 mod balance;
 pub mod hand_path;
@@ -22,3 +24,4 @@ pub mod simulate;
 pub mod source;
 pub mod summary;
 pub mod trace;
+pub mod trade;
