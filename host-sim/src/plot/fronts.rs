@@ -60,11 +60,6 @@ impl Fronts {
             margin: LEFT,
         };
         let (top, count) = (heading.height(), self.panels.len().max(1) as f64);
-        let errors = self
-            .panels
-            .iter()
-            .flat_map(|panel| &panel.points)
-            .map(|point| point.y);
         let points = self.panels.iter().flat_map(|panel| &panel.points);
         let highest = extent(points.map(|point| point.y.max(self.floor))).end;
         let y = self.floor.log10()..highest.max(self.floor.log10() + 1.0);
@@ -270,9 +265,8 @@ fn labels(
             let others = set
                 .iter()
                 .map(|&(at, wide)| overlap((u, v), width, at, (wide, LINE)));
-            let out = !(inside.0.contains(&(u - width / 2.0))
-                && inside.0.contains(&(u + width / 2.0)))
-                || !inside.1.contains(&v);
+            let ends = [u - width / 2.0, u + width / 2.0];
+            let out = !(ends.iter().all(|u| inside.0.contains(u)) && inside.1.contains(&v));
             // The farther from its mark, the worse.
             let away = 2.0 * ((u - x).hypot(v - y) - dx.min(dy));
             marks.sum::<f64>() + 3.0 * others.sum::<f64>() + away + if out { 1e3 } else { 0.0 }
@@ -292,7 +286,7 @@ mod tests {
     fn an_axis_holds_all_values_and_has_ticks() {
         let axis = extent([0.0, 3.0, 40.0].into_iter());
         assert!(axis.start < 3_f64.log10() && axis.end > 40_f64.log10());
-        assert_eq!(ticks(&axis), [5.0, 10.0, 20.0]);
+        assert_eq!(ticks(&axis), [5.0, 10.0, 20.0, 50.0]);
         assert_eq!(ticks(&(-2.0..2.5)), [0.01, 0.1, 1.0, 10.0, 100.0]);
         assert_eq!(extent([0.0].into_iter()), 0.0..1.0);
         assert_eq!(
