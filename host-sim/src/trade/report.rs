@@ -70,8 +70,7 @@ impl Report {
             "Measured on {}. Scenes: {}. Errors: median / 99 % / largest distance of the body's origin, and angle, from f64 with \
              path evolution at {FINEST} Hz, over all frames of all scenes, in SI units as the scenes are; a frame that falls \
              between two of the reference is compared with one step more of it. A slip that comes earlier or later is an error \
-             of its whole length until the other one follows; and where a touch meets shear, slips grow from nothing, so that \
-             the last digits decide how many there are and when the large ones come. Worst residual: the largest unbalanced \
+             of its whole length until the other one follows. Worst residual: the largest unbalanced \
              force of a scene / its largest force, or moment / (that force · L). Other state: frames in another contact state \
              than the reference. Slips +/−: sum over the scenes that slip more often than the reference / less often; it slips \
              {} times. Time: mean of a frame on this computer, best of {REPEATS} runs.",
