@@ -6,10 +6,15 @@
 //! hand.csv ─── hand_path ──┘                     ├─ summary
 //!                                                └─ plot
 //! ```
+//!
+//! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
 
+mod balance;
 pub mod hand_path;
+pub mod machine;
 pub mod number;
 pub mod plot;
+pub mod readme;
 pub mod record;
 mod report;
 pub mod run;
@@ -19,3 +24,4 @@ pub mod simulate;
 pub mod source;
 pub mod summary;
 pub mod trace;
+pub mod trade;

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use stiction_host_sim::run::{RunArgs, run};
+use stiction_host_sim::trade::{TradeArgs, trade};
 
 /// Statics-based contact of an object held in the hand
 #[derive(Parser)]
@@ -17,12 +18,15 @@ struct Cli {
 enum Command {
     /// Run a scene: a trace, a summary, plots
     Run(RunArgs),
+    /// Measure every setting of the solver: errors, costs, and which one to take
+    Trade(TradeArgs),
 }
 
 fn main() -> ExitCode {
-    let result = match Cli::parse().command {
-        Some(Command::Run(args)) => run(&args),
-        None => run(&RunArgs::demonstration()),
+    let result: Result<(), Box<dyn std::error::Error>> = match Cli::parse().command {
+        Some(Command::Run(args)) => run(&args).map_err(Into::into),
+        Some(Command::Trade(args)) => trade(&args).map_err(Into::into),
+        None => run(&RunArgs::demonstration()).map_err(Into::into),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

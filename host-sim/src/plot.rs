@@ -2,6 +2,7 @@
 //! strip of snapshots. From a recorded run in SI units, world frame, to files that need no font on the machine.
 
 mod forces;
+pub(crate) mod fronts;
 mod instants;
 mod legend;
 mod motion;
@@ -11,7 +12,7 @@ mod series;
 mod sheet;
 mod states;
 mod strip;
-mod style;
+pub(crate) mod style;
 mod timeline;
 mod trajectory;
 
@@ -89,6 +90,20 @@ pub fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
         files.push(save(dir.join(name).with_extension("png"), &png)?);
     }
     Ok(files)
+}
+
+/// A picture of errors against costs: the text of its SVG, and its PNG.
+///
+/// # Errors
+/// [`PlotError::Drawing`]
+pub(crate) fn fronts(fronts: &fronts::Fronts) -> Result<(String, Vec<u8>), PlotError> {
+    let drawing = |reason| PlotError::Drawing {
+        name: "fronts",
+        reason,
+    };
+    let svg = fronts.svg().map_err(|error| drawing(error.to_string()))?;
+    let png = sheet::Rasterizer::new().png(&svg).map_err(drawing)?;
+    Ok((svg, png))
 }
 
 fn save(path: PathBuf, bytes: &[u8]) -> Result<PathBuf, PlotError> {

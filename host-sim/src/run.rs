@@ -7,13 +7,13 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use stiction_core::Evolution;
+use stiction_core::{Evolution, Fixed, Real, Solver};
 
 use crate::hand_path::{HandPath, Sample};
-use crate::number::Number;
+use crate::number::{Number, SiFloat};
 use crate::plot::{self, PlotError};
 use crate::record::{Frame, Run};
-use crate::scene_file::{Motion, SceneFile};
+use crate::scene_file::{HostSolver, Motion, SceneFile};
 use crate::simulate::simulate;
 use crate::source::InputError;
 use crate::summary::Summary;
@@ -164,9 +164,17 @@ fn dispatch(
     sink: impl FnMut(Frame) -> Result<(), RunError>,
 ) -> Result<Duration, RunError> {
     match args.number {
-        Number::F32 => simulate::<f32, _>(scene.scene()?, args.evolution, samples, sink),
-        Number::F64 => simulate::<f64, _>(scene.scene()?, args.evolution, samples, sink),
+        Number::F32 => simulate(solver::<f32>(args, scene)?, samples, sink),
+        Number::F64 => simulate(solver::<f64>(args, scene)?, samples, sink),
+        Number::Fixed => simulate(solver::<Fixed>(args, scene)?, samples, sink),
     }
+}
+
+fn solver<R: Real<Si: SiFloat>>(
+    args: &RunArgs,
+    scene: &SceneFile,
+) -> Result<HostSolver<R>, InputError> {
+    Ok(Solver::new(scene.scene()?, args.evolution))
 }
 
 fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {

@@ -2,12 +2,12 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_core::{Evolution, Real, Solver};
+use stiction_core::Real;
 
 use crate::hand_path::Sample;
 use crate::number::{SiFloat, narrow_hand};
 use crate::record::Frame;
-use crate::scene_file::{HostScene, HostSolver};
+use crate::scene_file::HostSolver;
 
 /// So many steps are timed together, so that the clock costs nothing beside them.
 const BATCH: usize = 64;
@@ -18,15 +18,13 @@ const BATCH: usize = 64;
 /// # Errors
 /// The first error of `sink`.
 pub fn simulate<R: Real, E>(
-    scene: HostScene<R>,
-    evolution: Evolution,
+    solver: HostSolver<R>,
     samples: impl Iterator<Item = Sample>,
     mut sink: impl FnMut(Frame) -> Result<(), E>,
 ) -> Result<Duration, E>
 where
     R::Si: SiFloat,
 {
-    let solver: HostSolver<R> = Solver::new(scene, evolution);
     let mut state = None;
     let mut samples = samples.map(|sample| (sample.t, narrow_hand(&sample.hand)));
     let mut batch = Vec::with_capacity(BATCH);

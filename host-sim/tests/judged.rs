@@ -8,7 +8,7 @@ use std::process::Command;
 
 use common::{Folder, records, text};
 
-const NUMBERS: [&str; 2] = ["f64", "f32"];
+const NUMBERS: [&str; 3] = ["f64", "f32", "fixed"];
 const EVOLUTIONS: [&str; 2] = ["path", "frame"];
 
 /// A file of the folder that is shared beside the workspace, if it is there.
@@ -38,10 +38,12 @@ fn judged(judge: &Path, scene: &Path, number: &str, evolution: &str) -> String {
     ];
     let output = folder.stiction(&arguments);
     assert!(output.status.success(), "{name}: {}", text(&output.stderr));
+    // A trace in fixed point holds f32 values.
+    let printed = if number == "fixed" { "f32" } else { number };
     let verdict = Command::new("python3")
         .arg(judge)
         .args([scene, &folder.file("trace.jsonl")])
-        .args(["--number", number])
+        .args(["--number", printed])
         .output()
         .expect("python3 starts");
     assert!(

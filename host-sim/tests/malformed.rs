@@ -167,6 +167,34 @@ fn mistakes_in_scene_files_are_refused() {
 }
 
 #[test]
+fn scenes_beyond_the_range_of_fixed_point_are_refused_in_fixed_point_alone() {
+    let cases: &[(&str, &str, &[&str])] = &[
+        (
+            "[0.2, 0.12, 0.5]\nweight",
+            "[0.2, 12.0, 0.5]\nweight",
+            &["line 4", "body.start", "number type can carry"],
+        ),
+        (
+            "normal = [1.0, 0.0]\noffset = 0.0",
+            "normal = [1.0, 0.0]\noffset = -12.0",
+            &["line 27", "surface[1].offset", "number type can carry"],
+        ),
+        (
+            "rotation = 0.5",
+            "rotation = 5000.0",
+            &["line 13", "spring.rotation", "number type can carry"],
+        ),
+    ];
+    for &(from, to, expected) in cases {
+        assert!(SCENE.contains(from), "{from}");
+        let folder = Folder::new();
+        let scene = SCENE.replacen(from, to, 1);
+        assert_eq!(folder.trace(&scene, &[]).len(), 11);
+        assert_refused(to, &folder, &["--number", "fixed"], expected);
+    }
+}
+
+#[test]
 fn mistakes_in_recorded_paths_are_refused() {
     for &(name, file, content, expected) in IN_PATHS {
         let folder = Folder::new();

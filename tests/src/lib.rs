@@ -6,7 +6,6 @@ pub mod extremes;
 pub mod laws;
 pub mod number;
 pub mod random;
-pub mod readme;
 pub mod reference;
 pub mod run;
 pub mod scenes;

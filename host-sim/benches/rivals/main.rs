@@ -13,13 +13,15 @@ mod measure;
 mod rapier;
 mod table;
 
+use std::path::Path;
 use std::time::Duration;
 
 use case::Case;
 use engine::{Engine, Stiction};
 use measure::{Findings, observe, statics, time};
 use rapier::Rapier;
-use stiction_tests::readme;
+use stiction_host_sim::machine::processor;
+use stiction_host_sim::readme::Section;
 use table::{Row, Setting};
 
 /// Name in the table and bundled scene.
@@ -130,7 +132,7 @@ fn main() -> std::io::Result<()> {
     let full = has("--bench") && !has("--test");
     let effort = if full { FULL } else { SHORT };
     let setting = Setting {
-        processor: readme::processor(),
+        processor: processor(),
         repeats: effort.repeats,
     };
     let rows = rows(effort);
@@ -146,7 +148,8 @@ fn main() -> std::io::Result<()> {
     }
     print!("{plain}");
     if has("--write") {
-        readme::write("rivals", &markdown)?;
+        let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"));
+        Section::find(readme, "rivals")?.write(&markdown)?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! The look of all pictures: colors that the color-blind tell apart (Okabe and Ito), one per role, and the type.
 
 use super::sheet::px;
+use crate::number::Number;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stiction_core::StateKind;
@@ -38,6 +39,15 @@ pub(super) fn state_color(state: StateKind) -> RGBColor {
         StateKind::TwoVertex => RGBColor(230, 159, 0),
         StateKind::Corner => RGBColor(240, 228, 66),
         StateKind::Locked => RGBColor(204, 121, 167),
+    }
+}
+
+/// The color of a number type.
+pub(crate) fn number_color(number: Number) -> RGBColor {
+    match number {
+        Number::F64 => RGBColor(0, 158, 115),
+        Number::F32 => RGBColor(0, 114, 178),
+        Number::Fixed => RGBColor(213, 94, 0),
     }
 }
 

@@ -6,13 +6,16 @@
 //! ```
 
 use std::fmt::Write as _;
+use std::path::Path;
 use std::time::Instant;
 use stiction_core::{Evolution, Fixed, Status};
+use stiction_host_sim::machine::processor;
+use stiction_host_sim::readme::Section;
 use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
-use stiction_tests::{EVOLUTIONS, Number, Scenario, readme, scenes};
+use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
 
 /// 0.1 m at 0.02 m/s and 1 kHz.
 const FRAMES: usize = 5000;
@@ -155,7 +158,7 @@ fn ranges(text: &mut String) {
 fn main() -> std::io::Result<()> {
     let mut text = format!(
         "Written by `cargo run --profile bench -p stiction-tests --bin measure`, on {}.\n\n",
-        readme::processor()
+        processor()
     );
     drags(&mut text);
     let _ = writeln!(
@@ -170,7 +173,8 @@ fn main() -> std::io::Result<()> {
         survey::<Fixed>(evolution, &mut text);
     }
     ranges(&mut text);
-    readme::write("measured", &text)?;
+    let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"));
+    Section::find(readme, "measured")?.write(&text)?;
     print!("{text}");
     Ok(())
 }

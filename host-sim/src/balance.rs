@@ -1,0 +1,162 @@
+//! The balance of forces and moments on the body, recomputed from recorded frames: the hand's spring, the reactions of the
+//! contacts and the weight (N, N·m, world frame), and what is left of their sums.
+
+use crate::record::{Frame, Run};
+
+/// By how much forces (N) and moments (N·m) miss balance.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Imbalance {
+    pub(crate) force: f64,
+    pub(crate) moment: f64,
+}
+
+/// The worst imbalance of a run beside its largest force.
+#[derive(Clone, Debug)]
+pub(crate) struct Residual {
+    balance: Balance,
+    largest_force: f64,
+    worst: Imbalance,
+}
+
+impl Residual {
+    /// Of a run whose frames are still to come.
+    pub(crate) fn new(run: &Run) -> Self {
+        Self {
+            balance: Balance::new(run),
+            largest_force: 0.0,
+            worst: Imbalance::default(),
+        }
+    }
+
+    /// Adds a frame.
+    pub(crate) fn add(&mut self, frame: &Frame) {
+        let (largest, Imbalance { force, moment }) = self.balance.of(frame);
+        self.largest_force = self.largest_force.max(largest);
+        self.worst.force = self.worst.force.max(force);
+        self.worst.moment = self.worst.moment.max(moment);
+    }
+
+    /// The largest force of the run (N).
+    pub(crate) fn largest_force(&self) -> f64 {
+        self.largest_force
+    }
+
+    /// Forces of the largest force, moments of that force times the body size. A body that is hardly loaded is measured by
+    /// the force at which its spring yields by a thousandth of its size.
+    pub(crate) fn relative(&self) -> Imbalance {
+        let size = self.balance.size;
+        let least = 1e-3 * self.balance.stiffness_translation * size;
+        let force = self.largest_force.max(least);
+        Imbalance {
+            force: self.worst.force / force,
+            moment: self.worst.moment / (force * size),
+        }
+    }
+}
+
+/// Balance of forces and moments on the body, recomputed from a frame.
+#[derive(Clone, Debug)]
+struct Balance {
+    stiffness_translation: f64,
+    weight: f64,
+    centroid: [f64; 2],
+    /// Largest distance of two vertices (m), 1 for a point.
+    size: f64,
+    normals: Vec<[f64; 2]>,
+}
+
+impl Balance {
+    fn new(run: &Run) -> Self {
+        let mut size = 0.0_f64;
+        for a in &run.body {
+            for b in &run.body {
+                size = size.max((a[0] - b[0]).hypot(a[1] - b[1]));
+            }
+        }
+        Self {
+            stiffness_translation: run.stiffness_translation,
+            weight: run.weight,
+            centroid: centroid(&run.body),
+            size: if size > 0.0 { size } else { 1.0 },
+            normals: run.surfaces.iter().map(|surface| surface.normal).collect(),
+        }
+    }
+
+    /// The largest force (N) of a frame, and what is left of the sums: nothing where no hand holds the body.
+    fn of(&self, frame: &Frame) -> (f64, Imbalance) {
+        let [fx, fy, mut moment] = frame.wrench;
+        // The holding point: the spring's force is k_h times the way from it to the hand.
+        let grip = [
+            frame.hand[0] - fx / self.stiffness_translation,
+            frame.hand[1] - fy / self.stiffness_translation,
+        ];
+        let mut sum = [fx, fy];
+        let mut largest = fx.hypot(fy);
+        let mut add = |force: [f64; 2], point: [f64; 2]| {
+            sum = [sum[0] + force[0], sum[1] + force[1]];
+            moment += cross([point[0] - grip[0], point[1] - grip[1]], force);
+            largest = largest.max(force[0].hypot(force[1]));
+        };
+        for contact in &frame.contacts {
+            let [nx, ny] = self
+                .normals
+                .get(contact.surface)
+                .copied()
+                .unwrap_or_default();
+            let (normal, friction) = (contact.normal, contact.friction);
+            add(
+                [normal * nx + friction * ny, normal * ny - friction * nx],
+                contact.point,
+            );
+        }
+        let ([x, y, theta], [cx, cy]) = (frame.pose, self.centroid);
+        let (sin, cos) = theta.sin_cos();
+        add(
+            [0.0, -self.weight],
+            [x + cos * cx - sin * cy, y + sin * cx + cos * cy],
+        );
+        if !frame.held {
+            return (largest, Imbalance::default());
+        }
+        let force = sum[0].hypot(sum[1]);
+        (
+            largest,
+            Imbalance {
+                force,
+                moment: moment.abs(),
+            },
+        )
+    }
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// The centroid of the polygon's area; the mean of the vertices of a point or a rod.
+fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
+    let count = vertices.len();
+    let first = vertices.first().copied().unwrap_or_default();
+    if count < 3 {
+        let last = vertices.last().copied().unwrap_or_default();
+        return [
+            f64::midpoint(first[0], last[0]),
+            f64::midpoint(first[1], last[1]),
+        ];
+    }
+    let from_first = |v: [f64; 2]| [v[0] - first[0], v[1] - first[1]];
+    let (mut area, mut sum) = (0.0, [0.0; 2]);
+    for pair in vertices.windows(2) {
+        let (a, b) = (from_first(pair[0]), from_first(pair[1]));
+        let twice = cross(a, b);
+        area += twice;
+        sum = [
+            sum[0] + twice * (a[0] + b[0]),
+            sum[1] + twice * (a[1] + b[1]),
+        ];
+    }
+    [
+        first[0] + sum[0] / (3.0 * area),
+        first[1] + sum[1] / (3.0 * area),
+    ]
+}

@@ -1,0 +1,88 @@
+//! Sections of a Markdown file that a command writes: the text between `<!-- NAME: begin -->` and `<!-- NAME: end -->`.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A file with a section to be written.
+#[derive(Clone, Debug)]
+pub struct Section {
+    file: PathBuf,
+    begin: String,
+    end: String,
+}
+
+impl Section {
+    /// The section of a name in a file.
+    ///
+    /// # Errors
+    /// The file cannot be read, or has no such section.
+    pub fn find(file: &Path, name: &str) -> io::Result<Self> {
+        let section = Self {
+            file: file.to_owned(),
+            begin: format!("<!-- {name}: begin -->"),
+            end: format!("<!-- {name}: end -->"),
+        };
+        section.parts().map(|_| section)
+    }
+
+    /// The text before the section and after it, with its marks.
+    fn parts(&self) -> io::Result<(String, String)> {
+        let text = fs::read_to_string(&self.file)?;
+        let begin = text.find(&self.begin).map(|at| at + self.begin.len());
+        let end = begin.and_then(|from| Some(from + text[from..].find(&self.end)?));
+        match (begin, end) {
+            (Some(begin), Some(end)) => Ok((text[..begin].to_owned(), text[end..].to_owned())),
+            _ => Err(io::Error::other(format!(
+                "has no section between {} and {}",
+                self.begin, self.end
+            ))),
+        }
+    }
+
+    /// Puts `text` in the place of the section; the file is replaced at once.
+    ///
+    /// # Errors
+    /// The file cannot be read or replaced, or has no such section any more.
+    pub fn write(&self, text: &str) -> io::Result<()> {
+        let (head, tail) = self.parts()?;
+        let folder = match self.file.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        let mut file = tempfile::Builder::new().make_in(folder, |path| File::create_new(path))?;
+        write!(file, "{head}\n{}\n{tail}", text.trim_end())?;
+        file.persist(&self.file)?;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_section_is_replaced_and_nothing_else() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("README.md");
+        let text =
+            |inside| format!("before\n<!-- a: begin -->\n{inside}\n<!-- a: end -->\nafter\n");
+        fs::write(&file, text("old")).expect("a file");
+        Section::find(&file, "a")
+            .expect("a section")
+            .write("new\n")
+            .expect("written");
+        assert_eq!(fs::read_to_string(&file).expect("a file"), text("new"));
+    }
+
+    #[test]
+    fn a_file_without_the_section_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("README.md");
+        fs::write(&file, "<!-- a: end --><!-- a: begin -->").expect("a file");
+        let error = Section::find(&file, "a")
+            .expect_err("no section")
+            .to_string();
+        assert!(error.contains("<!-- a: begin -->"), "{error}");
+    }
+}

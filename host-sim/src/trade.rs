@@ -1,0 +1,177 @@
+//! `stiction trade`: how exact every setting of the solver is and what it costs, over a suite of scenes. From the suite to a
+//! table, CSV, JSON, pictures and a recommendation:
+//!
+//! ```text
+//! suite ─ reference ─ measure (accuracy, cost) ─ rows ─┬─ table, report
+//!                                                      ├─ front (pictures)
+//!                                                      └─ advice
+//! ```
+
+mod accuracy;
+mod advice;
+mod cost;
+mod files;
+mod front;
+mod hand;
+mod measure;
+mod random;
+mod reference;
+mod report;
+mod setting;
+mod suite;
+mod table;
+
+pub use accuracy::{Accuracy, Spread};
+pub use cost::{Chip, Cost, Emulated};
+pub use measure::{Row, measure};
+pub use report::Report;
+pub use setting::{Dial, FINEST, RATES, Setting};
+pub use suite::{Case, Group, Suite};
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::machine::processor;
+use crate::plot::{self, PlotError};
+use crate::readme::Section;
+use crate::source::InputError;
+use files::Folder;
+use front::Place;
+
+/// The arguments of `stiction trade`.
+#[derive(Args, Clone, Debug)]
+pub struct TradeArgs {
+    /// Folder for trade.csv, trade.json and the pictures
+    #[arg(long, value_name = "DIR", default_value = "trade")]
+    pub out: PathBuf,
+    /// Recorded hand path (csv, tum, txt) instead of the synthetic one
+    #[arg(long, value_name = "FILE")]
+    pub hand: Option<PathBuf>,
+    /// A few scenes only
+    #[arg(long)]
+    pub quick: bool,
+    /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well
+    #[arg(long, value_name = "FILE")]
+    pub readme: Option<PathBuf>,
+}
+
+/// Why there are no results.
+#[derive(Debug, thiserror::Error)]
+pub enum TradeError {
+    /// The hand's path cannot be used, or a scene is refused.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The folder or the file cannot be written.
+    #[error("{}: cannot be written: {error}", place.display())]
+    Write {
+        /// The folder or file.
+        place: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The pictures' folder is not below that of the README.
+    #[error(
+        "{}: is not in the folder of {}, allowed: a folder there, so that its pictures can be shown",
+        out.display(), readme.display()
+    )]
+    Elsewhere {
+        /// The folder.
+        out: PathBuf,
+        /// The README.
+        readme: PathBuf,
+    },
+    /// A picture cannot be drawn.
+    #[error(transparent)]
+    Plot(#[from] PlotError),
+}
+
+/// Measures the suite and writes all results.
+///
+/// # Errors
+/// [`TradeError`]; before anything is measured where that can be known.
+pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
+    let suite = Suite::new(args.hand.as_deref(), args.quick)?;
+    let cannot_write = |place: &Path| {
+        let place = place.to_owned();
+        |error| TradeError::Write { place, error }
+    };
+    let section = args
+        .readme
+        .as_ref()
+        .map(|file| Section::find(file, "trade").map_err(cannot_write(file)));
+    let section = section.transpose()?;
+    let folder = Folder::open(&args.out).map_err(cannot_write(&args.out))?;
+    let pictures = args
+        .readme
+        .as_ref()
+        .map(|file| below(&args.out, file))
+        .transpose()?;
+    let report = report(&suite)?;
+    let mut files = vec![
+        (
+            "trade.csv".to_owned(),
+            report.csv().map_err(cannot_write(&args.out))?,
+        ),
+        ("trade.json".to_owned(), report.json()),
+    ];
+    let rows = report.overall();
+    for place in Place::of(&rows) {
+        let (svg, png) = plot::fronts(&front::picture(place, &rows, &report.machine))?;
+        files.push((format!("{}.svg", place.stem()), svg.into_bytes()));
+        files.push((format!("{}.png", place.stem()), png));
+    }
+    let files = folder.write(&files).map_err(cannot_write(&args.out))?;
+    if let (Some(section), Some(pictures), Some(file)) = (section, pictures, &args.readme) {
+        section
+            .write(&report.markdown(&pictures))
+            .map_err(cannot_write(file))?;
+    }
+    let list: String = files
+        .iter()
+        .map(|file| format!("  {}\n", file.display()))
+        .collect();
+    crate::report::print(&(report.text() + &list));
+    Ok(())
+}
+
+/// Measures the suite behind a progress bar.
+fn report(suite: &Suite) -> Result<Report, InputError> {
+    let bar = ProgressBar::new(suite.frame_count() as u64);
+    let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let rows = measure(suite, |case| {
+        bar.set_message(case.scene.title.clone());
+        bar.inc(case.frame_count() as u64);
+    });
+    bar.finish_and_clear();
+    let mut report = Report {
+        machine: processor(),
+        scenes: suite.to_string(),
+        rows: rows?,
+        advice: Vec::new(),
+    };
+    report.advice = advice::advice(&report.overall(), &report.machine);
+    Ok(report)
+}
+
+/// The folder `out` as seen from the folder of the README.
+fn below(out: &Path, readme: &Path) -> Result<PathBuf, TradeError> {
+    let whole = |path: &Path| {
+        path.canonicalize().map_err(|error| TradeError::Write {
+            place: path.to_owned(),
+            error,
+        })
+    };
+    let (folder, file) = (whole(out)?, whole(readme)?);
+    let base = file.parent().unwrap_or(Path::new(""));
+    match folder.strip_prefix(base) {
+        Ok(below) => Ok(below.to_owned()),
+        Err(_) => Err(TradeError::Elsewhere {
+            out: out.to_owned(),
+            readme: readme.to_owned(),
+        }),
+    }
+}

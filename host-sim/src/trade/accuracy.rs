@@ -1,0 +1,129 @@
+//! How far the frames of a setting are from the reference: from poses, states and slips to medians, percentiles and counts.
+
+use stiction_core::Status;
+
+use super::reference::Truth;
+use crate::balance::Imbalance;
+use crate::record::Frame;
+
+/// Median, 99th percentile and maximum.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spread {
+    /// Half of the frames are within.
+    pub median: f64,
+    /// 99 % of the frames are within.
+    pub most: f64,
+    /// All frames are within.
+    pub max: f64,
+}
+
+impl Spread {
+    fn of(values: &mut [f32]) -> Self {
+        let Some(last) = values.len().checked_sub(1) else {
+            return Self::default();
+        };
+        let mut at = |part: f64| {
+            let place = (part * last as f64).ceil() as usize;
+            let (_, value, _) = values.select_nth_unstable_by(place, f32::total_cmp);
+            f64::from(*value)
+        };
+        Self {
+            median: at(0.5),
+            most: at(0.99),
+            max: at(1.0),
+        }
+    }
+}
+
+/// The accuracy of a setting at a rate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Accuracy {
+    /// Frames that were compared.
+    pub frames: usize,
+    /// Distance of the body's origin from where the reference has it (µm).
+    pub position: Spread,
+    /// Angle between the body and that of the reference (mrad).
+    pub angle: Spread,
+    /// The largest unbalanced force of a scene / its largest force, or moment / (that force · L).
+    pub residual: f64,
+    /// Frames in a different contact state.
+    pub other_state: usize,
+    /// Slips of the reference.
+    pub reference_slips: u64,
+    /// Slips more than the reference has, summed over the scenes that have more.
+    pub slips_too_many: u64,
+    /// Slips fewer, likewise.
+    pub slips_too_few: u64,
+    /// Frames whose status is not ok.
+    pub not_ok: usize,
+}
+
+/// What is gathered for an [`Accuracy`].
+#[derive(Clone, Debug, Default)]
+pub(super) struct Errors {
+    /// µm
+    positions: Vec<f32>,
+    /// mrad
+    angles: Vec<f32>,
+    counts: Accuracy,
+}
+
+impl Errors {
+    /// Adds a frame.
+    pub(super) fn add(&mut self, frame: &Frame, truth: &Truth) {
+        let [dx, dy, turn] = [0, 1, 2].map(|k| frame.pose[k] - truth.pose[k]);
+        self.positions.push((1e6 * dx.hypot(dy)) as f32);
+        self.angles.push((1e3 * turn.abs()) as f32);
+        self.counts.other_state += usize::from(frame.state != truth.state);
+        self.counts.not_ok += usize::from(frame.status != Status::Ok);
+    }
+
+    /// Adds what is known at the end of a scene.
+    pub(super) fn end_scene(&mut self, slips: u64, reference: u64, residual: Imbalance) {
+        let counts = &mut self.counts;
+        counts.reference_slips += reference;
+        counts.slips_too_many += slips.saturating_sub(reference);
+        counts.slips_too_few += reference.saturating_sub(slips);
+        counts.residual = counts.residual.max(residual.force).max(residual.moment);
+    }
+
+    /// Adds those of other scenes.
+    pub(super) fn merge(&mut self, other: &Self) {
+        self.positions.extend(&other.positions);
+        self.angles.extend(&other.angles);
+        let (sum, more) = (&mut self.counts, &other.counts);
+        sum.other_state += more.other_state;
+        sum.reference_slips += more.reference_slips;
+        sum.slips_too_many += more.slips_too_many;
+        sum.slips_too_few += more.slips_too_few;
+        sum.not_ok += more.not_ok;
+        sum.residual = sum.residual.max(more.residual);
+    }
+
+    /// The accuracy.
+    pub(super) fn finish(mut self) -> Accuracy {
+        Accuracy {
+            frames: self.positions.len(),
+            position: Spread::of(&mut self.positions),
+            angle: Spread::of(&mut self.angles),
+            ..self.counts
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spread_is_that_of_the_sorted_values() {
+        let mut values: Vec<f32> = (0..=1000_u16).rev().map(f32::from).collect();
+        let spread = Spread {
+            median: 500.0,
+            most: 990.0,
+            max: 1000.0,
+        };
+        assert_eq!(Spread::of(&mut values), spread);
+        assert_eq!(Spread::of(&mut []), Spread::default());
+    }
+}

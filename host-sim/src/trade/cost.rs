@@ -1,0 +1,81 @@
+//! What a frame costs: its time on this computer, its instructions and memory on emulated chips.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use stiction_core::{Hand, Real};
+
+use crate::scene_file::HostSolver;
+
+/// A chip on which settings are counted in emulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chip {
+    /// Cortex-M4 with a floating point unit.
+    CortexM4F,
+    /// Cortex-M0.
+    CortexM0,
+}
+
+impl Chip {
+    /// All chips.
+    pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
+
+    /// The name for a reader.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::CortexM4F => "Cortex-M4F",
+            Self::CortexM0 => "Cortex-M0",
+        }
+    }
+
+    /// The name in files and columns.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::CortexM4F => "cortex_m4f",
+            Self::CortexM0 => "cortex_m0",
+        }
+    }
+}
+
+/// What a setting costs on an emulated chip.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Emulated {
+    /// Instructions per frame, mean.
+    pub instructions: f64,
+    /// Instructions of the worst frame.
+    pub worst: u32,
+    /// Flash (bytes).
+    pub flash: u64,
+    /// State of a run (bytes).
+    pub state: u32,
+    /// Deepest stack (bytes).
+    pub stack: u32,
+}
+
+/// What a setting costs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cost {
+    /// Time of a frame on this computer (ns), mean.
+    pub host: f64,
+    /// On each of [`Chip::ALL`], where it was counted.
+    pub emulated: [Option<Emulated>; Chip::ALL.len()],
+}
+
+/// The best of so many runs counts: it is the one that was disturbed least.
+pub(super) const REPEATS: usize = 5;
+
+/// The time of all steps through a path; the start is not in it.
+pub(super) fn time<R: Real>(solver: &HostSolver<R>, hands: &[Hand<R::Si>]) -> Duration {
+    let Some((&first, rest)) = hands.split_first() else {
+        return Duration::ZERO;
+    };
+    let run = |_| {
+        let (mut state, _) = solver.start(first);
+        let begun = Instant::now();
+        for &hand in rest {
+            black_box(solver.step(&mut state, black_box(hand)));
+        }
+        begun.elapsed()
+    };
+    (0..REPEATS).map(run).min().unwrap_or_default()
+}

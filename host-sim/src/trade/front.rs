@@ -1,0 +1,158 @@
+//! Which settings no other one beats in both cost and error, and the picture of them: error against the cost of a frame, and
+//! against the cost of a second of motion.
+
+use super::cost::{Chip, Cost};
+use super::measure::Row;
+use crate::number::Number;
+use crate::plot::fronts::{Fronts, Panel, Point};
+use crate::plot::style::number_color;
+use stiction_core::Evolution;
+
+/// Where a cost is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// On this computer, ns.
+    Host,
+    /// On an emulated chip (of [`Chip::ALL`]), instructions.
+    Chip(usize),
+}
+
+impl Place {
+    /// All places for which rows have a cost.
+    pub(super) fn of(rows: &[Row]) -> Vec<Self> {
+        let counted = |place: &Self| rows.iter().any(|row| place.cost(&row.cost).is_some());
+        let chips = (0..Chip::ALL.len()).map(Self::Chip);
+        std::iter::once(Self::Host)
+            .chain(chips)
+            .filter(counted)
+            .collect()
+    }
+
+    /// The name for a reader.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Host => "this computer",
+            Self::Chip(k) => Chip::ALL[k].name(),
+        }
+    }
+
+    /// The stem of the picture's files.
+    pub(super) fn stem(self) -> &'static str {
+        match self {
+            Self::Host => "host",
+            Self::Chip(k) => Chip::ALL[k].key(),
+        }
+    }
+
+    /// The unit of a cost.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Host => "ns",
+            Self::Chip(_) => "instructions",
+        }
+    }
+
+    /// Per frame, mean.
+    pub(super) fn cost(self, cost: &Cost) -> Option<f64> {
+        match self {
+            Self::Host => Some(cost.host),
+            Self::Chip(k) => cost.emulated[k].map(|counted| counted.instructions),
+        }
+    }
+}
+
+/// The position error (µm) below which settings are equally good.
+pub(super) const FLOOR: f64 = 1e-3;
+
+/// The floor of a picture (µm): the decade below that of the least error in it that is told from 0.
+fn floor(rows: &[Row]) -> f64 {
+    let errors = rows.iter().map(error).filter(|error| *error > 0.0);
+    let least = errors.fold(f64::INFINITY, f64::min);
+    if least.is_finite() {
+        FLOOR.max(10_f64.powf(least.log10().floor() - 1.0))
+    } else {
+        FLOOR
+    }
+}
+
+/// What a front is made of: the error that 99 % of the frames stay within.
+pub(super) fn error(row: &Row) -> f64 {
+    row.accuracy.position.most
+}
+
+/// For each of some (cost, error): no other one has less of one and not more of the other.
+pub(super) fn best(points: &[(f64, f64)]) -> Vec<bool> {
+    let beats = |a: &(f64, f64), b: &(f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
+    let unbeaten = |b| !points.iter().any(|a| beats(a, b));
+    points.iter().map(unbeaten).collect()
+}
+
+/// The picture for a place.
+pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
+    let unit = place.unit();
+    let where_ = match place {
+        Place::Host => machine.to_owned(),
+        Place::Chip(_) => format!("{}, emulated", place.name()),
+    };
+    let (per_second, scale) = match place {
+        Place::Host => ("µs".to_owned(), 1e-3),
+        Place::Chip(_) => (unit.to_owned(), 1.0),
+    };
+    Fronts {
+        title: format!("Error and cost of every setting: {where_}"),
+        colors: Number::ALL
+            .map(|number| (number_color(number), number.name()))
+            .to_vec(),
+        marks: ["path", "frame"],
+        error: "position error, 99 % of the frames [µm]".to_owned(),
+        floor: floor(rows),
+        panels: vec![
+            panel(place, rows, format!("{unit} per frame, mean"), |_| 1.0),
+            panel(
+                place,
+                rows,
+                format!("{per_second} per second of motion"),
+                |row| scale * row.rate,
+            ),
+        ],
+    }
+}
+
+fn panel(place: Place, rows: &[Row], label: String, factor: impl Fn(&Row) -> f64) -> Panel {
+    let counted: Vec<_> = (rows.iter())
+        .filter_map(|row| Some((row, place.cost(&row.cost)? * factor(row))))
+        .collect();
+    let places: Vec<_> = (counted.iter())
+        .map(|(row, cost)| (*cost, error(row).max(FLOOR)))
+        .collect();
+    let points = counted
+        .iter()
+        .zip(best(&places))
+        .map(|((row, cost), best)| Point {
+            x: *cost,
+            y: error(row),
+            color: number_color(row.setting.number),
+            filled: row.setting.evolution == Evolution::Path,
+            label: match row.setting.dial.name {
+                "exact" => format!("{}", row.rate),
+                dial => format!("{} {dial}", row.rate),
+            },
+            best,
+        });
+    Panel {
+        label,
+        points: points.collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_front_holds_what_nothing_beats() {
+        let points = [(1.0, 5.0), (2.0, 5.0), (2.0, 3.0), (3.0, 4.0), (9.0, 1.0)];
+        assert_eq!(best(&points), [true, false, true, false, true]);
+        assert_eq!(best(&[(1.0, 1.0), (1.0, 1.0)]), [true, true]);
+    }
+}

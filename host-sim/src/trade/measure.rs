@@ -1,0 +1,204 @@
+//! Every scene of the suite through every setting at every rate: from the suite to rows of accuracy and cost.
+
+use std::time::Duration;
+
+use serde_json::Value;
+use stiction_core::{Fixed, Hand, Real};
+
+use super::accuracy::{Accuracy, Errors};
+use super::cost::{self, Chip, Cost};
+use super::reference::{Reference, Truth};
+use super::setting::{RATES, Setting};
+use super::suite::{Case, Group, Suite};
+use crate::balance::Residual;
+use crate::number::{Number, SiFloat, narrow_hand};
+use crate::record::{Frame, Run};
+use crate::simulate::simulate;
+use crate::source::InputError;
+
+/// What was measured of a setting at a rate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// The setting.
+    pub setting: Setting,
+    /// Frames per second (Hz).
+    pub rate: f64,
+    /// The scenes; `None`: all of them.
+    pub group: Option<Group>,
+    /// Accuracy.
+    pub accuracy: Accuracy,
+    /// Cost.
+    pub cost: Cost,
+}
+
+impl Row {
+    /// Name and value of every column, in the order of the files.
+    pub fn columns(&self) -> Vec<(String, Value)> {
+        let (setting, accuracy) = (&self.setting, &self.accuracy);
+        let mut columns: Vec<(String, Value)> = Vec::new();
+        let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
+        add("number", setting.number.name().into());
+        add("evolution", setting.evolution_name().into());
+        add("dial", setting.dial.name.into());
+        add("rate_hz", self.rate.into());
+        add("scenes", self.group.map_or("all", Group::name).into());
+        add("frames", accuracy.frames.into());
+        for (name, unit, spread) in [
+            ("position", "um", accuracy.position),
+            ("angle", "mrad", accuracy.angle),
+        ] {
+            add(&format!("{name}_median_{unit}"), spread.median.into());
+            add(&format!("{name}_p99_{unit}"), spread.most.into());
+            add(&format!("{name}_max_{unit}"), spread.max.into());
+        }
+        add("worst_residual", accuracy.residual.into());
+        add("other_state", accuracy.other_state.into());
+        add("reference_slips", accuracy.reference_slips.into());
+        add("slips_too_many", accuracy.slips_too_many.into());
+        add("slips_too_few", accuracy.slips_too_few.into());
+        add("not_ok", accuracy.not_ok.into());
+        add("host_ns", self.cost.host.into());
+        for (chip, counted) in Chip::ALL.iter().zip(self.cost.emulated) {
+            let key = chip.key();
+            add(
+                &format!("{key}_instructions"),
+                counted.map(|c| c.instructions).into(),
+            );
+            add(
+                &format!("{key}_instructions_worst"),
+                counted.map(|c| c.worst).into(),
+            );
+            add(
+                &format!("{key}_flash_bytes"),
+                counted.map(|c| c.flash).into(),
+            );
+            add(
+                &format!("{key}_state_bytes"),
+                counted.map(|c| c.state).into(),
+            );
+            add(
+                &format!("{key}_stack_bytes"),
+                counted.map(|c| c.stack).into(),
+            );
+        }
+        columns
+    }
+}
+
+/// What is gathered for a row.
+#[derive(Clone, Debug, Default)]
+struct Tally {
+    errors: Errors,
+    spent: Duration,
+    steps: usize,
+}
+
+impl Tally {
+    fn merge(&mut self, other: &Self) {
+        self.errors.merge(&other.errors);
+        self.spent += other.spent;
+        self.steps += other.steps;
+    }
+
+    fn row(self, setting: Setting, rate: f64, group: Option<Group>) -> Row {
+        let nanoseconds = 1e9 * self.spent.as_secs_f64() / self.steps.max(1) as f64;
+        Row {
+            setting,
+            rate,
+            group,
+            accuracy: self.errors.finish(),
+            cost: Cost {
+                host: nanoseconds,
+                ..Cost::default()
+            },
+        }
+    }
+}
+
+/// Measures all settings at all rates; `done` hears of every scene that is finished. For every combination a row over all
+/// scenes, and one for each group after it.
+///
+/// # Errors
+/// A scene is refused by a number type.
+pub fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
+    let settings: Vec<Setting> = Setting::all().collect();
+    let combinations: Vec<_> = (settings.iter())
+        .flat_map(|&setting| RATES.map(|rate| (setting, rate)))
+        .collect();
+    let mut tallies = vec![[(); Group::ALL.len()].map(|()| Tally::default()); combinations.len()];
+    for case in &suite.cases {
+        let reference = Reference::new(case)?;
+        let truths = RATES.map(|rate| reference.at(case.path.frames(Some(rate))));
+        for (tallies, (setting, rate)) in tallies.iter_mut().zip(&combinations) {
+            let ride = Ride {
+                case,
+                setting: *setting,
+                rate: *rate,
+                truths: (RATES.iter().position(|known| known == rate))
+                    .map_or(&[][..], |k| &truths[k]),
+                slips: reference.slips,
+            };
+            ride.measure(&mut tallies[case.group as usize])?;
+        }
+        done(case);
+    }
+    let rows = combinations.iter().zip(tallies);
+    Ok(rows
+        .flat_map(|(&(setting, rate), tallies)| {
+            let mut all = Tally::default();
+            tallies.iter().for_each(|tally| all.merge(tally));
+            let groups = Group::ALL.map(Some).into_iter().zip(tallies);
+            std::iter::once((None, all))
+                .chain(groups)
+                .map(move |(group, tally)| tally.row(setting, rate, group))
+        })
+        .collect())
+}
+
+/// A scene through a setting at a rate.
+struct Ride<'a> {
+    case: &'a Case,
+    setting: Setting,
+    rate: f64,
+    truths: &'a [Truth],
+    /// Slips of the reference.
+    slips: u64,
+}
+
+impl Ride<'_> {
+    /// From the name of a number type to the type.
+    fn measure(&self, tally: &mut Tally) -> Result<(), InputError> {
+        match self.setting.number {
+            Number::F64 => self.run::<f64>(tally),
+            Number::F32 => self.run::<f32>(tally),
+            Number::Fixed => self.run::<Fixed>(tally),
+        }
+    }
+
+    fn run<R: Real<Si: SiFloat>>(&self, tally: &mut Tally) -> Result<(), InputError> {
+        let solver = self.setting.solver::<R>(self.case.scene.scene()?);
+        let frames = || self.case.path.frames(Some(self.rate));
+        let hands: Vec<Hand<R::Si>> = frames().map(|sample| narrow_hand(&sample.hand)).collect();
+        tally.spent += cost::time(&solver, &hands);
+        tally.steps += hands.len().saturating_sub(1);
+        let run = Run::of(
+            &self.case.scene,
+            self.setting.number,
+            self.setting.evolution,
+        );
+        let mut residual = Residual::new(&run);
+        let (mut slips, mut truths) = (0, self.truths.iter());
+        simulate(solver, frames(), |frame: Frame| {
+            residual.add(&frame);
+            slips += u64::from(frame.slips);
+            if let Some(truth) = truths.next() {
+                tally.errors.add(&frame, truth);
+            }
+            Ok::<_, InputError>(())
+        })?;
+        tally
+            .errors
+            .end_scene(slips, self.slips, residual.relative());
+        Ok(())
+    }
+}

@@ -1,0 +1,121 @@
+//! The results as files and text: CSV, JSON, the terminal's table and the section of a README.
+
+use std::io;
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use super::cost::{Chip, REPEATS};
+use super::front::Place;
+use super::measure::Row;
+use super::setting::FINEST;
+use super::table::Table;
+
+/// What was measured, on what.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The processor of this computer.
+    pub machine: String,
+    /// The scenes in words.
+    pub scenes: String,
+    /// For every combination the row over all scenes and one for each group.
+    pub rows: Vec<Row>,
+    /// Recommendations.
+    pub advice: Vec<String>,
+}
+
+impl Report {
+    /// The rows over all scenes.
+    pub fn overall(&self) -> Vec<Row> {
+        let rows = self.rows.iter().filter(|row| row.group.is_none());
+        rows.copied().collect()
+    }
+
+    /// One line per row.
+    pub(super) fn csv(&self) -> io::Result<Vec<u8>> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let columns: Vec<_> = self.rows.iter().map(Row::columns).collect();
+        if let Some(first) = columns.first() {
+            writer.write_record(first.iter().map(|(name, _)| name))?;
+        }
+        for row in &columns {
+            writer.write_record(row.iter().map(|(_, value)| match value {
+                Value::Null => String::new(),
+                Value::String(text) => text.clone(),
+                other => other.to_string(),
+            }))?;
+        }
+        writer.into_inner().map_err(|error| error.into_error())
+    }
+
+    /// Everything.
+    pub(super) fn json(&self) -> Vec<u8> {
+        let row = |row: &Row| Value::Object(row.columns().into_iter().collect::<Map<_, _>>());
+        let report = json!({
+            "machine": self.machine,
+            "scenes": self.scenes,
+            "rows": self.rows.iter().map(row).collect::<Vec<_>>(),
+            "advice": self.advice,
+        });
+        format!("{report:#}\n").into_bytes()
+    }
+
+    /// What stands above the table.
+    fn caption(&self) -> String {
+        let slips = self
+            .overall()
+            .first()
+            .map_or(0, |row| row.accuracy.reference_slips);
+        format!(
+            "Measured on {}. Scenes: {}. Errors: median / 99 % / largest distance of the body's origin, and angle, from f64 with \
+             path evolution at {FINEST} Hz, over all frames of all scenes, in SI units as the scenes are; a frame that falls \
+             between two of the reference is compared with one step more of it. A slip that comes earlier or later is an error \
+             of its whole length until the other one follows. Worst residual: the largest unbalanced \
+             force of a scene / its largest force, or moment / (that force · L). Other state: frames in another contact state \
+             than the reference. Slips +/−: sum over the scenes that slip more often than the reference / less often; it slips \
+             {} times. Time: mean of a frame on this computer, best of {REPEATS} runs.",
+            self.machine, self.scenes, slips
+        )
+    }
+
+    /// For the terminal.
+    pub(super) fn text(&self) -> String {
+        let rows = self.overall();
+        let mut text = format!("{}\n\n{}", self.caption(), Table::of(&rows).text());
+        for (k, chip) in Chip::ALL.iter().enumerate() {
+            if let Some(table) = Table::of_chip(&rows, k) {
+                text += &format!("\n{}, emulated:\n{}", chip.name(), table.text());
+            }
+        }
+        text + "\n" + &self.advice.join("\n") + "\n\n"
+    }
+
+    /// For a README beside which the pictures lie in `folder`.
+    pub(super) fn markdown(&self, folder: &Path) -> String {
+        let rows = self.overall();
+        let mut text = format!(
+            "Written by `stiction trade`. {}\n\n{}",
+            self.caption(),
+            Table::of(&rows).markdown()
+        );
+        for (k, chip) in Chip::ALL.iter().enumerate() {
+            if let Some(table) = Table::of_chip(&rows, k) {
+                text += &format!("\n{}, emulated:\n\n{}", chip.name(), table.markdown());
+            }
+        }
+        for place in Place::of(&rows) {
+            let file = folder.join(place.stem()).with_extension("svg");
+            text += &format!(
+                "\n![Error and cost on {}]({})\n",
+                place.name(),
+                file.display()
+            );
+        }
+        let advice: String = self
+            .advice
+            .iter()
+            .map(|line| format!("* {line}\n"))
+            .collect();
+        text + "\n" + &advice
+    }
+}

@@ -1,0 +1,183 @@
+//! The scenes that are measured: the bundled ones, random ones, and a box in a hand that moves freely.
+
+use std::fmt;
+use std::path::Path;
+
+use super::setting::FINEST;
+use super::{hand, random};
+use crate::hand_path::HandPath;
+use crate::number::Number;
+use crate::scene_file::{Motion, SceneFile};
+use crate::scenes;
+use crate::source::{InputError, Source};
+
+/// Which part of the suite a scene belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// The scenes of the program, the paper's and the dragged boxes among them.
+    Bundled,
+    /// Random scenes.
+    Random,
+    /// The box in a hand.
+    Hand,
+}
+
+impl Group {
+    /// All groups.
+    pub const ALL: [Self; 3] = [Self::Bundled, Self::Random, Self::Hand];
+
+    /// The name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Bundled => "bundled",
+            Self::Random => "random",
+            Self::Hand => "hand",
+        }
+    }
+}
+
+/// A scene and the hand's motion through it.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Its group.
+    pub group: Group,
+    /// The scene.
+    pub scene: SceneFile,
+    /// The hand.
+    pub path: HandPath,
+}
+
+impl Case {
+    fn new(group: Group, name: String, text: &str) -> Result<Self, InputError> {
+        // The limits of f32 are those of the narrowest number type.
+        let scene = SceneFile::parse(Source::new(name, text), Number::F32)?;
+        match &scene.hand.motion {
+            Some(Motion::Keyframes(path)) => Ok(Self {
+                group,
+                path: path.clone(),
+                scene,
+            }),
+            _ => Err(scene.error("[hand] has no `keyframes`")),
+        }
+    }
+
+    /// Frames at the finest rate.
+    pub fn frame_count(&self) -> usize {
+        self.path.frame_count(Some(FINEST))
+    }
+}
+
+/// The scenes, and what is to be said about them.
+#[derive(Clone, Debug)]
+pub struct Suite {
+    /// All scenes.
+    pub cases: Vec<Case>,
+    /// What moves the hand of the last one.
+    hand: String,
+}
+
+/// How many bundled scenes, how many random ones, how long the hand moves (s).
+struct Extent {
+    bundled: usize,
+    random: usize,
+    seconds: f64,
+}
+
+const WHOLE: Extent = Extent {
+    bundled: scenes::ALL.len(),
+    random: 200,
+    seconds: 30.0,
+};
+const QUICK: Extent = Extent {
+    bundled: 2,
+    random: 4,
+    seconds: 2.0,
+};
+
+impl Suite {
+    /// With a recorded path of the hand, or else a synthetic one; `quick`: a few scenes of each kind.
+    ///
+    /// # Errors
+    /// The recorded path cannot be used.
+    pub fn new(recorded: Option<&Path>, quick: bool) -> Result<Self, InputError> {
+        let extent = if quick { QUICK } else { WHOLE };
+        let mut cases = Vec::new();
+        for (name, text) in scenes::ALL.iter().take(extent.bundled) {
+            cases.push(Case::new(Group::Bundled, format!("{name}.toml"), text)?);
+        }
+        let mut random = random::Random::new(1);
+        for i in 0..extent.random {
+            let (name, text) = (format!("random-{i}.toml"), random::scene(&mut random));
+            cases.push(Case::new(Group::Random, name, &text)?);
+        }
+        let (path, hand) = match recorded {
+            None => (
+                hand::synthetic(extent.seconds),
+                "a synthetic hand".to_owned(),
+            ),
+            Some(file) => {
+                let name = file.file_name().unwrap_or_default().to_string_lossy();
+                (
+                    hand::recorded(file)?,
+                    format!("a recorded hand ({name}, scaled to 0.12 m)"),
+                )
+            }
+        };
+        cases.push(Case {
+            group: Group::Hand,
+            scene: SceneFile::parse(Source::new("hand.toml", hand::SCENE), Number::F32)?,
+            path,
+        });
+        Ok(Self { cases, hand })
+    }
+
+    /// Frames at the finest rate.
+    pub fn frame_count(&self) -> usize {
+        self.cases.iter().map(Case::frame_count).sum()
+    }
+
+    fn seconds(&self, group: Group) -> f64 {
+        let cases = self.cases.iter().filter(|case| case.group == group);
+        cases
+            .map(|case| (case.frame_count() - 1) as f64)
+            .sum::<f64>()
+            / FINEST
+    }
+}
+
+impl fmt::Display for Suite {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let count = |group| self.cases.iter().filter(|case| case.group == group).count();
+        write!(
+            f,
+            "{} bundled scenes ({:.0} s of motion, the dragged boxes among them), {} random ones ({} s each; bodies of 2 to 6 \
+             vertices within 0.1 m, 1 to 3 surfaces), and a box of 0.10 m × 0.06 m in the corner of floor and wall, in {} \
+             ({:.0} s)",
+            count(Group::Bundled),
+            self.seconds(Group::Bundled),
+            count(Group::Random),
+            random::LEGS,
+            self.hand,
+            self.seconds(Group::Hand),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stiction_core::Fixed;
+
+    #[test]
+    fn every_number_type_carries_every_scene() {
+        for case in Suite::new(None, false).expect("a suite").cases {
+            for refused in [
+                case.scene.scene::<f64>().err(),
+                case.scene.scene::<f32>().err(),
+                case.scene.scene::<Fixed>().err(),
+            ] {
+                assert_eq!(refused, None);
+            }
+        }
+    }
+}

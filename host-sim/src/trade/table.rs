@@ -1,0 +1,166 @@
+//! Rows as text: columns side by side on a terminal, or a table in Markdown.
+
+use std::fmt::Write as _;
+
+use super::accuracy::Spread;
+use super::cost::Chip;
+use super::measure::Row;
+
+/// A table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Table {
+    header: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Columns on the left that are words.
+const WORDS: usize = 3;
+
+impl Table {
+    /// Accuracy and time on this computer.
+    pub(super) fn of(rows: &[Row]) -> Self {
+        let header = [
+            "number",
+            "evolution",
+            "dial",
+            "Hz",
+            "error (µm)",
+            "error (mrad)",
+            "worst residual",
+            "other state (%)",
+            "slips +/−",
+            "ns per frame",
+        ];
+        let cells = |row: &Row| {
+            let accuracy = &row.accuracy;
+            let other = 100.0 * accuracy.other_state as f64 / accuracy.frames.max(1) as f64;
+            let mut cells = names(row);
+            cells.extend([
+                spread(accuracy.position),
+                spread(accuracy.angle),
+                format!("{:.1e}", accuracy.residual),
+                figure(other),
+                format!("{} / {}", accuracy.slips_too_many, accuracy.slips_too_few),
+                format!("{:.0}", row.cost.host),
+            ]);
+            cells
+        };
+        Self {
+            header: header.map(str::to_owned).to_vec(),
+            rows: rows.iter().map(cells).collect(),
+        }
+    }
+
+    /// Instructions and memory on an emulated chip (of [`Chip::ALL`]); `None` where nothing was counted on it.
+    pub(super) fn of_chip(rows: &[Row], chip: usize) -> Option<Self> {
+        let header = [
+            "number",
+            "evolution",
+            "dial",
+            "Hz",
+            "instructions per frame",
+            "worst frame",
+            "flash (bytes)",
+            "state (bytes)",
+            "stack (bytes)",
+        ];
+        let cells = |row: &Row| {
+            let counted = row.cost.emulated[chip]?;
+            let mut cells = names(row);
+            cells.extend([
+                format!("{:.0}", counted.instructions),
+                counted.worst.to_string(),
+                counted.flash.to_string(),
+                counted.state.to_string(),
+                counted.stack.to_string(),
+            ]);
+            Some(cells)
+        };
+        let rows: Vec<_> = rows.iter().filter_map(cells).collect();
+        (!rows.is_empty() && chip < Chip::ALL.len()).then(|| Self {
+            header: header.map(str::to_owned).to_vec(),
+            rows,
+        })
+    }
+
+    /// Columns side by side.
+    pub(super) fn text(&self) -> String {
+        let lines: Vec<&Vec<String>> = std::iter::once(&self.header).chain(&self.rows).collect();
+        let width = |k: usize| {
+            lines
+                .iter()
+                .map(|line| line[k].chars().count())
+                .max()
+                .unwrap_or(0)
+        };
+        let widths: Vec<usize> = (0..self.header.len()).map(width).collect();
+        let mut text = String::new();
+        for line in lines {
+            let cells = line
+                .iter()
+                .zip(&widths)
+                .enumerate()
+                .map(|(k, (cell, &width))| {
+                    if k < WORDS {
+                        format!("{cell:<width$}")
+                    } else {
+                        format!("{cell:>width$}")
+                    }
+                });
+            // Writing to a string does not fail.
+            let _ = writeln!(
+                text,
+                "  {}",
+                cells.collect::<Vec<_>>().join("  ").trim_end()
+            );
+        }
+        text
+    }
+
+    /// A table in Markdown.
+    pub(super) fn markdown(&self) -> String {
+        let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+        let rule = (0..self.header.len()).map(|k| if k < WORDS { "---|" } else { "---:|" });
+        let rule: String = rule.collect();
+        let rows: String = self.rows.iter().map(|row| line(row)).collect();
+        format!("{}|{rule}\n{rows}", line(&self.header))
+    }
+}
+
+fn names(row: &Row) -> Vec<String> {
+    let setting = &row.setting;
+    vec![
+        setting.number.name().to_owned(),
+        setting.evolution_name().to_owned(),
+        setting.dial.name.to_owned(),
+        row.rate.to_string(),
+    ]
+}
+
+fn spread(spread: Spread) -> String {
+    [spread.median, spread.most, spread.max]
+        .map(figure)
+        .join(" / ")
+}
+
+/// A number to two significant digits.
+pub(super) fn figure(value: f64) -> String {
+    let digits = |value: f64| 1 - value.log10().floor() as i32;
+    match value {
+        0.0 => "0".to_owned(),
+        value if value < 1e-3 => format!("{value:.0e}"),
+        value => format!("{value:.*}", usize::try_from(digits(value)).unwrap_or(0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_have_two_digits() {
+        let figures = [0.0, 3.2e-7, 0.0123, 0.56, 1.0, 9.96, 123.4, 12345.0].map(figure);
+        let expected = ["0", "3e-7", "0.012", "0.56", "1.0", "10.0", "123", "12345"];
+        assert_eq!(figures, expected);
+    }
+}

@@ -1,0 +1,199 @@
+//! `stiction trade` on a few scenes: a row for every combination, a reference without error, pictures, a README.
+
+mod common;
+
+use common::{Folder, text};
+use serde_json::Value;
+use stiction_host_sim::trade::{Dial, RATES, Setting};
+
+/// The cells of a column.
+fn column(rows: &[csv::StringRecord], header: &csv::StringRecord, name: &str) -> Vec<String> {
+    let place = header.iter().position(|column| column == name);
+    let place = place.unwrap_or_else(|| panic!("no column {name}"));
+    rows.iter().map(|row| row[place].to_owned()).collect()
+}
+
+#[test]
+fn every_combination_is_measured_against_a_reference_without_error() {
+    let folder = Folder::new();
+    folder.write(
+        "README.md",
+        "before\n<!-- trade: begin -->\n<!-- trade: end -->\nafter\n",
+    );
+    let arguments = [
+        "trade",
+        "--quick",
+        "--out",
+        "figures/trade",
+        "--readme",
+        "README.md",
+    ];
+    let output = folder.stiction(&arguments);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    rows(&folder);
+    report(&folder);
+    pictures(&folder);
+    let readme = folder.read("README.md");
+    for part in [
+        "before\n",
+        "| f32 | path | exact | 1000 |",
+        "(figures/trade/host.svg)",
+        "take ",
+        "\nafter\n",
+    ] {
+        assert!(readme.contains(part), "{part}: {readme}");
+    }
+    assert!(text(&output.stdout).contains("worst residual"));
+    let mut files: Vec<_> = (folder.file("figures/trade").read_dir())
+        .expect("the folder")
+        .map(|entry| entry.expect("a file").file_name())
+        .collect();
+    files.sort();
+    assert_eq!(files, ["host.png", "host.svg", "trade.csv", "trade.json"]);
+}
+
+fn rows(folder: &Folder) {
+    let csv = folder.read("figures/trade/trade.csv");
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let header = reader.headers().expect("a header").clone();
+    let rows: Vec<_> = reader.records().map(|row| row.expect("a row")).collect();
+    let cells = |name| column(&rows, &header, name);
+    let names: Vec<_> = ["number", "evolution", "dial", "rate_hz", "scenes"]
+        .map(cells)
+        .to_vec();
+    let key = |i: usize| {
+        names
+            .iter()
+            .map(|cells| cells[i].as_str())
+            .collect::<Vec<_>>()
+    };
+    let mut count = 0;
+    for setting in Setting::all() {
+        for rate in RATES {
+            for scenes in ["all", "bundled", "random", "hand"] {
+                let (rate, dial) = (format!("{rate:?}"), setting.dial.name);
+                let wanted = [
+                    setting.number.name(),
+                    setting.evolution_name(),
+                    dial,
+                    &rate,
+                    scenes,
+                ];
+                let found = (0..rows.len()).filter(|&i| key(i) == wanted).count();
+                assert_eq!(found, 1, "{wanted:?}");
+                count += 1;
+            }
+        }
+    }
+    assert_eq!(rows.len(), count);
+    assert_eq!(count, 3 * 2 * Dial::ALL.len() * 3 * 4);
+    let errors = [
+        "position_median_um",
+        "position_p99_um",
+        "position_max_um",
+        "angle_median_mrad",
+        "angle_p99_mrad",
+        "angle_max_mrad",
+    ];
+    for i in 0..rows.len() {
+        let values = errors.map(|name| cells(name)[i].parse::<f64>().expect("a number"));
+        assert!(values.iter().all(|value| value.is_finite()), "{:?}", key(i));
+        assert!(values[..3].is_sorted() && values[3..].is_sorted());
+        let is_reference = key(i)[..4] == ["f64", "path", "exact", "1000.0"];
+        if is_reference {
+            assert_eq!(values, [0.0; 6]);
+        }
+        let count = |name| cells(name)[i].parse::<u64>().expect("a count");
+        if is_reference {
+            assert_eq!(
+                ["other_state", "slips_too_many", "slips_too_few"].map(count),
+                [0; 3]
+            );
+        }
+        assert!(count("frames") > 0);
+        let time: f64 = cells("host_ns")[i].parse().expect("a time");
+        assert!(time > 0.0);
+        let residual: f64 = cells("worst_residual")[i].parse().expect("a residual");
+        let bound = if key(i)[0] == "f64" { 1e-9 } else { 2e-3 };
+        assert!(residual < bound, "{:?} {residual}", key(i));
+    }
+}
+
+fn report(folder: &Folder) {
+    let json = folder.read("figures/trade/trade.json");
+    let report: Value = serde_json::from_str(&json).expect("JSON");
+    let rows = report["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 3 * 2 * Dial::ALL.len() * 3 * 4);
+    assert!(rows.iter().all(|row| row["host_ns"].is_number()));
+    assert!(
+        report["advice"][0]
+            .as_str()
+            .is_some_and(|advice| advice.contains("take"))
+    );
+    assert!(report["machine"].is_string());
+}
+
+fn pictures(folder: &Folder) {
+    let svg = folder.read("figures/trade/host.svg");
+    let document = roxmltree::Document::parse(&svg).expect("XML");
+    let texts: Vec<_> = (document.descendants())
+        .filter(|node| node.has_tag_name("text"))
+        .filter_map(|node| node.text())
+        .map(str::trim)
+        .collect();
+    for part in ["fixed", "path", "ns per frame, mean", "1000"] {
+        assert!(texts.contains(&part), "{part}: {texts:?}");
+    }
+    let png = std::fs::read(folder.file("figures/trade/host.png")).expect("a picture");
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+}
+
+#[test]
+fn a_recorded_hand_takes_the_place_of_the_synthetic_one() {
+    let folder = Folder::new();
+    let path: String = (0..200)
+        .map(|k| f64::from(k) / 100.0)
+        .map(|t| format!("{t},{},{},{}\n", (3.0 * t).sin(), (2.0 * t).cos(), 0.3 * t))
+        .collect();
+    folder.write("mine.csv", format!("t,x,y,phi\n{path}"));
+    let output = folder.stiction(&["trade", "--quick", "--hand", "mine.csv"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("a recorded hand (mine.csv"));
+    assert_eq!(folder.names(), ["mine.csv", "trade"]);
+}
+
+#[test]
+fn what_cannot_be_used_is_refused_before_anything_is_measured() {
+    let folder = Folder::new();
+    folder.write("file", "a file");
+    folder.write("bare.md", "no section");
+    folder.write("bad.csv", "t,x,y\n0,0,0\n");
+    folder.write("long.csv", "t,x,y,phi\n0,0,0,0\n1000,1,0,0\n");
+    let cases: &[(&[&str], &[&str])] = &[
+        (&["--out", "file"], &["file", "cannot be written"]),
+        (
+            &["--out", "file/below"],
+            &["file/below", "cannot be written"],
+        ),
+        (&["--readme", "absent.md"], &["absent.md"]),
+        (
+            &["--readme", "bare.md"],
+            &["bare.md", "<!-- trade: begin -->"],
+        ),
+        (&["--hand", "bad.csv"], &["bad.csv", "line 1", "header"]),
+        (&["--hand", "long.csv"], &["long.csv", "1000 s", "600 s"]),
+        (&["--hand", "absent.csv"], &["absent.csv"]),
+        (&["--speed"], &["--speed"]),
+    ];
+    let before = folder.names();
+    for &(arguments, expected) in cases {
+        let output = folder.stiction(&[&["trade", "--quick"], arguments].concat());
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        for part in expected {
+            assert!(message.contains(part), "{part:?} is not in: {message}");
+        }
+        assert!(output.stdout.is_empty());
+        assert_eq!(folder.names(), before, "{arguments:?}");
+    }
+}
