@@ -7,6 +7,7 @@
 //!                                                └─ plot
 //! ```
 
+pub mod emulator;
 pub mod hand_path;
 pub mod number;
 pub mod plot;
