@@ -4,11 +4,13 @@
 //! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which passes files through by
 //! semihosting.
 
+mod bits;
 mod image;
 mod process;
 mod source;
 
-pub use image::{Level, footprint};
+pub use bits::Machine;
+pub use image::{Profile, footprint};
 pub use process::EmulatorError;
 pub use source::rust_source;
 
@@ -20,7 +22,6 @@ use std::process::Command;
 use stiction_core::{Description, Evolution, Hand, SurfaceDescription};
 use stiction_firmware::job::{self, Frame, Results, Totals};
 
-use crate::number::Number;
 use crate::record::SurfaceInfo;
 use crate::scene_file::SceneFile;
 use image::Image;
@@ -29,7 +30,7 @@ use process::output_of;
 /// An emulated board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Board {
-    /// STM32F405: Cortex-M4 with a floating point unit, 1 MB flash, 128 KB RAM.
+    /// STM32F405 (Netduino Plus 2): Cortex-M4 with a floating point unit, 1 MB flash, 128 KB RAM.
     Stm32F405,
     /// nRF51822 (micro:bit): Cortex-M0, 256 KB flash, 16 KB RAM.
     Nrf51822,
@@ -61,7 +62,7 @@ impl Board {
     /// QEMU for this board: program and machine.
     fn emulator(self) -> Command {
         let (program, machine): (_, &[_]) = match self {
-            Self::Stm32F405 => ("qemu-system-arm", &["olimex-stm32-h405"]),
+            Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"]),
             Self::Nrf51822 => ("qemu-system-arm", &["microbit"]),
             Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"]),
         };
@@ -77,6 +78,28 @@ impl Board {
             Self::Stm32F405 => 5,
             Self::Nrf51822 => 8,
             Self::RiscV => 0,
+        }
+    }
+}
+
+/// A number type of the images. A double float makes no sense on these boards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BoardNumber {
+    /// Single precision.
+    F32,
+    /// Fixed point.
+    Fixed,
+}
+
+impl BoardNumber {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
+
+    /// The name, also in those of the images.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
         }
     }
 }
@@ -123,17 +146,17 @@ fn surface(given: &SurfaceInfo) -> SurfaceDescription<f64> {
     }
 }
 
-/// Does a job on a board: the instructions of every frame.
+/// Does a job on a board: the instructions of every frame. A job has at most 8 vertices and 4 surfaces.
 ///
 /// # Errors
 /// A program is missing, the image cannot be built, or the job ends with an error.
 pub fn count(
     board: Board,
-    number: Number,
-    level: Level,
+    number: BoardNumber,
+    profile: Profile,
     job: &[u8],
 ) -> Result<Counted, EmulatorError> {
-    let image = Image::of_board(board, &format!("count_{}", number.name()), level)?;
+    let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
     let folder = tempfile::tempdir()?;
     fs::write(folder.path().join("job"), job)?;
     let mut emulator = board.emulator();
@@ -148,37 +171,6 @@ pub fn count(
         frames: results.frames().collect::<Result<_, _>>()?,
         totals: results.totals,
     })
-}
-
-/// The hash of all answers of a walk of so many frames on a board: see [`stiction_firmware::bits`].
-///
-/// # Errors
-/// A program is missing, the image cannot be built, or its run ends with an error.
-pub fn bits(board: Board, number: Number, frames: u32) -> Result<u64, EmulatorError> {
-    let image = Image::of_board(board, &format!("bits_{}", number.name()), Level::Speed)?;
-    let hash = run(board.emulator(), &image, &["bits", &frames.to_string()])?;
-    parse_hash(&hash)
-}
-
-/// The same hash by WebAssembly, in Node.
-///
-/// # Errors
-/// As [`bits`].
-pub fn bits_by_wasm(number: Number, frames: u32) -> Result<u64, EmulatorError> {
-    let image = Image::of_wasm("bits_wasm")?;
-    let script = format!(
-        "const wasm = new WebAssembly.Module(require('fs').readFileSync(process.argv[1]));
-         const hash = new WebAssembly.Instance(wasm).exports.bits_{}({frames});
-         console.log(BigInt.asUintN(64, hash).toString(16));",
-        number.name()
-    );
-    let mut node = Command::new("node");
-    node.arg("-e").arg(script).arg(image.path());
-    parse_hash(&output_of(node)?)
-}
-
-fn parse_hash(text: &str) -> Result<u64, EmulatorError> {
-    u64::from_str_radix(text.trim(), 16).map_err(|_| EmulatorError::Output(text.trim().to_owned()))
 }
 
 /// Runs an image with a command line. What it prints.

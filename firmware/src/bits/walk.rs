@@ -85,7 +85,7 @@ impl Walk {
         Hand {
             position: [x, y],
             angle: Angle { turns: 0, rest },
-            depth: F::ZERO,
+            depth: rest,
             held: self.held,
         }
     }
@@ -135,7 +135,7 @@ pub struct Answer<F> {
     pub contacts: Contacts<F>,
 }
 
-/// Takes the body along a walk of so many frames and shows every answer.
+/// Takes the body along the walk, for so many frames and at least one, and shows every answer.
 pub fn follow<R: Real<Si: SiFloat>>(
     evolution: Evolution,
     frames: u32,

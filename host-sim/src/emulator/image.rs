@@ -11,13 +11,29 @@ use serde_json::Value;
 use super::process::{EmulatorError, output_of};
 use super::{Board, workspace};
 
-/// What the compiler optimises for.
+/// How the compiler optimises; the profiles of the workspace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Level {
-    /// Few instructions (`opt-level = 3`).
-    Speed,
-    /// Little flash (`opt-level = "s"`).
-    Size,
+pub enum Profile {
+    /// For finding errors.
+    Dev,
+    /// For everyday use on a computer.
+    Release,
+    /// For few instructions on a board.
+    Device,
+    /// For little flash.
+    DeviceSmall,
+}
+
+impl Profile {
+    /// The name that cargo knows.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dev => "dev",
+            Self::Release => "release",
+            Self::Device => "device",
+            Self::DeviceSmall => "device-small",
+        }
+    }
 }
 
 /// A program built for a machine.
@@ -30,14 +46,18 @@ impl Image {
     pub(super) fn of_board(
         board: Board,
         binary: &str,
-        level: Level,
+        profile: Profile,
     ) -> Result<Self, EmulatorError> {
-        Self::built(cargo_for(board, binary, level))
+        Self::built(cargo_for(board, binary, profile))
     }
 
-    /// An example of the firmware for a WebAssembly runtime.
-    pub(super) fn of_wasm(example: &str) -> Result<Self, EmulatorError> {
-        let mut cargo = cargo("wasm32-unknown-unknown");
+    /// An example of the firmware for a target, or for this computer.
+    pub(super) fn of_example(
+        example: &str,
+        profile: Profile,
+        target: Option<&str>,
+    ) -> Result<Self, EmulatorError> {
+        let mut cargo = cargo(profile, target);
         cargo.args(["--example", example]);
         Self::built(cargo)
     }
@@ -75,12 +95,12 @@ impl Image {
 ///
 /// # Errors
 /// Cargo or the target is missing, or the image cannot be built.
-pub fn footprint(board: Board, level: Level, scene: &str) -> Result<u64, EmulatorError> {
+pub fn footprint(board: Board, profile: Profile, scene: &str) -> Result<u64, EmulatorError> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.rs");
     fs::write(&file, scene)?;
     let flash = |binary| {
-        let mut cargo = cargo_for(board, binary, level);
+        let mut cargo = cargo_for(board, binary, profile);
         cargo.env("STICTION_SCENE", &file);
         Image::built(cargo)?.flash()
     };
@@ -88,23 +108,21 @@ pub fn footprint(board: Board, level: Level, scene: &str) -> Result<u64, Emulato
 }
 
 /// Builds a binary of the firmware for a board.
-fn cargo_for(board: Board, binary: &str, level: Level) -> Command {
-    let mut cargo = cargo(board.target());
+fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
+    let mut cargo = cargo(profile, Some(board.target()));
     cargo.args(["--features", "board", "--bin", binary]);
-    let level = match level {
-        Level::Speed => "3",
-        Level::Size => "s",
-    };
-    cargo.env("CARGO_PROFILE_DEVICE_OPT_LEVEL", level);
     cargo
 }
 
 /// Builds something of the firmware.
-fn cargo(target: &str) -> Command {
+fn cargo(profile: Profile, target: Option<&str>) -> Command {
     let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(workspace());
     cargo.args(["build", "--locked", "--package", "stiction-firmware"]);
-    cargo.args(["--profile", "device", "--target", target]);
+    cargo.args(["--profile", profile.name()]);
+    if let Some(target) = target {
+        cargo.args(["--target", target]);
+    }
     cargo.arg("--message-format=json-render-diagnostics");
     cargo
 }

@@ -100,12 +100,6 @@ fn joined(text: thread::JoinHandle<io::Result<String>>) -> io::Result<String> {
 
 /// Some failures are something missing.
 fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError {
-    if message.contains("unsupported machine type") {
-        return EmulatorError::Missing {
-            what: format!("the board in {program}, which is older than QEMU 10"),
-            install: "apt-get install -y -t bookworm-backports qemu-system-arm".to_owned(),
-        };
-    }
     let target = message
         .split_once("target may not be installed")
         .and_then(|(before, _)| before.trim_end().rsplit('`').nth(1));

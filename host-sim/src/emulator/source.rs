@@ -3,11 +3,11 @@
 
 use stiction_core::Evolution;
 
-use crate::number::Number;
+use super::BoardNumber;
 use crate::scene_file::SceneFile;
 
 /// The code of a scene, as in `firmware/scenes/box.rs`.
-pub fn rust_source(scene: &SceneFile, number: Number, evolution: Evolution) -> String {
+pub fn rust_source(scene: &SceneFile, number: BoardNumber, evolution: Evolution) -> String {
     let friction = (scene.surfaces.iter()).any(|s| s.friction_static > 0.0);
     let surfaces: Vec<String> = scene.surfaces.iter().map(|s| {
         format!(
@@ -16,11 +16,10 @@ pub fn rust_source(scene: &SceneFile, number: Number, evolution: Evolution) -> S
         )
     }).collect();
     format!(
-        "use stiction_core::{{Description, Evolution, Parts, Real, Scene, SurfaceDescription}};
-         type Number = {number};
-         pub(crate) type CompiledScene = Scene<Number, {vertex_count}, {surface_count}, Parts<{friction}, {weight}>>;
+        "use stiction_core::{{Description, Evolution, Parts, Scene, SurfaceDescription}};
+         pub(crate) type CompiledScene = Scene<{number}, {vertex_count}, {surface_count}, Parts<{friction}, {weight}>>;
          pub(crate) const EVOLUTION: Evolution = Evolution::{evolution:?};
-         pub(crate) const SCENE: Description<'static, <Number as Real>::Si> = Description {{
+         pub(crate) const SCENE: Description<'static, f32> = Description {{
              vertices: &{vertices:?},
              start: {start:?},
              weight: {newtons:?},
@@ -30,7 +29,10 @@ pub fn rust_source(scene: &SceneFile, number: Number, evolution: Evolution) -> S
              stiffness_rotation: {stiffness_rotation:?},
              surfaces: &[{surfaces}],
          }};",
-        number = number.name(),
+        number = match number {
+            BoardNumber::F32 => "f32",
+            BoardNumber::Fixed => "stiction_core::Fixed",
+        },
         vertex_count = scene.vertices.len(),
         surface_count = scene.surfaces.len(),
         weight = scene.weight > 0.0,
