@@ -19,13 +19,27 @@ use stiction_host_sim::source::Source;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// What is measured: the boards with what they compute with, in both profiles.
-const IMAGES: [(Board, BoardNumber, Profile); 4] = [
-    (Board::Stm32F405, BoardNumber::F32, Profile::Device),
-    (Board::Stm32F405, BoardNumber::F32, Profile::DeviceSmall),
-    (Board::Nrf51822, BoardNumber::Fixed, Profile::Device),
-    (Board::Nrf51822, BoardNumber::Fixed, Profile::DeviceSmall),
-];
+/// What is measured: a board with what it computes with.
+#[derive(Clone, Copy)]
+struct Build {
+    board: Board,
+    number: BoardNumber,
+    profile: Profile,
+}
+
+/// A scene that needs more or less of the solver.
+struct Size {
+    name: &'static str,
+    /// `[body]` without its start.
+    body: &'static str,
+    /// Weight (N).
+    weight: f64,
+    /// mu_s; mu_d is 0.
+    friction: f64,
+    /// Of the surfaces.
+    normals: &'static [[f64; 2]],
+}
+
 const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 const DRAGGED: [&str; 2] = ["vertex-stick-slip", "box-flat"];
 
@@ -33,73 +47,104 @@ const BOX: &str = "rectangle = [0.10, 0.06]";
 const POINT: &str = "vertices = [[0.0, 0.0]]";
 const FLOOR: [f64; 2] = [0.0, 1.0];
 const WALL: [f64; 2] = [-1.0, 0.0];
-/// Scenes for the flash: body, weight, mu_s, normals of the surfaces.
-const SIZES: [(&str, &str, f64, f64, &[[f64; 2]]); 6] = [
-    ("V = 4, S = 2, Full", BOX, 1.0, 0.5, &[FLOOR, WALL]),
-    ("V = 4, S = 1, Full", BOX, 1.0, 0.5, &[FLOOR]),
-    ("V = 4, S = 1, Weightless", BOX, 0.0, 0.5, &[FLOOR]),
-    ("V = 1, S = 1, Full", POINT, 1.0, 0.5, &[FLOOR]),
-    ("V = 1, S = 1, Frictionless", POINT, 1.0, 0.0, &[FLOOR]),
-    ("V = 1, S = 1, Bare", POINT, 0.0, 0.0, &[FLOOR]),
+
+const fn size(
+    name: &'static str,
+    body: &'static str,
+    [weight, friction]: [f64; 2],
+    normals: &'static [[f64; 2]],
+) -> Size {
+    Size {
+        name,
+        body,
+        weight,
+        friction,
+        normals,
+    }
+}
+
+const SIZES: [Size; 6] = [
+    size("V = 4, S = 2, Full", BOX, [1.0, 0.5], &[FLOOR, WALL]),
+    size("V = 4, S = 1, Full", BOX, [1.0, 0.5], &[FLOOR]),
+    size("V = 4, S = 1, Weightless", BOX, [0.0, 0.5], &[FLOOR]),
+    size("V = 1, S = 1, Full", POINT, [1.0, 0.5], &[FLOOR]),
+    size("V = 1, S = 1, Frictionless", POINT, [1.0, 0.0], &[FLOOR]),
+    size("V = 1, S = 1, Bare", POINT, [0.0, 0.0], &[FLOOR]),
 ];
+
+impl Build {
+    /// The boards with their numbers, in both profiles.
+    const ALL: [Self; 4] = [
+        Self::new(Board::Stm32F405, BoardNumber::F32, Profile::Device),
+        Self::new(Board::Stm32F405, BoardNumber::F32, Profile::DeviceSmall),
+        Self::new(Board::Nrf51822, BoardNumber::Fixed, Profile::Device),
+        Self::new(Board::Nrf51822, BoardNumber::Fixed, Profile::DeviceSmall),
+    ];
+
+    const fn new(board: Board, number: BoardNumber, profile: Profile) -> Self {
+        Self {
+            board,
+            number,
+            profile,
+        }
+    }
+
+    /// The first cells of a row.
+    fn title(self) -> String {
+        let [board, number] = [self.board.name(), self.number.name()];
+        format!("{board} | {number} | {}", self.profile.name())
+    }
+}
 
 fn main() -> Outcome<()> {
     println!(
         "| board | number | profile | scene | evolution | frames | mean | worst | worst frame | stack | state | output |\n\
          |---|---|---|---|---|---|---|---|---|---|---|---|"
     );
-    for image in IMAGES {
+    for build in Build::ALL {
         for scene in DRAGGED {
             for evolution in EVOLUTIONS {
-                println!("{}", dragged(image, scene, evolution)?);
+                println!("{}", dragged(build, scene, evolution)?);
             }
         }
     }
     println!(
         "\n| board | number | profile | scene | flash, path | flash, frame |\n|---|---|---|---|---|---|"
     );
-    for image in IMAGES {
-        for size in SIZES {
-            let [path, frame] = EVOLUTIONS.map(|evolution| flash(image, size, evolution));
+    for build in Build::ALL {
+        for size in &SIZES {
+            let [path, frame] = EVOLUTIONS.map(|evolution| flash(build, size, evolution));
             let (path, frame) = (path?, frame?);
-            println!("| {} | {} | {path} | {frame} |", title(image), size.0);
+            println!("| {} | {} | {path} | {frame} |", build.title(), size.name);
         }
     }
     Ok(())
 }
 
-fn title((board, number, profile): (Board, BoardNumber, Profile)) -> String {
-    format!("{} | {} | {}", board.name(), number.name(), profile.name())
-}
-
 /// A bundled scene along its hand's path on a board.
-fn dragged(
-    image: (Board, BoardNumber, Profile),
-    name: &str,
-    evolution: Evolution,
-) -> Outcome<String> {
+fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
     let source = scenes::find(name.as_ref()).ok_or("no such scene")?;
     let scene = SceneFile::parse(source, Number::F32)?;
     let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
         return Err("a scene without keyframes".into());
     };
     let hands: Vec<_> = path.frames(scene.hand.rate).map(|s| s.hand).collect();
-    let (board, number, profile) = image;
-    let counted = count(board, number, profile, &job(&scene, evolution, &hands))?;
+    let job = job(&scene, evolution, &hands);
+    let counted = count(build.board, build.number, build.profile, &job)?;
     // The first frame is the start.
     let steps = &counted.frames[1..];
     let instructions = || steps.iter().map(|frame| u64::from(frame.instructions));
     let mean = instructions().sum::<u64>() / steps.len() as u64;
     let worst = (1..).zip(steps).max_by_key(|(_, frame)| frame.instructions);
     let (i, worst) = worst.ok_or("a path of one frame")?;
-    let events = match number {
+    let events = match build.number {
         BoardNumber::F32 => events::<f32>(&scene, evolution, &hands[..=i])?,
         BoardNumber::Fixed => events::<Fixed>(&scene, evolution, &hands[..=i])?,
     };
     let Counted { frames, totals } = &counted;
     Ok(format!(
         "| {} | {name} | {} | {} | {mean} | {} | {i}: {}, {} | {} | {} | {} |",
-        title(image),
+        build.title(),
         format!("{evolution:?}").to_lowercase(),
         frames.len(),
         worst.instructions,
@@ -133,11 +178,14 @@ fn events<R: Real<Si = f32>>(
 }
 
 /// The flash that the solver of a scene takes on a board (bytes).
-fn flash(
-    (board, number, profile): (Board, BoardNumber, Profile),
-    (_, body, weight, friction, normals): (&str, &str, f64, f64, &[[f64; 2]]),
-    evolution: Evolution,
-) -> Outcome<u64> {
+fn flash(build: Build, size: &Size, evolution: Evolution) -> Outcome<u64> {
+    let Size {
+        body,
+        weight,
+        friction,
+        normals,
+        ..
+    } = size;
     let surface = |(i, normal): (usize, &[f64; 2])| {
         format!("[[surface]]\nname = \"{i}\"\nnormal = {normal:?}\noffset = -1.0\n")
     };
@@ -148,6 +196,6 @@ fn flash(
          [friction]\nstatic = {friction:?}\ndynamic = 0.0\n{surfaces}"
     );
     let scene = SceneFile::parse(Source::new("size.toml", text), Number::F32)?;
-    let code = rust_source(&scene, number, evolution);
-    Ok(footprint(board, profile, &code)?)
+    let code = rust_source(&scene, build.number, evolution);
+    Ok(footprint(build.board, build.profile, &code)?)
 }
