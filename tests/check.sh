@@ -19,6 +19,23 @@ cargo fmt --all --check
 stage 'lints'
 cargo clippy --workspace --all-targets --locked -- -D warnings
 
+for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
+  stage "core and firmware on $target"
+  if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
+    cargo build -p stiction-core --release --locked --target "$target"
+    [ "$target" = wasm32-unknown-unknown ] ||
+      cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
+  else
+    missing "target $target" "rustup target add $target"
+  fi
+done
+
+stage 'emulators'
+for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs; do
+  install="apt-get install -y --no-install-recommends ${tool#*:}"
+  command -v "${tool%:*}" || { apt-get update && $install; } || missing "${tool%:*}" "$install"
+done
+
 stage 'tests, debug'
 cargo test --workspace --locked
 
@@ -27,15 +44,6 @@ cargo test --workspace --release --locked
 
 stage 'documentation'
 RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
-
-for target in thumbv7em-none-eabihf thumbv6m-none-eabi; do
-  stage "core on $target"
-  if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
-    cargo build -p stiction-core --release --locked --target "$target"
-  else
-    missing "target $target" "rustup target add $target"
-  fi
-done
 
 oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 stage "oldest compiler, $oldest"

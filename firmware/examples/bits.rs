@@ -1,6 +1,7 @@
 //! Prints what the walk of the hand comes to on this machine: `cargo run --example bits -- f32 100000`.
 
 use std::process::ExitCode;
+use stiction_core::Fixed;
 use stiction_firmware::bits::of_walk;
 
 fn main() -> ExitCode {
@@ -10,7 +11,7 @@ fn main() -> ExitCode {
         _ => None,
     };
     let Some(hash) = hash else {
-        eprintln!("usage: bits f32|f64 FRAMES");
+        eprintln!("usage: bits f32|fixed FRAMES");
         return ExitCode::from(2);
     };
     println!("{hash:016x}");
@@ -20,7 +21,7 @@ fn main() -> ExitCode {
 fn hash(number: &str, frames: u32) -> Option<u64> {
     match number {
         "f32" => Some(of_walk::<f32>(frames)),
-        "f64" => Some(of_walk::<f64>(frames)),
+        "fixed" => Some(of_walk::<Fixed>(frames)),
         _ => None,
     }
 }

@@ -7,7 +7,7 @@ use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightles
 pub(crate) type CompiledScene = Scene<f32, 4, 1, Weightless>;
 /// How a frame is evolved.
 pub(crate) const EVOLUTION: Evolution = Evolution::Path;
-/// The scene, in the outside float of the number type.
+/// The scene, SI units.
 pub(crate) const SCENE: Description<'static, f32> = Description {
     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
     start: [0.0, 0.03, 0.0],

@@ -8,10 +8,11 @@ use stiction_core::{Contact, Evolution, Real};
 use crate::si::SiFloat;
 pub use walk::{Answer, Walk, follow};
 
-/// The hash of a walk of so many frames, gone once in each evolution.
+/// The hash of so many frames of the walk: its first half in each evolution.
 pub fn of_walk<R: Real<Si: SiFloat>>(frames: u32) -> u64 {
     let mut hash = Hash::new();
-    for evolution in [Evolution::Path, Evolution::Frame] {
+    let half = frames / 2;
+    for (evolution, frames) in [(Evolution::Path, frames - half), (Evolution::Frame, half)] {
         follow::<R>(evolution, frames, |answer| hash.answer(answer));
     }
     hash.value
@@ -51,7 +52,7 @@ impl Hash {
         self.word(output.slips);
         self.word(output.angle.turns.cast_unsigned());
         let ([x, y], [force_x, force_y]) = (output.position, wrench.force);
-        for value in [x, y, output.angle.rest, output.longest_slip] {
+        for value in [x, y, output.depth, output.angle.rest, output.longest_slip] {
             self.float(value);
         }
         for value in [force_x, force_y, wrench.moment] {
@@ -59,6 +60,9 @@ impl Hash {
         }
         for &event in output.events() {
             self.word(event as u32);
+        }
+        for arm in output.transitions.iter() {
+            self.word(arm as u32);
         }
         for contact in contacts.iter() {
             self.contact(contact);

@@ -18,7 +18,7 @@
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
-//! programs are in `src/bin`, one for each number type.
+//! programs are in `src/bin`, one for each number type of a board.
 
 pub mod bits;
 #[cfg(all(feature = "board", target_os = "none"))]

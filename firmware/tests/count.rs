@@ -1,7 +1,7 @@
 //! A job of the instruction bench comes back with the solver's own answers; what is not a job is refused.
 
 use stiction_core::{
-    Angle, Description, Evolution, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+    Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
 };
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, run};
 use stiction_firmware::job::{self, FormatError, Frame, Results};
@@ -144,6 +144,7 @@ fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
 fn a_job_comes_back_with_the_answers_of_the_solver() {
     for evolution in [Evolution::Path, Evolution::Frame] {
         comes_back::<f32>(evolution);
+        comes_back::<Fixed>(evolution);
         comes_back::<f64>(evolution);
     }
 }

@@ -10,6 +10,7 @@
 //! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
 
 mod balance;
+pub mod emulator;
 pub mod hand_path;
 pub mod machine;
 pub mod number;

@@ -85,7 +85,7 @@ impl Walk {
         Hand {
             position: [x, y],
             angle: Angle { turns: 0, rest },
-            depth: F::ZERO,
+            depth: rest,
             held: self.held,
         }
     }
@@ -101,7 +101,7 @@ fn in_units(value: f64) -> i32 {
     (value * f64::from(UNITS_PER_ONE)) as i32
 }
 
-/// The box of the benchmarks over a floor, before a wall.
+/// The box of the benchmarks, with a weight, over a floor, before a wall.
 fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
     let narrow = R::Si::narrow;
     let surface = |normal: [f64; 2], offset: f64| SurfaceDescription {
@@ -114,7 +114,7 @@ fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
     let description = Description {
         vertices: &vertices.map(|vertex| vertex.map(narrow)),
         start: [-0.03, 0.08, 0.0].map(narrow),
-        weight: narrow(0.0),
+        weight: narrow(1.0),
         holding_point: Some([0.0, 0.02].map(narrow)),
         reach: narrow(0.0),
         stiffness_translation: narrow(500.0),
@@ -135,7 +135,7 @@ pub struct Answer<F> {
     pub contacts: Contacts<F>,
 }
 
-/// Takes the body along a walk of so many frames and shows every answer.
+/// Takes the body along the walk, for so many frames and at least one, and shows every answer.
 pub fn follow<R: Real<Si: SiFloat>>(
     evolution: Evolution,
     frames: u32,

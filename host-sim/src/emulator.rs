@@ -1,0 +1,190 @@
+//! The solver on emulated boards: from a scene and the hand's samples to the instructions of every frame and to the stack
+//! (`count`), from a number of frames to the hash of all bits (`bits`), from a scene to the flash that its solver takes.
+//!
+//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which passes files through by
+//! semihosting.
+
+mod bits;
+mod image;
+mod process;
+mod source;
+
+pub use bits::Machine;
+pub use image::{Profile, footprint};
+pub use process::EmulatorError;
+pub use source::rust_source;
+
+use std::convert::Infallible;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use stiction_core::{Description, Evolution, Hand, SurfaceDescription};
+use stiction_firmware::job::{self, Frame, Results, Totals};
+
+use crate::record::SurfaceInfo;
+use crate::scene_file::SceneFile;
+use image::Image;
+use process::output_of;
+
+/// An emulated board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Board {
+    /// STM32F405 (Netduino Plus 2): Cortex-M4 with a floating point unit, 1 MB flash, 128 KB RAM.
+    Stm32F405,
+    /// nRF51822 (micro:bit): Cortex-M0, 256 KB flash, 16 KB RAM.
+    Nrf51822,
+    /// QEMU's RISC-V machine, RV32IMC.
+    RiscV,
+}
+
+impl Board {
+    /// All boards.
+    pub const ALL: [Self; 3] = [Self::Stm32F405, Self::Nrf51822, Self::RiscV];
+
+    /// The name for a reader.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stm32F405 => "Cortex-M4F (STM32F405)",
+            Self::Nrf51822 => "Cortex-M0 (nRF51822)",
+            Self::RiscV => "RISC-V (RV32IMC)",
+        }
+    }
+
+    const fn target(self) -> &'static str {
+        match self {
+            Self::Stm32F405 => "thumbv7em-none-eabihf",
+            Self::Nrf51822 => "thumbv6m-none-eabi",
+            Self::RiscV => "riscv32imc-unknown-none-elf",
+        }
+    }
+
+    /// QEMU for this board: program and machine.
+    fn emulator(self) -> Command {
+        let (program, machine): (_, &[_]) = match self {
+            Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"]),
+            Self::Nrf51822 => ("qemu-system-arm", &["microbit"]),
+            Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"]),
+        };
+        let mut command = Command::new(program);
+        command.arg("-machine").args(machine);
+        command.args(["-nographic", "-monitor", "none", "-serial", "none"]);
+        command
+    }
+
+    /// Each instruction takes 2^N ns of the emulated clock: N as the program `count` of this board expects it.
+    const fn instruction_shift(self) -> u8 {
+        match self {
+            Self::Stm32F405 => 5,
+            Self::Nrf51822 => 8,
+            Self::RiscV => 0,
+        }
+    }
+}
+
+/// A number type of the images. A double float makes no sense on these boards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BoardNumber {
+    /// Single precision.
+    F32,
+    /// Fixed point.
+    Fixed,
+}
+
+impl BoardNumber {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
+
+    /// The name, also in those of the images.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
+/// The results of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counted {
+    /// The frames; the first one is the start.
+    pub frames: Vec<Frame>,
+    /// Stack and sizes.
+    pub totals: Totals,
+}
+
+/// A job for [`count`]: the scene, and a hand sample for every frame.
+pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
+    let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
+    let description = Description {
+        vertices: &scene.vertices,
+        start: scene.start,
+        weight: scene.weight,
+        holding_point: scene.holding_point,
+        reach: scene.reach,
+        stiffness_translation: scene.stiffness_translation,
+        stiffness_rotation: scene.stiffness_rotation,
+        surfaces: &surfaces,
+    };
+    let mut bytes = Vec::new();
+    let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
+    // A sink that keeps everything does not fail.
+    let _ = job::write_scene(&description, evolution, samples, |part| {
+        bytes.extend_from_slice(part);
+        Ok::<_, Infallible>(())
+    });
+    bytes.extend(hands.iter().flat_map(job::encode_sample));
+    bytes
+}
+
+fn surface(given: &SurfaceInfo) -> SurfaceDescription<f64> {
+    SurfaceDescription {
+        normal: given.normal,
+        offset: given.offset,
+        friction_static: given.friction_static,
+        friction_dynamic: given.friction_dynamic,
+    }
+}
+
+/// Does a job on a board: the instructions of every frame. A job has at most 8 vertices and 4 surfaces.
+///
+/// # Errors
+/// A program is missing, the image cannot be built, or the job ends with an error.
+pub fn count(
+    board: Board,
+    number: BoardNumber,
+    profile: Profile,
+    job: &[u8],
+) -> Result<Counted, EmulatorError> {
+    let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
+    let folder = tempfile::tempdir()?;
+    fs::write(folder.path().join("job"), job)?;
+    let mut emulator = board.emulator();
+    emulator
+        .current_dir(folder.path())
+        .arg("-icount")
+        .arg(format!("shift={}", board.instruction_shift()));
+    run(emulator, &image, &["count", "job", "results"])?;
+    let bytes = fs::read(folder.path().join("results"))?;
+    let results = Results::read(&bytes)?;
+    Ok(Counted {
+        frames: results.frames().collect::<Result<_, _>>()?,
+        totals: results.totals,
+    })
+}
+
+/// Runs an image with a command line. What it prints.
+fn run(mut emulator: Command, image: &Image, line: &[&str]) -> Result<String, EmulatorError> {
+    let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
+    emulator
+        .arg("-semihosting-config")
+        .arg(format!("enable=on,target=native{line}"))
+        .arg("-kernel")
+        .arg(image.path());
+    output_of(emulator)
+}
+
+/// The folder of the workspace: there lies what images are built from.
+fn workspace() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}

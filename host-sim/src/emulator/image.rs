@@ -1,0 +1,143 @@
+//! Images of the firmware: built by cargo, and how much of a board's flash they fill.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use object::{Object, ObjectSection, SectionFlags, elf};
+use serde_json::Value;
+
+use super::process::{EmulatorError, output_of};
+use super::{Board, workspace};
+
+/// How the compiler optimises; the profiles of the workspace.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Profile {
+    /// For finding errors.
+    Dev,
+    /// For everyday use on a computer.
+    Release,
+    /// For few instructions on a board.
+    Device,
+    /// For little flash.
+    DeviceSmall,
+}
+
+impl Profile {
+    /// The name that cargo knows.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dev => "dev",
+            Self::Release => "release",
+            Self::Device => "device",
+            Self::DeviceSmall => "device-small",
+        }
+    }
+}
+
+/// A program built for a machine.
+pub(super) struct Image {
+    path: PathBuf,
+}
+
+impl Image {
+    /// A binary of the firmware for a board.
+    pub(super) fn of_board(
+        board: Board,
+        binary: &str,
+        profile: Profile,
+    ) -> Result<Self, EmulatorError> {
+        Self::built(cargo_for(board, binary, profile))
+    }
+
+    /// An example of the firmware for a target, or for this computer.
+    pub(super) fn of_example(
+        example: &str,
+        profile: Profile,
+        target: Option<&str>,
+    ) -> Result<Self, EmulatorError> {
+        let mut cargo = cargo(profile, target);
+        cargo.args(["--example", example]);
+        Self::built(cargo)
+    }
+
+    /// The file of the last program that cargo speaks of.
+    fn built(cargo: Command) -> Result<Self, EmulatorError> {
+        let messages = output_of(cargo)?;
+        match messages.lines().rev().find_map(artifact) {
+            Some(path) => Ok(Self { path }),
+            None => Err(EmulatorError::Output("cargo names no image".to_owned())),
+        }
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The flash that it takes (bytes): instructions, constants, the first values of variables.
+    fn flash(&self) -> Result<u64, EmulatorError> {
+        let bytes = fs::read(&self.path)?;
+        let file = object::File::parse(&*bytes)
+            .map_err(|error| EmulatorError::Output(error.to_string()))?;
+        let sections = file.sections().filter(|section| match section.flags() {
+            SectionFlags::Elf { sh_type, sh_flags } => {
+                sh_type != elf::SHT_NOBITS && sh_flags.contains(elf::SHF_ALLOC)
+            }
+            _ => false,
+        });
+        Ok(sections.map(|section| section.size()).sum())
+    }
+}
+
+/// The flash that the solver of a scene takes on a board (bytes): an image with it, less the same image without. `scene`
+/// is Rust code, see [`rust_source`](super::rust_source).
+///
+/// # Errors
+/// Cargo or the target is missing, or the image cannot be built.
+pub fn footprint(board: Board, profile: Profile, scene: &str) -> Result<u64, EmulatorError> {
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("scene.rs");
+    fs::write(&file, scene)?;
+    let flash = |binary| {
+        let mut cargo = cargo_for(board, binary, profile);
+        cargo.env("STICTION_SCENE", &file);
+        Image::built(cargo)?.flash()
+    };
+    Ok(flash("footprint")?.saturating_sub(flash("footprint_baseline")?))
+}
+
+/// Builds a binary of the firmware for a board.
+fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
+    let mut cargo = cargo(profile, Some(board.target()));
+    cargo.args(["--features", "board", "--bin", binary]);
+    cargo
+}
+
+/// Builds something of the firmware.
+fn cargo(profile: Profile, target: Option<&str>) -> Command {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(workspace());
+    cargo.args(["build", "--locked", "--package", "stiction-firmware"]);
+    cargo.args(["--profile", profile.name()]);
+    if let Some(target) = target {
+        cargo.args(["--target", target]);
+    }
+    cargo.arg("--message-format=json-render-diagnostics");
+    cargo
+}
+
+/// The file in a message of cargo, if the message is of a finished program.
+fn artifact(message: &str) -> Option<PathBuf> {
+    let message: Value = serde_json::from_str(message).ok()?;
+    if message["reason"] != "compiler-artifact" {
+        return None;
+    }
+    if let Some(executable) = message["executable"].as_str() {
+        return Some(executable.into());
+    }
+    let mut files = message["filenames"].as_array()?.iter();
+    files
+        .find_map(|file| file.as_str().filter(|name| name.ends_with(".wasm")))
+        .map(PathBuf::from)
+}

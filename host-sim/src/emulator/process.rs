@@ -1,0 +1,171 @@
+//! Programs that are started to do the work: what they print, and why they did not do it.
+
+use std::io::{self, Read};
+use std::process::{Command, ExitStatus, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use stiction_firmware::job::FormatError;
+
+/// A program that runs longer hangs.
+const LONGEST: Duration = Duration::from_secs(1800);
+
+/// Why an emulated run gave nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum EmulatorError {
+    /// Something is not installed.
+    #[error("missing: {what}; to install it: {install}")]
+    Missing {
+        /// What.
+        what: String,
+        /// The command that installs it.
+        install: String,
+    },
+    /// A program failed.
+    #[error("{program} failed ({status}){message}")]
+    Failed {
+        /// Which one.
+        program: String,
+        /// How it ended.
+        status: ExitStatus,
+        /// What it said, after a line break.
+        message: String,
+    },
+    /// A program did not come to an end.
+    #[error("{0} was ended after {limit} s", limit = LONGEST.as_secs())]
+    Hung(String),
+    /// The results are not whole.
+    #[error("the results of the board: {0}")]
+    Format(#[from] FormatError),
+    /// An image or an answer is not what it should be.
+    #[error("not understood: {0}")]
+    Output(String),
+    /// A file cannot be read or written, or a program not be started.
+    #[error(transparent)]
+    File(#[from] io::Error),
+}
+
+/// Runs a program to its end. What it prints.
+pub(super) fn output_of(mut command: Command) -> Result<String, EmulatorError> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let child = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let mut child = match child {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            let install = install(&program);
+            return Err(EmulatorError::Missing {
+                what: program,
+                install,
+            });
+        }
+        other => other?,
+    };
+    let (out, err) = (text(child.stdout.take()), text(child.stderr.take()));
+    let begun = Instant::now();
+    let status = loop {
+        if let Some(status) = child.try_wait()? {
+            break status;
+        }
+        if begun.elapsed() > LONGEST {
+            child.kill()?;
+            child.wait()?;
+            return Err(EmulatorError::Hung(program));
+        }
+        thread::sleep(Duration::from_millis(5));
+    };
+    let (out, err) = (joined(out)?, joined(err)?);
+    if status.success() {
+        return Ok(out);
+    }
+    Err(failure(program, status, &err))
+}
+
+/// Reads all that a program prints while it runs.
+fn text(pipe: Option<impl Read + Send + 'static>) -> thread::JoinHandle<io::Result<String>> {
+    thread::spawn(move || {
+        let mut bytes = Vec::new();
+        if let Some(mut pipe) = pipe {
+            pipe.read_to_end(&mut bytes)?;
+        }
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    })
+}
+
+fn joined(text: thread::JoinHandle<io::Result<String>>) -> io::Result<String> {
+    text.join().unwrap_or_else(|_| Ok(String::new()))
+}
+
+/// Some failures are something missing.
+fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError {
+    let target = message
+        .split_once("target may not be installed")
+        .and_then(|(before, _)| before.trim_end().rsplit('`').nth(1));
+    if let Some(target) = target {
+        return EmulatorError::Missing {
+            what: format!("the target {target}"),
+            install: format!("rustup target add {target}"),
+        };
+    }
+    EmulatorError::Failed {
+        program,
+        status,
+        message: match message.trim() {
+            "" => String::new(),
+            text => format!("\n{text}"),
+        },
+    }
+}
+
+/// The command that installs a program.
+fn install(program: &str) -> String {
+    let package = match program {
+        "qemu-system-arm" => "qemu-system-arm",
+        "qemu-system-riscv32" => "qemu-system-misc",
+        "node" => "nodejs",
+        _ => return format!("see the documentation of {program}"),
+    };
+    format!("apt-get install -y --no-install-recommends {package}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shell(script: &str) -> Result<String, EmulatorError> {
+        let mut command = Command::new("sh");
+        command.arg("-c").arg(script);
+        output_of(command)
+    }
+
+    #[test]
+    fn what_a_program_prints_comes_back() {
+        assert_eq!(shell("echo yes").unwrap(), "yes\n");
+    }
+
+    #[test]
+    fn a_missing_program_is_named_with_its_package() {
+        let error = output_of(Command::new("qemu-system-none")).unwrap_err();
+        assert!(matches!(error, EmulatorError::Missing { .. }), "{error}");
+        assert!(install("qemu-system-riscv32").ends_with("qemu-system-misc"));
+    }
+
+    #[test]
+    fn a_missing_target_is_named() {
+        let said =
+            "echo '= note: the `thumbv6m-none-eabi` target may not be installed' >&2; exit 1";
+        let error = shell(said).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "missing: the target thumbv6m-none-eabi; to install it: rustup target add thumbv6m-none-eabi"
+        );
+    }
+
+    #[test]
+    fn a_failure_says_why() {
+        let error = shell("echo broken >&2; exit 3").unwrap_err();
+        assert_eq!(error.to_string(), "sh failed (exit status: 3)\nbroken");
+    }
+}
