@@ -44,7 +44,7 @@ pub struct State<R: Real> {
 }
 
 /// A hand that is turned farther than this (rad) from the body that it holds is out of range.
-const MAX_TURN: i32 = 1000;
+const MAX_TURN: i32 = 100_000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
 const MAX_EVENTS_ON_PATH: u32 = 512;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
