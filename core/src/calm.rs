@@ -3,14 +3,16 @@
 //! needs no search: path and frame evolution agree in it.
 
 use crate::coupling::{Grip, Stance, Way};
+use crate::detect::Placed;
+use crate::geometry::Orientation;
 use crate::real::Real;
 use crate::scene::World;
 
 /// A turn that keeps the balance all the way, and how much anything can stray on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Calm<R> {
-    /// The body's load after the turn.
-    pub(crate) stance: Stance<R>,
+    /// The body's after the turn.
+    pub(crate) orientation: Orientation<R>,
     /// No turn on the way is larger (rad).
     pub(crate) reach: R,
 }
@@ -23,7 +25,7 @@ impl<R: Real> Calm<R> {
     /// beginning. Nothing where the balance may fold or change much on the way (E8).
     pub(crate) fn turn(
         scene: &impl World<R>,
-        mut stance: Stance<R>,
+        stance: &Stance<R>,
         to: &Grip<R>,
         way: &Way<R>,
     ) -> Option<Self> {
@@ -36,40 +38,39 @@ impl<R: Real> Calm<R> {
         let certain = least > R::ZERO
             && drive.reach() <= R::HALF * least
             && moment <= quarter * least
-            && size * moment < quarter * least * least;
+            && size * moment < quarter * least * least
+            && stance.is_carried();
         if !certain {
             return None;
         }
-        if R::TWO * moment <= stance.tolerance * least {
-            return Some(Self {
-                stance,
-                reach: stance.tolerance,
-            });
-        }
-        let per_stability = R::ONE / least;
-        if per_stability >= R::HUGE {
+        let per_stability = R::ONE / stance.stability();
+        // The stability is at most half as much again as the least one.
+        let per_least = (R::ONE + R::HALF) * per_stability;
+        if per_least >= R::HUGE {
             return None;
         }
-        let bend = size * per_stability;
+        let reach = R::TWO * moment * per_least;
+        let mut orientation = stance.placed.orientation;
+        if reach <= stance.tolerance {
+            return Some(Self { orientation, reach });
+        }
+        let bend = size * per_least;
+        let mut turn = stance.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
-            let turn = stance.correction_of_second_order();
-            stance = stance.turned(scene, to, turn);
+            orientation = orientation.plus(turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
-            let size = turn.abs();
-            let bent = bend * size;
-            let left = R::HALF * (bent * (bent + size) * size);
+            let bent = bend * turn.abs();
+            let left = R::HALF * (bent * (bent + turn.abs()) * turn.abs());
             if left <= R::EPSILON.max(stance.tolerance) {
-                return Some(Self {
-                    stance,
-                    reach: R::TWO * moment * per_stability,
-                });
+                return Some(Self { orientation, reach });
             }
+            let placed = Placed {
+                orientation,
+                ..stance.placed
+            };
+            let stance = Stance::new(scene, placed, to);
+            turn = stance.correction(R::ONE / stance.stability());
         }
         None
-    }
-
-    /// How far a reaction can lie on the way from the straight line between its beginning and its end.
-    pub(crate) fn stray(&self) -> R {
-        R::TWO * self.stance.lever.reach() * self.reach + self.stance.rounding()
     }
 }

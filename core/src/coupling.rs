@@ -199,36 +199,30 @@ impl<R: Real> Stance<R> {
 
     /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
     /// to this balance (the condition of Kantorovich: E1's curvature is at most |z|).
-    pub(crate) fn correction(&self) -> R {
+    pub(crate) fn polish(&self) -> R {
         let (moment, stability) = (self.moment(), self.stability());
         let bend = R::from_int(4) * (self.hold.reach() * moment.abs());
-        if stability > R::ZERO && bend < stability * stability {
-            self.correction_of_second_order()
+        if stability <= R::ZERO || bend >= stability * stability {
+            return R::ZERO;
+        }
+        let per_stability = R::ONE / stability;
+        if per_stability < R::HUGE {
+            self.correction(per_stability)
         } else {
-            R::ZERO
+            // Too soft for a reciprocal in this number type.
+            moment / stability
         }
     }
 
-    /// The turn to balance, but for the third order in it.
-    pub(crate) fn correction_of_second_order(&self) -> R {
-        let stability = self.stability();
-        let per_stability = R::ONE / stability;
-        if per_stability >= R::HUGE {
-            // Too soft for a reciprocal in this number type.
-            return self.moment() / stability;
-        }
+    /// The turn to balance, but for the third order in it, from 1 over the stability.
+    pub(crate) fn correction(&self, per_stability: R) -> R {
         let turn = self.moment() * per_stability;
         turn - R::HALF * (turn * turn) * (self.hold.y * per_stability)
     }
 
-    /// The load after a turn about the point.
-    pub(crate) fn turned(&self, scene: &impl World<R>, grip: &Grip<R>, turn: R) -> Self {
-        let orientation = self.placed.orientation.plus(turn);
-        let placed = Placed {
-            orientation,
-            ..self.placed
-        };
-        Self::new(scene, placed, grip)
+    /// The number type carries the moments of the load.
+    pub(crate) fn is_carried(&self) -> bool {
+        self.hold.reach() + self.couple.abs() <= R::from_int(4) * R::RANGE
     }
 
     /// The moment as a function of a turn about the pinned point.

@@ -79,38 +79,48 @@ impl<R: Real> Placed<R> {
     /// True if no vertex but the `pivot` at the point can have come to a surface on a way that ended here: it turned the body
     /// by at most `reach`, and no gap was negative at its beginning. A gap lies above its chord but for the sagitta.
     pub(crate) fn is_clear(&self, scene: &impl World<R>, pivot: Option<u8>, reach: R) -> bool {
-        let radius = match pivot {
-            Some(_) => R::ONE,
-            None => self.radius(scene),
-        };
-        let least = R::TOUCH + R::HALF * radius * reach * reach;
-        scene.surface_indices().all(|index| {
-            let surface = scene.surface(index);
-            let (level, least) = if self.on == Some(index) {
-                (R::ZERO, least)
-            } else {
-                let size = R::ONE + self.point.reach() + surface.offset.abs();
-                let level = surface.normal.dot(self.point) - surface.offset;
-                (level, least + R::TWO * R::rounding(size))
-            };
-            if level > least + radius {
-                return true;
-            }
-            let normal = self.orientation.rotation().undo(surface.normal);
-            let clears =
-                |vertex: u8| level + normal.dot(scene.vertex(vertex) - self.body_point) > least;
-            match pivot {
-                Some(vertex) if self.on == Some(index) => {
-                    scene.neighbours(vertex).into_iter().all(clears)
-                }
-                _ => scene.vertex_indices().all(clears),
-            }
-        })
+        self.room(scene, pivot) > R::HALF * self.radius(scene, pivot) * reach * reach
     }
 
-    /// No vertex is farther from the point than this.
-    fn radius(&self, scene: &impl World<R>) -> R {
-        R::ONE + (scene.vertex(0) - self.body_point).reach()
+    /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
+    /// are far, a lower bound.
+    pub(crate) fn room(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
+        let radius = self.radius(scene, pivot);
+        let mut least = R::HUGE;
+        for index in scene.surface_indices() {
+            let surface = scene.surface(index);
+            let level = if self.on == Some(index) {
+                -R::TOUCH
+            } else {
+                let size = R::ONE + self.point.reach() + surface.offset.abs();
+                let rounding = R::TWO * R::rounding(size);
+                surface.normal.dot(self.point) - surface.offset - rounding - R::TOUCH
+            };
+            if level > R::TWO * radius {
+                least = least.min(level - radius);
+                continue;
+            }
+            let normal = self.orientation.rotation().undo(surface.normal);
+            let mut visit = |vertex: u8| {
+                let gap = level + normal.dot(scene.vertex(vertex) - self.body_point);
+                least = least.min(gap);
+            };
+            match pivot {
+                Some(vertex) if self.on == Some(index) => {
+                    scene.neighbours(vertex).into_iter().for_each(&mut visit);
+                }
+                _ => scene.vertex_indices().for_each(&mut visit),
+            }
+        }
+        least
+    }
+
+    /// No vertex is farther from the point than this; `pivot`: the vertex at the point, if there is one.
+    fn radius(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
+        match pivot {
+            Some(_) => R::ONE,
+            None => R::ONE + (scene.vertex(0) - self.body_point).reach(),
+        }
     }
 
     /// The gap on a motion on which the point moves by `shift`·tau.
@@ -140,7 +150,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R>,
     ) -> Option<Pair> {
         let mut first = None;
-        let radius = self.radius(scene);
+        let radius = self.radius(scene, None);
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let own = self.on == Some(index);

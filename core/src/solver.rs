@@ -235,11 +235,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if to == state.grip {
             return true;
         }
-        if !self.carries(&state.contact, &to) {
-            return false;
-        }
         if state.contact.follow(&self.scene, &state.grip, &to) {
             rests(&state.contact, log);
+        } else if !self.carries(&state.contact, &to) {
+            return false;
         } else {
             match self.evolution {
                 Evolution::Path => self.along_path(state, &to, log),

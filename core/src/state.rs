@@ -259,7 +259,7 @@ impl<R: Real> ContactState<R> {
             }),
             [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
             [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),
-            _ => Self::SingleVertex(SingleVertex { pivot }),
+            _ => Self::SingleVertex(SingleVertex::new(pivot)),
         }
     }
 }

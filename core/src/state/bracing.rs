@@ -80,7 +80,11 @@ impl<R: Real> Bracing<R> {
         grip: &Grip<R>,
         bearers: &mut [u8; 3],
     ) -> bool {
-        let load = self.pivot.stance(scene, grip).load();
+        let stance = self.pivot.stance(scene, grip);
+        if !stance.is_carried() {
+            return false;
+        }
+        let load = stance.load();
         if self.support.bears_on(*bearers, load) {
             return true;
         }

@@ -70,7 +70,8 @@ impl<R: Real> Edge<R> {
         let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
         let second = -stance.moment() / span;
         let slack = stance.rounding() / span.abs();
-        second > slack
+        stance.is_carried()
+            && second > slack
             && normal - second > slack
             && (surface.friction).is_within(normal, friction, slack)
     }

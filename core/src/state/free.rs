@@ -35,8 +35,8 @@ impl<R: Real> Free<R> {
         let stance = Self { pose }.stance(scene, to);
         let (orientation, reach) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), way.turn.abs())
-        } else if let Some(calm) = Calm::turn(scene, stance, to, &way) {
-            (calm.stance.placed.orientation, calm.reach)
+        } else if let Some(calm) = Calm::turn(scene, &stance, to, &way) {
+            (calm.orientation, calm.reach)
         } else {
             return false;
         };
@@ -89,7 +89,7 @@ impl<R: Real> Free<R> {
             Orientation::new(grip.angle)
         } else {
             let pose = Self::hanging(scene, grip, near);
-            near.plus(Self { pose }.stance(scene, grip).correction())
+            near.plus(Self { pose }.stance(scene, grip).polish())
         };
         Self {
             pose: Self::hanging(scene, grip, orientation),

@@ -99,7 +99,7 @@ impl<R: Real> Leg<R> {
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             let stance = pivot.stance(scene, to);
-            *pivot = pivot.moved(R::ZERO, stance.correction());
+            *pivot = pivot.moved(R::ZERO, stance.polish());
         }
         moved
     }

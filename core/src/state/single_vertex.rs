@@ -5,6 +5,7 @@ use super::leg::Leg;
 use super::{Moved, Pairs, Reactions, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::detect::Placed;
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::list::gather;
@@ -17,6 +18,8 @@ use crate::scene::{Surface, World};
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SingleVertex<R> {
     pub(crate) pivot: Pivot<R>,
+    /// By so much the body can turn about the pivot before another vertex can touch (rad); 0: not known.
+    room: R,
 }
 
 /// Normal reaction and friction on a way of the hand.
@@ -26,6 +29,13 @@ struct Reaction<R> {
 }
 
 impl<R: Real> SingleVertex<R> {
+    pub(crate) fn new(pivot: Pivot<R>) -> Self {
+        Self {
+            pivot,
+            room: R::ZERO,
+        }
+    }
+
     pub(crate) fn contacts(&self) -> Pairs {
         gather([self.pivot.contact])
     }
@@ -40,19 +50,32 @@ impl<R: Real> SingleVertex<R> {
     /// A calm frame: it sticks and turns.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
         let stance = self.pivot.stance(scene, to);
-        let Some(calm) = Calm::turn(scene, stance, to, &from.way_to(to)) else {
+        let Some(calm) = Calm::turn(scene, &stance, to, &from.way_to(to)) else {
             return false;
         };
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(calm.stance.force);
-        let friction = -surface.tangent.dot(calm.stance.force);
-        let placed = &calm.stance.placed;
-        let follows = (surface.friction).is_within(normal, friction, calm.stray())
-            && placed.is_clear(scene, Some(self.pivot.contact.vertex), calm.reach);
-        if follows {
-            self.pivot.orientation = placed.orientation;
+        let normal = -surface.normal.dot(stance.force);
+        let friction = -surface.tangent.dot(stance.force);
+        // The reaction strays by the turn from the straight line to where the hand alone would take it.
+        let stray = stance.lever.reach() * calm.reach + stance.rounding();
+        if !surface.friction.is_within(normal, friction, stray) {
+            return false;
         }
-        follows
+        // No point of the body is farther from the pivot than one body size, so that no gap shrinks by more than the turn.
+        let mut room = self.room - calm.reach;
+        if room <= R::ZERO {
+            let placed = Placed {
+                orientation: calm.orientation,
+                ..stance.placed
+            };
+            room = placed.room(scene, Some(self.pivot.contact.vertex));
+            if room <= R::HALF * calm.reach * calm.reach {
+                return false;
+            }
+        }
+        self.room = room;
+        self.pivot.orientation = calm.orientation;
+        true
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -62,6 +85,7 @@ impl<R: Real> SingleVertex<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
+        self.room = R::ZERO;
         let stance = self.pivot.stance(scene, from);
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
@@ -126,6 +150,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
+        self.room = R::ZERO;
         let keeps = self.contacts();
         let mut moved = Leg::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
         if moved.trigger == Trigger::Balanced {
@@ -151,6 +176,7 @@ impl<R: Real> SingleVertex<R> {
     /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
     /// (E3), touch, lift-off, fold.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+        self.room = R::ZERO;
         let mut stance = self.pivot.stance(scene, grip);
         let surface = self.pivot.surface(scene);
         if surface.friction.is_continuous() {
