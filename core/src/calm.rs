@@ -33,34 +33,36 @@ impl<R: Real> Calm<R> {
         // The least stability and the largest |z| of the way.
         let least = stance.stability() - drive.x.max(R::ZERO);
         let size = stance.hold.reach() + drive.reach();
-        let moment = stance.moment().abs() + R::MICRO * least;
-        let quarter = R::HALF * R::HALF;
-        let certain = least > R::ZERO
-            && drive.reach() <= R::HALF * least
-            && moment <= quarter * least
-            && size * moment < quarter * least * least
-            && stance.is_carried();
-        if !certain {
+        if least <= R::ZERO || drive.reach() > least.halved() || !stance.is_carried() {
             return None;
         }
         let per_stability = R::ONE / stance.stability();
         // The stability is at most half as much again as the least one.
-        let per_least = (R::ONE + R::HALF) * per_stability;
+        let per_least = per_stability + per_stability.halved();
         if per_least >= R::HUGE {
             return None;
         }
-        let reach = R::TWO * moment * per_least;
+        // Newton's step and how much the balance bends: with the condition of Kantorovich a balance is at most two steps
+        // away.
+        let quarter = R::HALF.halved();
+        let (step, bend) = (
+            stance.moment().abs() * per_least + R::MICRO,
+            size * per_least,
+        );
+        if step > quarter || bend * step >= quarter {
+            return None;
+        }
+        let reach = step.doubled();
         let mut orientation = stance.placed.orientation;
         if reach <= stance.tolerance {
             return Some(Self { orientation, reach });
         }
-        let bend = size * per_least;
         let mut turn = stance.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
             orientation = orientation.plus(turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
             let bent = bend * turn.abs();
-            let left = R::HALF * (bent * (bent + turn.abs()) * turn.abs());
+            let left = (bent * (bent + turn.abs()) * turn.abs()).halved();
             if left <= R::EPSILON.max(stance.tolerance) {
                 return Some(Self { orientation, reach });
             }

@@ -105,7 +105,7 @@ impl<R: Real> Pivot<R> {
     /// c, exactly on the surface.
     pub(crate) fn point(&self, scene: &impl World<R>) -> Vec2<R> {
         let surface = self.surface(scene);
-        surface.normal * surface.offset + surface.tangent * self.foot
+        surface.origin + surface.tangent * self.foot
     }
 
     pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
@@ -201,7 +201,7 @@ impl<R: Real> Stance<R> {
     /// to this balance (the condition of Kantorovich: E1's curvature is at most |z|).
     pub(crate) fn polish(&self) -> R {
         let (moment, stability) = (self.moment(), self.stability());
-        let bend = R::from_int(4) * (self.hold.reach() * moment.abs());
+        let bend = (self.hold.reach() * moment.abs()).doubled().doubled();
         if stability <= R::ZERO || bend >= stability * stability {
             return R::ZERO;
         }
@@ -217,12 +217,12 @@ impl<R: Real> Stance<R> {
     /// The turn to balance, but for the third order in it, from 1 over the stability.
     pub(crate) fn correction(&self, per_stability: R) -> R {
         let turn = self.moment() * per_stability;
-        turn - R::HALF * (turn * turn) * (self.hold.y * per_stability)
+        turn - (turn * turn).halved() * (self.hold.y * per_stability)
     }
 
     /// The number type carries the moments of the load.
     pub(crate) fn is_carried(&self) -> bool {
-        self.hold.reach() + self.couple.abs() <= R::from_int(4) * R::RANGE
+        self.hold.reach() + self.couple.abs() <= R::LOAD
     }
 
     /// The moment as a function of a turn about the pinned point.
@@ -239,7 +239,7 @@ impl<R: Real> Stance<R> {
     /// The rounding of forces and moments at a place.
     pub(crate) fn rounding(&self) -> R {
         let size = self.force.reach() + self.lever.reach() + self.couple.abs();
-        R::from_int(4) * R::rounding(size)
+        R::rounding(size).doubled().doubled()
     }
 
     /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.

@@ -46,7 +46,7 @@ impl<R: Real> Placed<R> {
     /// The gap between a vertex and a surface, with its rounding.
     fn gap_at(&self, scene: &impl World<R>, contact: Pair, arm: Vec2<R>) -> (R, R) {
         let surface = scene.surface(contact.surface);
-        let unit = R::TWO * R::EPSILON;
+        let unit = R::EPSILON.doubled();
         if self.on == Some(contact.surface) {
             return (surface.normal.dot(arm), unit);
         }
@@ -79,7 +79,7 @@ impl<R: Real> Placed<R> {
     /// True if no vertex but the `pivot` at the point can have come to a surface on a way that ended here: it turned the body
     /// by at most `reach`, and no gap was negative at its beginning. A gap lies above its chord but for the sagitta.
     pub(crate) fn is_clear(&self, scene: &impl World<R>, pivot: Option<u8>, reach: R) -> bool {
-        self.room(scene, pivot) > R::HALF * self.radius(scene, pivot) * reach * reach
+        self.room(scene, pivot) > (self.radius(scene, pivot) * reach * reach).halved()
     }
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
@@ -93,10 +93,10 @@ impl<R: Real> Placed<R> {
                 -R::TOUCH
             } else {
                 let size = R::ONE + self.point.reach() + surface.offset.abs();
-                let rounding = R::TWO * R::rounding(size);
+                let rounding = R::rounding(size).doubled();
                 surface.normal.dot(self.point) - surface.offset - rounding - R::TOUCH
             };
-            if level > R::TWO * radius {
+            if level > radius.doubled() {
                 least = least.min(level - radius);
                 continue;
             }
@@ -160,7 +160,7 @@ impl<R: Real> Placed<R> {
                 surface.normal.dot(self.point) - surface.offset
             };
             let along = surface.normal.dot(moving.shift).abs() * course.reach;
-            if level - along > R::TWO * radius {
+            if level - along > radius.doubled() {
                 continue;
             }
             // The normal in the body frame: level + normal·(vertex - point) is the gap.

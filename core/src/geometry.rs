@@ -151,8 +151,11 @@ impl<R: Real> Angle<R> {
     }
     /// `self` - `other` (rad).
     pub fn minus(self, other: Self) -> R {
-        let turns = self.turns.saturating_sub(other.turns);
-        R::from_int(turns) * R::TAU + (self.rest - other.rest)
+        let rest = self.rest - other.rest;
+        match self.turns.saturating_sub(other.turns) {
+            0 => rest,
+            turns => R::from_int(turns) * R::TAU + rest,
+        }
     }
     /// `self` - `other` as an unwrapped angle.
     #[must_use]

@@ -30,7 +30,7 @@ impl<R: Real> Jet<R> {
             value: self.value * sign,
             slope: self.slope * sign,
             curvature: self.bounds[2],
-            rounding: R::from_int(4) * R::rounding(self.bounds[0]),
+            rounding: R::rounding(self.bounds[0]).doubled().doubled(),
         }
     }
 }
@@ -75,7 +75,7 @@ impl<R: Real> Mul for Jet<R> {
             bounds: [
                 f0 * g0,
                 f1 * g0 + f0 * g1,
-                f2 * g0 + R::TWO * (f1 * g1) + f0 * g2,
+                f2 * g0 + (f1 * g1).doubled() + f0 * g2,
             ],
         }
     }

@@ -115,7 +115,7 @@ impl<R: Real> Motion<R> {
         let start = stiffness * dphi + drive.y;
         // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
         let largest = (stiffness + hold.reach()).max(drive.reach());
-        let scale = start.abs().max(R::HALF * R::HALF * largest);
+        let scale = start.abs().max(largest.halved().halved());
         if scale == R::ZERO {
             return Self::straight();
         }
@@ -170,11 +170,11 @@ impl<R: Real> Motion<R> {
     /// The place of parameter x.
     pub(crate) fn at(&self, x: R) -> Place<R> {
         let turn = self.rate * x;
-        let half = turn * R::HALF;
+        let half = turn.halved();
         let (sinc, c) = half.sinc_cos();
         let s = sinc * half;
-        let versine = R::TWO * s * s;
-        let sine = R::TWO * s * c;
+        let versine = (s * s).doubled();
+        let sine = (s * c).doubled();
         let cosine = R::ONE - versine;
         // sin(ϑ)/rate and (1 - cos ϑ)/rate
         let sine_x = x * sinc * c;
@@ -236,7 +236,7 @@ impl<R: Real> Motion<R> {
         } else {
             first_zero((R::HUGE, self.tolerance), |x| {
                 let p = self.at(x);
-                let window = least + R::TWO * x;
+                let window = least + x.doubled();
                 Look {
                     functions: [fold(&p, window), end(&p)],
                     window,
@@ -264,7 +264,7 @@ impl<R: Real> Motion<R> {
         // A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero
         // is taken where the margin is overdrawn beyond doubt.
         let credit = if margin.start <= margin.rounding {
-            R::TWO * rounding
+            rounding.doubled()
         } else {
             R::ZERO
         };
@@ -283,7 +283,7 @@ impl<R: Real> Motion<R> {
         let swing = margin.turning.reach();
         let d_most = R::ONE + limit.x * zp;
         let value = margin.start.abs() + swing * (limit.turn.abs().min(R::TWO));
-        rate * (swing * (rate * d_most + R::TWO * zp) + value * zp + margin.along.abs() * z0)
+        rate * (swing * (rate * d_most + zp.doubled()) + value * zp + margin.along.abs() * z0)
     }
 
     /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
@@ -298,7 +298,7 @@ impl<R: Real> Motion<R> {
         // It lies above its chord but for the sagitta of its curvature.
         let curvature = self.curvature(margin, &limit);
         let end = margin.at(&limit) * limit.d + margin.along * limit.h;
-        let sagitta = curvature * limit.x * limit.x * (R::HALF * R::HALF * R::HALF);
+        let sagitta = (curvature * limit.x * limit.x).halved().halved().halved();
         if margin.start > margin.rounding && margin.start.min(end) > sagitta {
             return false;
         }

@@ -54,6 +54,8 @@ pub trait Real:
     const MICRO: Self;
     /// The farthest coordinate that is accepted, in body sizes.
     const RANGE: Self;
+    /// The largest moment of the springs that is carried, 4 [`Self::RANGE`].
+    const LOAD: Self;
     /// A number beyond every root: the limit of an unlimited search.
     const HUGE: Self;
     /// -[`Self::HUGE`]
@@ -76,6 +78,14 @@ pub trait Real:
     /// An angle (rad) as whole turns and a remainder in [-pi, pi].
     fn turns(self) -> (i32, Self);
 
+    /// 2 x
+    fn doubled(self) -> Self {
+        self + self
+    }
+    /// x / 2
+    fn halved(self) -> Self {
+        self * Self::HALF
+    }
     /// a b + c d; for a type that rounds to a fixed step, rounded once.
     fn sum_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         a * b + c * d

@@ -28,9 +28,9 @@ impl<R: Real> Slope<R> {
         if e <= R::ZERO || e <= self.rounding && d >= R::ZERO {
             return R::ZERO;
         }
-        let root = R::root_of_products(d, d, R::TWO * k, e);
+        let root = R::root_of_products(d, d, k.doubled(), e);
         if d < R::ZERO {
-            R::TWO * e / (root - d)
+            e.doubled() / (root - d)
         } else if k > R::ZERO {
             (d + root) / k
         } else {
@@ -199,7 +199,7 @@ impl<R: Real> PinnedMoment<R> {
         let moment = self.now().abs();
         // Before this angle the springs' couple alone outweighs the load.
         let certain = if self.stiffness > R::ZERO {
-            (moment - R::TWO * size) / self.stiffness
+            (moment - size.doubled()) / self.stiffness
         } else {
             R::ZERO
         };
@@ -207,9 +207,9 @@ impl<R: Real> PinnedMoment<R> {
         let mut snapped = false;
         let found = first_zero((R::HUGE, self.tolerance), |y| {
             let turn = direction * (start + y);
-            let (half_sin, half_cos) = (turn * R::HALF).sin_cos();
-            let versine = R::TWO * half_sin * half_sin;
-            let (sin, cos) = (R::TWO * half_sin * half_cos, R::ONE - versine);
+            let (half_sin, half_cos) = turn.halved().sin_cos();
+            let versine = (half_sin * half_sin).doubled();
+            let (sin, cos) = ((half_sin * half_cos).doubled(), R::ONE - versine);
             let value = self.now() - self.stiffness * turn - versine * self.cross - sin * self.dot;
             let slope = -(self.stiffness + cos * self.dot + sin * self.cross);
             snapped |= slope > R::ZERO && value * direction > rounding;

@@ -26,6 +26,8 @@ pub(crate) struct Surface<R> {
     pub(crate) tangent: Vec2<R>,
     /// b: the free side is n·p >= b.
     pub(crate) offset: R,
+    /// The point of the surface that is nearest to the origin.
+    pub(crate) origin: Vec2<R>,
     /// Friction on this surface.
     pub(crate) friction: Coulomb<R>,
 }
@@ -36,6 +38,7 @@ impl<R: Real> Surface<R> {
         normal: Vec2::new(R::ZERO, R::ONE),
         tangent: Vec2::new(R::ONE, R::ZERO),
         offset: R::LEAST,
+        origin: Vec2::ZERO,
         friction: Coulomb::FRICTIONLESS,
     };
 }

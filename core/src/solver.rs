@@ -46,11 +46,11 @@ pub struct State<R: Real> {
 /// A hand that is turned farther than this (rad) from the body that it holds is out of range.
 const MAX_TURN: i32 = 100_000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
-const MAX_EVENTS_ON_PATH: u32 = 512;
+const MAX_EVENTS_ON_PATH: u32 = 64;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
 const FINEST_HALF: u32 = 24;
 /// This many slips fit into a frame before a limit is reported.
-const UNLIMITED_SLIPS: u32 = 100;
+const UNLIMITED_SLIPS: u32 = 32;
 
 impl<R: Real> State<R> {
     /// The last good sample of the hand: the one that the state belongs to.
@@ -212,8 +212,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let lever = (grip.holding_point - placed.body_point).reach();
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
-            && turn <= R::from_int(MAX_TURN).min(R::HALF * R::HUGE)
-            && lever * pull + self.scene.stiffness() * turn <= R::from_int(4) * R::RANGE
+            && turn <= R::from_int(MAX_TURN).min(R::HUGE.halved())
+            && lever * pull + self.scene.stiffness() * turn <= R::LOAD
     }
 
     /// The hand goes to `target` and the body with it, if it holds it. False, and nothing has moved, where it is out of
@@ -315,7 +315,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 log.merge(&trial.1);
                 return;
             }
-            part = part * R::HALF;
+            part = part.halved();
         }
         let at = state.grip.lerp(to, part);
         self.by_jump(state, &at, log);

@@ -170,7 +170,7 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
         log.transitions.add(slip_arm(state));
         if let ContactState::SingleVertex(single) = state {
             let stance = single.pivot.stance(self.scene, self.grip);
-            let within = R::TWO * stance.tolerance * stance.stability();
+            let within = (stance.tolerance * stance.stability()).doubled();
             // The foot, too, is rounded, as a coordinate.
             let place = R::rounding(stance.placed.point.reach());
             let rounding = R::from_int(16) * (stance.rounding() + place);

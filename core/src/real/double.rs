@@ -15,6 +15,7 @@ impl Real for f64 {
     const TOUCH: f64 = 1e-10;
     const MICRO: f64 = 1.0 / 524_288.0;
     const RANGE: f64 = 1e12;
+    const LOAD: f64 = 4.0 * Self::RANGE;
     const HUGE: f64 = 1e30;
     const LEAST: f64 = -Self::HUGE;
 

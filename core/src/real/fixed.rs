@@ -88,6 +88,7 @@ impl Real for Fixed {
     const TOUCH: Self = Self::new(1 << 5);
     const MICRO: Self = Self::new(1 << 5);
     const RANGE: Self = Self::new(1 << 28);
+    const LOAD: Self = Self::new(1 << 30);
     const HUGE: Self = Self::new(RAIL);
     const LEAST: Self = Self::new(-RAIL);
 
@@ -131,8 +132,11 @@ impl Real for Fixed {
     fn root_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::new(root::root_of_sum(a.bits(), b.bits(), c.bits(), d.bits()))
     }
+    fn halved(self) -> Self {
+        Self::new(self.bits() / 2)
+    }
     fn rounding(size: Self) -> Self {
-        Self::EPSILON.max(Self::EPSILON * size)
+        Self::EPSILON.max(Self::new(size.bits() >> product::PLACES))
     }
     fn sum_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::new(product::sum(a.bits(), b.bits(), c.bits(), d.bits()))

@@ -173,11 +173,13 @@ pub(super) fn surfaces<R: Real, const S: usize>(
         )?;
         let (x, y) = unit(x, y);
         let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
+        let offset = units.length_from_si(d.offset);
         // The slice is not longer than S, so there is room.
         let _ = checked.push(Surface {
             normal,
             tangent: Vec2::new(normal.y, -normal.x),
-            offset: units.length_from_si(d.offset),
+            offset,
+            origin: normal * offset,
             friction: Coulomb::from_coefficients(mu_s, mu_d),
         });
     }

@@ -96,7 +96,7 @@ impl<R: Real> Bracing<R> {
     /// To the end of the hand's way, or to where the load is not borne any more.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
-        let rounding = R::TWO * (before.rounding() + after.rounding());
+        let rounding = (before.rounding() + after.rounding()).doubled();
         match (self.support).first_yield(before.load(), after.load(), rounding) {
             None => Moved::by(Trigger::Balanced),
             Some(part) => Moved {
@@ -109,7 +109,7 @@ impl<R: Real> Bracing<R> {
     /// At rest, or what begins. `attempt`: how many motions were tried in vain.
     pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
-        let (load, rounding) = (stance.load(), R::from_int(4) * stance.rounding());
+        let (load, rounding) = (stance.load(), stance.rounding().doubled().doubled());
         if self.support.first_yield(load, load, rounding).is_none() {
             Trigger::Balanced
         } else {

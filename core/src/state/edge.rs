@@ -134,7 +134,7 @@ impl<R: Real> Edge<R> {
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
-        let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
+        let farthest = stance.force.reach() + stance.lever.reach().doubled();
         let shift = surface.tangent * (sign * farthest);
         let reaction = self.reaction(scene, &stance, &Way::slide(shift));
         let mut leg = Leg::whole(Motion::straight(), Trigger::Stopped);

@@ -69,7 +69,7 @@ impl<R: Real> SingleVertex<R> {
                 ..stance.placed
             };
             room = placed.room(scene, Some(self.pivot.contact.vertex));
-            if room <= R::HALF * calm.reach * calm.reach {
+            if room <= (calm.reach * calm.reach).halved() {
                 return false;
             }
         }
@@ -116,7 +116,7 @@ impl<R: Real> SingleVertex<R> {
         };
         // By a contact that was there at the beginning.
         let blocked = matches!(moved.trigger, Trigger::Touch(pair)
-            if begin.pivot.placed(scene).gap(scene, pair) <= R::TWO * R::TOUCH);
+            if begin.pivot.placed(scene).gap(scene, pair) <= R::TOUCH.doubled());
         if blocked {
             *self = begin;
         }
@@ -184,7 +184,7 @@ impl<R: Real> SingleVertex<R> {
             stance.tolerance = R::ZERO;
         }
         // Beyond this way the hand would pull back.
-        let farthest = stance.force.reach() + R::TWO * stance.lever.reach();
+        let farthest = stance.force.reach() + stance.lever.reach().doubled();
         let shift = surface.tangent * (sign * farthest);
         let way = Way::slide(shift);
         let mut leg = Leg::balanced(&stance, &way, Trigger::Stopped);
