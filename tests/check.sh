@@ -42,6 +42,9 @@ cargo test --workspace --locked
 stage 'tests, release'
 cargo test --workspace --release --locked
 
+stage 'ten million steps of the hand'
+cargo run --release --locked -p stiction-tests --bin walk -- 10000000
+
 stage 'documentation'
 RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
 
