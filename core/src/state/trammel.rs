@@ -14,7 +14,7 @@ use crate::scene::{Surface, World};
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trammel<R> {
-    motion: Motion<R>,
+    sense: Sense<R>,
     surfaces: [Surface<R>; 2],
     stance: Stance<R>,
     /// r = c2 - c1
@@ -22,6 +22,12 @@ pub(crate) struct Trammel<R> {
     weight: Vec2<R>,
     /// 1 over the size of the load: forces and moments are counted in it.
     per_load: R,
+}
+
+/// What depends on the direction of a trammel motion.
+#[derive(Clone, Copy, Debug)]
+struct Sense<R> {
+    motion: Motion<R>,
     /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
@@ -77,6 +83,19 @@ struct Quantities<R> {
     velocities: [Jet<R>; 2],
 }
 
+impl<R: Real> Sense<R> {
+    /// Along a motion whose friction is not known yet.
+    fn along(motion: Motion<R>) -> Self {
+        Self {
+            motion,
+            signs: [R::ZERO; 2],
+            reactions: [Vec2::ZERO; 2],
+            excess: R::ZERO,
+            resistance: R::ZERO,
+        }
+    }
+}
+
 impl<R: Real> Trammel<R> {
     /// The direction that the hand drives at a place, if any.
     pub(crate) fn driven(
@@ -99,34 +118,31 @@ impl<R: Real> Trammel<R> {
             // Where it stops it must also stick.
             stance.tolerance = R::ZERO;
         }
-        let [forth, back] = [R::ONE, -R::ONE].map(|sense| {
-            let mut trammel = Self {
-                motion: Self::motion(&surfaces, arm, sense),
-                surfaces,
-                stance,
-                arm,
-                weight: scene.weight(),
-                per_load,
-                signs: [R::ZERO; 2],
-                reactions: [Vec2::ZERO; 2],
-                excess: R::ZERO,
-                resistance: R::ZERO,
-            };
-            trammel.meets_friction(demand).then_some(trammel)
-        });
-        match (forth, back) {
-            (Some(f), Some(b)) if b.excess > f.excess => Some(b),
-            (Some(f), _) => Some(f),
-            (None, b) => b,
+        let mut trammel = Self {
+            sense: Sense::along(Motion::straight()),
+            surfaces,
+            stance,
+            arm,
+            weight: scene.weight(),
+            per_load,
+        };
+        let mut best: Option<Sense<R>> = None;
+        for direction in [R::ONE, -R::ONE] {
+            trammel.sense = Sense::along(Self::motion(&surfaces, arm, direction));
+            let excess = best.map_or(R::LEAST, |sense| sense.excess);
+            if trammel.meets_friction(demand) && trammel.sense.excess > excess {
+                best = Some(trammel.sense);
+            }
         }
+        best.map(|sense| Self { sense, ..trammel })
     }
 
     /// Slide along t1 and turn, per unit of the motion.
     pub(super) fn twist(&self) -> (R, R) {
-        let start = self.motion.at(R::ZERO);
+        let start = self.sense.motion.at(R::ZERO);
         (
-            self.motion.part_velocity(&start).value,
-            self.motion.rate_jet().value,
+            self.sense.motion.part_velocity(&start).value,
+            self.sense.motion.rate_jet().value,
         )
     }
 
@@ -149,33 +165,35 @@ impl<R: Real> Trammel<R> {
     /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
     /// a solution with delta > 0 and N_i >= 0.
     fn meets_friction(&mut self, demand: Demand) -> bool {
-        let start = self.motion.at(R::ZERO);
+        let start = self.sense.motion.at(R::ZERO);
         let velocities = self.velocities(&start).map(|v| v.value);
         let rest = R::from_int(16) * R::EPSILON;
-        self.signs = velocities.map(|v| if v.abs() > rest { v.sign() } else { R::ZERO });
+        self.sense.signs = velocities.map(|v| if v.abs() > rest { v.sign() } else { R::ZERO });
         let [(first, s1), (second, s2)] = [
-            (self.surfaces[0], self.signs[0]),
-            (self.surfaces[1], self.signs[1]),
+            (self.surfaces[0], self.sense.signs[0]),
+            (self.surfaces[1], self.sense.signs[1]),
         ];
-        self.reactions = [(first, s1), (second, s2)].map(|(surface, sign)| {
+        self.sense.reactions = [(first, s1), (second, s2)].map(|(surface, sign)| {
             let (n, t) = surface.friction.sliding_edge(sign);
             surface.normal * n + surface.tangent * t
         });
         let found = self.quantities(&start, R::ONE);
-        self.resistance = found.resistance.value;
+        self.sense.resistance = found.resistance.value;
         let rounding = (self.stance.rounding() * self.per_load).max(R::from_int(4) * R::EPSILON);
-        let [n1, n2] = found.normals.map(|n| n.value * self.resistance.sign());
-        self.excess = found.imbalance.value * self.resistance.sign();
+        let [n1, n2] = found
+            .normals
+            .map(|n| n.value * self.sense.resistance.sign());
+        self.sense.excess = found.imbalance.value * self.sense.resistance.sign();
         let pressed = n1 >= -rounding && n2 >= -rounding;
-        self.resistance.abs() > rest
-            && self.excess > rounding
+        self.sense.resistance.abs() > rest
+            && self.sense.excess > rounding
             && (pressed || demand == Demand::AtTheEnd)
     }
 
     fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
         let [first, second] = self.surfaces;
-        let rate = self.motion.rate_jet();
-        let slide = self.motion.part_velocity(p);
+        let rate = self.sense.motion.rate_jet();
+        let slide = self.sense.motion.part_velocity(p);
         let turning = self.rotated(p, self.arm.turned());
         let along = second.tangent.dot(first.tangent);
         let swing = turning.x * Jet::constant(second.tangent.x)
@@ -184,7 +202,7 @@ impl<R: Real> Trammel<R> {
     }
 
     fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> JetVec<R> {
-        let (cos, sin) = self.motion.rotation_jets(p);
+        let (cos, sin) = self.sense.motion.rotation_jets(p);
         let at = JetVec::constant(v);
         JetVec {
             x: at.x * cos - at.y * sin,
@@ -193,8 +211,8 @@ impl<R: Real> Trammel<R> {
     }
 
     fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
-        let slide = self.motion.part_jet(p, window);
-        let turn = self.motion.turn_jet(p, window);
+        let slide = self.sense.motion.part_jet(p, window);
+        let turn = self.sense.motion.turn_jet(p, window);
         let lever = self.rotated(p, self.stance.lever);
         let centroid = self.rotated(p, self.stance.centroid);
         let arm = self.rotated(p, self.arm);
@@ -206,7 +224,7 @@ impl<R: Real> Trammel<R> {
         let couple = Jet::constant(self.stance.couple * self.per_load)
             - turn * Jet::constant(self.stance.stiffness * self.per_load);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
-        let [f1, f2] = self.reactions.map(JetVec::constant);
+        let [f1, f2] = self.sense.reactions.map(JetVec::constant);
         let [t1, t2] = self.surfaces.map(|s| JetVec::constant(s.tangent));
         let velocities = self.velocities(p);
         let second = arm.cross(f2);
@@ -234,15 +252,15 @@ impl<R: Real> Trammel<R> {
         demand: Demand,
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
-        let sense = self.resistance.sign();
+        let sense = self.sense.resistance.sign();
         let found = first_zero((window, self.stance.tolerance), |x| {
-            let q = self.quantities(&self.motion.at(x), window);
+            let q = self.quantities(&self.sense.motion.at(x), window);
             let never = Jet::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
                 Demand::Pressed => normal.as_slope(sense),
                 Demand::AtTheEnd => never,
             });
-            let ([v1, v2], [s1, s2]) = (q.velocities, self.signs);
+            let ([v1, v2], [s1, s2]) = (q.velocities, self.sense.signs);
             let [turns1, turns2] = [(v1, s1), (v2, s2)].map(|(velocity, sign)| {
                 if sign == R::ZERO {
                     never
@@ -258,10 +276,10 @@ impl<R: Real> Trammel<R> {
             // So far nothing ended it: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
-        let mut course = self.motion.course_to(x);
+        let mut course = self.sense.motion.course_to(x);
         let keeps = state.contacts();
         let moving = Moving {
-            motion: &self.motion,
+            motion: &self.sense.motion,
             shift: self.surfaces[0].tangent,
             keeps: &keeps,
         };
@@ -281,11 +299,11 @@ impl<R: Real> Trammel<R> {
             0 => Ending::Stopped,
             1 => Ending::Opens {
                 lasts: 1,
-                sliding: self.signs[1],
+                sliding: self.sense.signs[1],
             },
             2 => Ending::Opens {
                 lasts: 0,
-                sliding: self.signs[0],
+                sliding: self.sense.signs[0],
             },
             _ => Ending::Reverses,
         }
