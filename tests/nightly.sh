@@ -1,0 +1,6 @@
+#!/usr/bin/env bash
+# What takes too long for every change: a thousand million steps of the hand, a million frames on every machine.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cargo run --release --locked -p stiction-tests --bin walk -- 1000000000
+cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
