@@ -113,17 +113,19 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 
     /// p_h / L and phi of a sample, or why it cannot be used.
     fn non_dimensional(&self, hand: &Hand<R::Si>) -> Result<(Vec2<R>, Angle<R>), Status> {
-        if !hand.is_finite() {
-            return Err(Status::HeldLast);
-        }
         let position: Vec2<R> = self.scene.units.point_from_si(hand.position);
-        if !position.is_finite() || position.x.abs().max(position.y.abs()) > R::RANGE {
-            return Err(Status::Saturated);
-        }
         let (turns, rest) = hand.angle.rest.turns();
-        if rest.abs() > R::Si::TAU {
-            // More turns than can be counted.
-            return Err(Status::Saturated);
+        // False for what is not a number, too; a remainder of more than a turn is of more turns than can be counted.
+        let is_usable = position.x.abs() <= R::RANGE
+            && position.y.abs() <= R::RANGE
+            && rest.abs() <= R::Si::TAU
+            && hand.depth.is_finite();
+        if !is_usable {
+            return Err(if hand.is_finite() {
+                Status::Saturated
+            } else {
+                Status::HeldLast
+            });
         }
         let angle = Angle {
             turns: hand.angle.turns.saturating_add(turns),
