@@ -44,6 +44,12 @@ pub struct Accuracy {
     pub position: Spread,
     /// Angle between the body and that of the reference (mrad).
     pub angle: Spread,
+    /// Frames in step: with the contact state of the reference, and as many slips so far.
+    pub in_step: usize,
+    /// Distance in these frames (µm).
+    pub position_in_step: Spread,
+    /// Angle in these frames (mrad).
+    pub angle_in_step: Spread,
     /// The largest unbalanced force of a scene / its largest force, or moment / (that force · L).
     pub residual: f64,
     /// Frames in a different contact state.
@@ -65,15 +71,23 @@ pub(super) struct Errors {
     positions: Vec<f32>,
     /// mrad
     angles: Vec<f32>,
+    /// The same of the frames in step.
+    positions_in_step: Vec<f32>,
+    angles_in_step: Vec<f32>,
     counts: Accuracy,
 }
 
 impl Errors {
-    /// Adds a frame.
-    pub(super) fn add(&mut self, frame: &Frame, truth: &Truth) {
+    /// Adds a frame, at whose end there were so many slips in all.
+    pub(super) fn add(&mut self, frame: &Frame, slips: u64, truth: &Truth) {
         let [dx, dy, turn] = [0, 1, 2].map(|k| frame.pose[k] - truth.pose[k]);
-        self.positions.push((1e6 * dx.hypot(dy)) as f32);
-        self.angles.push((1e3 * turn.abs()) as f32);
+        let (position, angle) = ((1e6 * dx.hypot(dy)) as f32, (1e3 * turn.abs()) as f32);
+        self.positions.push(position);
+        self.angles.push(angle);
+        if (frame.state, slips) == (truth.state, truth.slips) {
+            self.positions_in_step.push(position);
+            self.angles_in_step.push(angle);
+        }
         self.counts.other_state += usize::from(frame.state != truth.state);
         self.counts.not_ok += usize::from(frame.status != Status::Ok);
     }
@@ -91,6 +105,8 @@ impl Errors {
     pub(super) fn merge(&mut self, other: &Self) {
         self.positions.extend(&other.positions);
         self.angles.extend(&other.angles);
+        self.positions_in_step.extend(&other.positions_in_step);
+        self.angles_in_step.extend(&other.angles_in_step);
         let (sum, more) = (&mut self.counts, &other.counts);
         sum.other_state += more.other_state;
         sum.reference_slips += more.reference_slips;
@@ -106,6 +122,9 @@ impl Errors {
             frames: self.positions.len(),
             position: Spread::of(&mut self.positions),
             angle: Spread::of(&mut self.angles),
+            in_step: self.positions_in_step.len(),
+            position_in_step: Spread::of(&mut self.positions_in_step),
+            angle_in_step: Spread::of(&mut self.angles_in_step),
             ..self.counts
         }
     }

@@ -51,6 +51,17 @@ impl Row {
             add(&format!("{name}_p99_{unit}"), spread.most.into());
             add(&format!("{name}_max_{unit}"), spread.max.into());
         }
+        add("in_step", accuracy.in_step.into());
+        for (name, unit, spread) in [
+            ("position", "um", accuracy.position_in_step),
+            ("angle", "mrad", accuracy.angle_in_step),
+        ] {
+            add(
+                &format!("{name}_in_step_median_{unit}"),
+                spread.median.into(),
+            );
+            add(&format!("{name}_in_step_p99_{unit}"), spread.most.into());
+        }
         add("worst_residual", accuracy.residual.into());
         add("other_state", accuracy.other_state.into());
         add("reference_slips", accuracy.reference_slips.into());
@@ -136,7 +147,7 @@ pub fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, I
                 rate: *rate,
                 truths: (RATES.iter().position(|known| known == rate))
                     .map_or(&[][..], |k| &truths[k]),
-                slips: reference.slips,
+                slips: reference.slips(),
             };
             ride.measure(&mut tallies[case.group as usize])?;
         }
@@ -192,7 +203,7 @@ impl Ride<'_> {
             residual.add(&frame);
             slips += u64::from(frame.slips);
             if let Some(truth) = truths.next() {
-                tally.errors.add(&frame, truth);
+                tally.errors.add(&frame, slips, truth);
             }
             Ok::<_, InputError>(())
         })?;
