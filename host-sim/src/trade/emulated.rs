@@ -45,11 +45,16 @@ struct Build {
     number: BoardNumber,
 }
 
-/// Single precision where there is a unit for it, fixed point where there is none.
-const BUILDS: [Build; Chip::ALL.len()] = [
+/// Fixed point is for the chip that has no unit for single precision.
+const BUILDS: [Build; 3] = [
     Build {
         chip: Chip::CortexM4F,
         board: Board::Stm32F405,
+        number: BoardNumber::F32,
+    },
+    Build {
+        chip: Chip::CortexM0,
+        board: Board::Nrf51822,
         number: BoardNumber::F32,
     },
     Build {
@@ -60,11 +65,15 @@ const BUILDS: [Build; Chip::ALL.len()] = [
 ];
 
 impl Build {
-    fn settings(&self) -> impl Iterator<Item = Setting> {
-        let number = match self.number {
+    const fn number(&self) -> Number {
+        match self.number {
             BoardNumber::F32 => Number::F32,
             BoardNumber::Fixed => Number::Fixed,
-        };
+        }
+    }
+
+    fn settings(&self) -> impl Iterator<Item = Setting> {
+        let number = self.number();
         Setting::all().filter(move |setting| setting.number == number)
     }
 
@@ -145,9 +154,11 @@ pub(super) fn count(
         for evolution in Setting::EVOLUTIONS {
             let Some(case) = cases.first() else { continue };
             let flash = build.flash(case, evolution)?;
-            let its_own = counts
-                .iter_mut()
-                .filter(|count| count.chip == build.chip && count.setting.evolution == evolution);
+            let its_own = counts.iter_mut().filter(|count| {
+                let setting = &count.setting;
+                (count.chip, setting.number, setting.evolution)
+                    == (build.chip, build.number(), evolution)
+            });
             its_own.for_each(|count| count.cost.flash = flash);
         }
     }

@@ -8,7 +8,7 @@ use stiction_core::{Fixed, Hand, Real};
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Chip, Cost};
 use super::reference::{Reference, Truth};
-use super::setting::{RATES, Setting};
+use super::setting::{FINEST, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use crate::number::{Number, SiFloat, narrow_hand};
@@ -32,6 +32,11 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether it is what all others are measured against.
+    pub(super) fn is_reference(&self) -> bool {
+        (self.setting, self.rate) == (Setting::REFERENCE, FINEST)
+    }
+
     /// Name and value of every column, in the order of the files.
     pub fn columns(&self) -> Vec<(String, Value)> {
         let (setting, accuracy) = (&self.setting, &self.accuracy);
