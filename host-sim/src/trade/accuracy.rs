@@ -44,7 +44,7 @@ pub struct Accuracy {
     pub position: Spread,
     /// Angle between the body and that of the reference (mrad).
     pub angle: Spread,
-    /// Frames in step: with the contact state of the reference, and as many slips so far.
+    /// Frames in step: with the contact state of the reference, and in all frames so far as many slips.
     pub in_step: usize,
     /// Distance in these frames (µm).
     pub position_in_step: Spread,
@@ -64,6 +64,13 @@ pub struct Accuracy {
     pub not_ok: usize,
 }
 
+impl Accuracy {
+    /// So many of the frames (%).
+    pub(super) fn percent(&self, count: usize) -> f64 {
+        100.0 * count as f64 / self.frames.max(1) as f64
+    }
+}
+
 /// What is gathered for an [`Accuracy`].
 #[derive(Clone, Debug, Default)]
 pub(super) struct Errors {
@@ -74,6 +81,8 @@ pub(super) struct Errors {
     /// The same of the frames in step.
     positions_in_step: Vec<f32>,
     angles_in_step: Vec<f32>,
+    /// The slips of this scene were not always as many as those of the reference.
+    has_strayed: bool,
     counts: Accuracy,
 }
 
@@ -84,7 +93,8 @@ impl Errors {
         let (position, angle) = ((1e6 * dx.hypot(dy)) as f32, (1e3 * turn.abs()) as f32);
         self.positions.push(position);
         self.angles.push(angle);
-        if (frame.state, slips) == (truth.state, truth.slips) {
+        self.has_strayed |= slips != truth.slips;
+        if !self.has_strayed && frame.state == truth.state {
             self.positions_in_step.push(position);
             self.angles_in_step.push(angle);
         }
@@ -94,6 +104,7 @@ impl Errors {
 
     /// Adds what is known at the end of a scene.
     pub(super) fn end_scene(&mut self, slips: u64, reference: u64, residual: Imbalance) {
+        self.has_strayed = false;
         let counts = &mut self.counts;
         counts.reference_slips += reference;
         counts.slips_too_many += slips.saturating_sub(reference);

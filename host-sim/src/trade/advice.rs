@@ -22,7 +22,7 @@ const GOALS: [Goal; 2] = [
         frames: "all frames",
         error: |row| row.accuracy.position.most,
         levels: &[f64::INFINITY, 1e4, 1e3, 100.0, 10.0, 1.0],
-        unreached: ": a rounding can make a slip come earlier or later",
+        unreached: ": slips come earlier or later than those of the reference",
     },
     Goal {
         frames: "the frames in step",
@@ -89,11 +89,12 @@ fn sentence(place: Place, goal: &Goal, row: &Row) -> String {
     let worst = place.worst(&row.cost);
     let worst = worst.map_or(String::new(), |worst| format!(", {worst} in the worst"));
     format!(
-        "{}, {}, {} at {} Hz: {} µm, {cost:.0} {unit} per frame{worst}",
+        "{}, {}, {} at {} Hz: {} µm, {:.0} % of the frames in step, {cost:.0} {unit} per frame{worst}",
         setting.number.name(),
         setting.evolution_name(),
         setting.dial.name,
         row.rate,
         figure((goal.error)(row)),
+        row.accuracy.percent(row.accuracy.in_step),
     )
 }

@@ -36,7 +36,7 @@ impl Table {
         ];
         let cells = |row: &Row| {
             let accuracy = &row.accuracy;
-            let percent = |count| figure(100.0 * count as f64 / accuracy.frames.max(1) as f64);
+            let percent = |count| figure(accuracy.percent(count));
             let mut cells = names(row);
             cells.extend([
                 spread(accuracy.position),
