@@ -4,7 +4,7 @@
 use core::mem::size_of;
 use stiction_core::{Hand, Output, Parameter, Real, Scene, SceneError, Solver, State};
 
-use crate::job::{self, FormatError, Frame, Head, Results, Totals};
+use crate::job::{self, FormatError, Frame, Head, Results, Setting, Totals};
 use crate::si::{SiFloat, narrow_hand};
 
 /// So many frames are read and written at once.
@@ -79,8 +79,13 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
     files.read(&mut head)?;
     let head = Head::decode(&head)?;
     let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
+    let Setting {
+        evolution,
+        tolerance,
+    } = head.setting;
+    let solver = Solver::new(scene, evolution).with_tolerance(R::Si::narrow(tolerance));
     let mut ride = Ride {
-        solver: Solver::new(scene, head.evolution),
+        solver,
         state: None,
     };
     files.write(&Results::head())?;

@@ -4,7 +4,7 @@ use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
 };
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, run};
-use stiction_firmware::job::{self, FormatError, Frame, Results};
+use stiction_firmware::job::{self, FormatError, Frame, Results, Setting};
 use stiction_firmware::si::{SiFloat, narrow_hand};
 
 const SAMPLES: u32 = 100;
@@ -23,6 +23,11 @@ const SCENE: Description<'static, f64> = Description {
     stiffness_translation: 500.0,
     stiffness_rotation: 0.5,
     surfaces: &[SURFACE],
+};
+
+const EXACT: Setting = Setting {
+    evolution: Evolution::Path,
+    tolerance: 0.0,
 };
 
 /// Files in memory.
@@ -83,9 +88,9 @@ fn hand(i: u32) -> Hand<f64> {
     }
 }
 
-fn job_of(scene: &Description<'_, f64>, evolution: Evolution) -> Vec<u8> {
+fn job_of(scene: &Description<'_, f64>, setting: Setting) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let done: Result<(), ()> = job::write_scene(scene, evolution, SAMPLES, |part| {
+    let done: Result<(), ()> = job::write_scene(scene, setting, SAMPLES, |part| {
         bytes.extend_from_slice(part);
         Ok(())
     });
@@ -100,8 +105,8 @@ fn done(job: Vec<u8>) -> Result<Vec<u8>, Failure> {
     Ok(files.results)
 }
 
-fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
-    let mut files = Memory::new(job_of(&SCENE, evolution));
+fn comes_back<R: Real<Si: SiFloat>>(setting: Setting) {
+    let mut files = Memory::new(job_of(&SCENE, setting));
     run::<R, 8, 4>(&mut files, &mut Calls(0)).unwrap();
     let results = Results::read(&files.results).unwrap();
     assert_eq!(
@@ -129,7 +134,8 @@ fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
             friction_dynamic: narrow(SURFACE.friction_dynamic),
         }],
     });
-    let solver = Solver::new(scene.unwrap(), evolution);
+    let solver =
+        Solver::new(scene.unwrap(), setting.evolution).with_tolerance(narrow(setting.tolerance));
     let (mut state, first) = solver.start(narrow_hand(&hand(0)));
     for (i, frame) in (0..).zip(results.frames()) {
         let output = match i {
@@ -143,15 +149,21 @@ fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
 #[test]
 fn a_job_comes_back_with_the_answers_of_the_solver() {
     for evolution in [Evolution::Path, Evolution::Frame] {
-        comes_back::<f32>(evolution);
-        comes_back::<Fixed>(evolution);
-        comes_back::<f64>(evolution);
+        for tolerance in [0.0, 1e-3] {
+            let setting = Setting {
+                evolution,
+                tolerance,
+            };
+            comes_back::<f32>(setting);
+            comes_back::<Fixed>(setting);
+            comes_back::<f64>(setting);
+        }
     }
 }
 
 #[test]
 fn what_is_not_a_job_is_refused() {
-    let good = job_of(&SCENE, Evolution::Path);
+    let good = job_of(&SCENE, EXACT);
     for (at, wrong, expected) in [
         (0, b'x', Failure::Format(FormatError::Mark)),
         (4, job::VERSION + 1, Failure::Format(FormatError::Mark)),
@@ -170,14 +182,14 @@ fn what_is_not_a_job_is_refused() {
         ..SCENE
     };
     assert!(matches!(
-        done(job_of(&sunk, Evolution::Path)),
+        done(job_of(&sunk, EXACT)),
         Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
     ));
 }
 
 #[test]
 fn what_is_not_whole_is_no_result() {
-    let good = done(job_of(&SCENE, Evolution::Frame)).unwrap();
+    let good = done(job_of(&SCENE, EXACT)).unwrap();
     assert!(Results::read(&good).is_ok());
     for cut in [1, 24, 40, good.len() - 9] {
         assert!(Results::read(&good[..good.len() - cut]).is_err(), "{cut}");

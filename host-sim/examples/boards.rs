@@ -8,9 +8,9 @@
 use std::error::Error;
 
 use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver};
-use stiction_firmware::job::Frame;
+use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
-    Board, BoardNumber, Counted, Profile, count, footprint, job, rust_source,
+    Board, BoardNumber, Counted, Counter, Profile, footprint, job, rust_source,
 };
 use stiction_host_sim::number::{Number, narrow_hand};
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
@@ -129,8 +129,12 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
         return Err("a scene without keyframes".into());
     };
     let hands: Vec<_> = path.frames(scene.hand.rate).map(|s| s.hand).collect();
-    let job = job(&scene, evolution, &hands);
-    let counted = count(build.board, build.number, build.profile, &job)?;
+    let setting = Setting {
+        evolution,
+        tolerance: 0.0,
+    };
+    let job = job(&scene, setting, &hands);
+    let counted = Counter::new(build.board, build.number, build.profile)?.count(&job)?;
     // The first frame is the start.
     let steps = &counted.frames[1..];
     let instructions = || steps.iter().map(|frame| u64::from(frame.instructions));

@@ -1,5 +1,5 @@
 //! The solver on emulated boards: from a scene and the hand's samples to the instructions of every frame and to the stack
-//! (`count`), from a number of frames to the hash of all bits (`bits`), from a scene to the flash that its solver takes.
+//! ([`Counter`]), from a number of frames to the hash of all bits (`bits`), from a scene to the flash that its solver takes.
 //!
 //! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which passes files through by
 //! semihosting.
@@ -19,8 +19,8 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use stiction_core::{Description, Evolution, Hand, SurfaceDescription};
-use stiction_firmware::job::{self, Frame, Results, Totals};
+use stiction_core::{Description, Hand, SurfaceDescription};
+use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
 
 use crate::record::SurfaceInfo;
 use crate::scene_file::SceneFile;
@@ -113,8 +113,8 @@ pub struct Counted {
     pub totals: Totals,
 }
 
-/// A job for [`count`]: the scene, and a hand sample for every frame.
-pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
+/// A job for a [`Counter`]: the scene, and a hand sample for every frame.
+pub fn job(scene: &SceneFile, setting: Setting, hands: &[Hand<f64>]) -> Vec<u8> {
     let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
     let description = Description {
         vertices: &scene.vertices,
@@ -129,7 +129,7 @@ pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     // A sink that keeps everything does not fail.
-    let _ = job::write_scene(&description, evolution, samples, |part| {
+    let _ = job::write_scene(&description, setting, samples, |part| {
         bytes.extend_from_slice(part);
         Ok::<_, Infallible>(())
     });
@@ -146,31 +146,42 @@ fn surface(given: &SurfaceInfo) -> SurfaceDescription<f64> {
     }
 }
 
-/// Does a job on a board: the instructions of every frame. A job has at most 8 vertices and 4 surfaces.
-///
-/// # Errors
-/// A program is missing, the image cannot be built, or the job ends with an error.
-pub fn count(
+/// The instruction bench of a board, built once for many jobs.
+pub struct Counter {
     board: Board,
-    number: BoardNumber,
-    profile: Profile,
-    job: &[u8],
-) -> Result<Counted, EmulatorError> {
-    let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
-    let folder = tempfile::tempdir()?;
-    fs::write(folder.path().join("job"), job)?;
-    let mut emulator = board.emulator();
-    emulator
-        .current_dir(folder.path())
-        .arg("-icount")
-        .arg(format!("shift={}", board.instruction_shift()));
-    run(emulator, &image, &["count", "job", "results"])?;
-    let bytes = fs::read(folder.path().join("results"))?;
-    let results = Results::read(&bytes)?;
-    Ok(Counted {
-        frames: results.frames().collect::<Result<_, _>>()?,
-        totals: results.totals,
-    })
+    image: Image,
+}
+
+impl Counter {
+    /// Builds it.
+    ///
+    /// # Errors
+    /// Cargo or the target is missing, or the image cannot be built.
+    pub fn new(board: Board, number: BoardNumber, profile: Profile) -> Result<Self, EmulatorError> {
+        let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
+        Ok(Self { board, image })
+    }
+
+    /// Does a job: the instructions of every frame. A job has at most 8 vertices and 4 surfaces.
+    ///
+    /// # Errors
+    /// The emulator is missing, or the job ends with an error.
+    pub fn count(&self, job: &[u8]) -> Result<Counted, EmulatorError> {
+        let folder = tempfile::tempdir()?;
+        fs::write(folder.path().join("job"), job)?;
+        let mut emulator = self.board.emulator();
+        emulator
+            .current_dir(folder.path())
+            .arg("-icount")
+            .arg(format!("shift={}", self.board.instruction_shift()));
+        run(emulator, &self.image, &["count", "job", "results"])?;
+        let bytes = fs::read(folder.path().join("results"))?;
+        let results = Results::read(&bytes)?;
+        Ok(Counted {
+            frames: results.frames().collect::<Result<_, _>>()?,
+            totals: results.totals,
+        })
+    }
 }
 
 /// Runs an image with a command line. What it prints.

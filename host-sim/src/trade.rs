@@ -2,14 +2,15 @@
 //! table, CSV, JSON, pictures and a recommendation:
 //!
 //! ```text
-//! suite ─ reference ─ measure (accuracy, cost) ─ rows ─┬─ table, report
-//!                                                      ├─ front (pictures)
-//!                                                      └─ advice
+//! suite ─ reference ─ measure (accuracy, cost) ─┬ rows ─┬─ table, report
+//!       └ emulated (instructions, memory) ──────┘       ├─ front (pictures)
+//!                                                       └─ advice
 //! ```
 
 mod accuracy;
 mod advice;
 mod cost;
+mod emulated;
 mod files;
 mod front;
 mod hand;
@@ -34,10 +35,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::emulator::EmulatorError;
 use crate::machine::processor;
 use crate::plot::{self, PlotError};
 use crate::readme::Section;
 use crate::source::InputError;
+use emulated::Count;
 use files::Folder;
 use front::Place;
 
@@ -53,6 +56,9 @@ pub struct TradeArgs {
     /// A few scenes only
     #[arg(long)]
     pub quick: bool,
+    /// Counts instructions, flash and memory on emulated Cortex-M4F and Cortex-M0 as well (needs QEMU)
+    #[arg(long)]
+    pub emulated: bool,
     /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well
     #[arg(long, value_name = "FILE")]
     pub readme: Option<PathBuf>,
@@ -64,6 +70,9 @@ pub enum TradeError {
     /// The hand's path cannot be used, or a scene is refused.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// An emulated chip cannot be had, or does not do its job.
+    #[error(transparent)]
+    Emulator(#[from] EmulatorError),
     /// The folder or the file cannot be written.
     #[error("{}: cannot be written: {error}", place.display())]
     Write {
@@ -109,7 +118,11 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
         .as_ref()
         .map(|file| below(&args.out, file))
         .transpose()?;
-    let report = report(&suite)?;
+    let counts = match args.emulated {
+        true => counts(&suite)?,
+        false => Vec::new(),
+    };
+    let report = report(&suite, &counts)?;
     let mut files = vec![
         (
             "trade.csv".to_owned(),
@@ -137,20 +150,37 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     Ok(())
 }
 
-/// Measures the suite behind a progress bar.
-fn report(suite: &Suite) -> Result<Report, InputError> {
-    let bar = ProgressBar::new(suite.frame_count() as u64);
+fn progress(length: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(length as u64).with_style(style)
+}
+
+/// Counts on emulated chips behind a progress bar.
+fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
+    let bar = progress(emulated::extent());
+    let counts = emulated::count(suite, |chip| {
+        bar.set_message(chip.to_owned());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    counts
+}
+
+/// Measures the suite behind a progress bar.
+fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
+    let bar = progress(suite.frame_count());
     let rows = measure(suite, |case| {
         bar.set_message(case.scene.title.clone());
         bar.inc(case.frame_count() as u64);
     });
     bar.finish_and_clear();
+    let mut rows = rows?;
+    counts.iter().for_each(|count| count.enter(&mut rows));
     let mut report = Report {
         machine: processor(),
         scenes: suite.to_string(),
-        rows: rows?,
+        rows,
         advice: Vec::new(),
     };
     report.advice = advice::advice(&report.overall(), &report.machine);

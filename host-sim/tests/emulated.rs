@@ -6,9 +6,9 @@ use std::io::{self, Write};
 
 use stiction_core::{Evolution, Fixed, Hand, Output, Real, Solver};
 use stiction_firmware::bits::{Walk, of_walk};
-use stiction_firmware::job::Frame;
+use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
-    Board, BoardNumber, EmulatorError, Machine, Profile, count, footprint, job, rust_source,
+    Board, BoardNumber, Counter, EmulatorError, Machine, Profile, footprint, job, rust_source,
 };
 use stiction_host_sim::number::{Number, SiFloat, narrow_hand};
 use stiction_host_sim::scene_file::{HostSolver, SceneFile};
@@ -34,10 +34,11 @@ fn if_installed<T>(result: Result<T, EmulatorError>) -> Option<T> {
 /// The answers of the solver on this machine.
 fn outputs<R: Real<Si: SiFloat>>(
     scene: &SceneFile,
-    evolution: Evolution,
+    setting: Setting,
     hands: &[Hand<f64>],
 ) -> Vec<Output<R::Si>> {
-    let solver: HostSolver<R> = Solver::new(scene.scene().unwrap(), evolution);
+    let solver: HostSolver<R> = Solver::new(scene.scene().unwrap(), setting.evolution)
+        .with_tolerance(R::Si::narrow(setting.tolerance));
     let (mut state, first) = solver.start(narrow_hand(&hands[0]));
     let rest = hands[1..].iter();
     let rest = rest.map(|hand| solver.step(&mut state, narrow_hand(hand)));
@@ -48,15 +49,24 @@ fn counts<R: Real<Si = f32>>(number: BoardNumber) {
     let scene = scene();
     let mut walk = Walk::new();
     let hands: Vec<Hand<f64>> = (0..500).map(|_| walk.sample()).collect();
-    for evolution in [Evolution::Path, Evolution::Frame] {
-        let outputs = outputs::<R>(&scene, evolution, &hands);
-        let job = job(&scene, evolution, &hands);
+    for (evolution, tolerance) in [
+        (Evolution::Path, 0.0),
+        (Evolution::Path, 1e-3),
+        (Evolution::Frame, 0.0),
+    ] {
+        let setting = Setting {
+            evolution,
+            tolerance,
+        };
+        let outputs = outputs::<R>(&scene, setting, &hands);
+        let job = job(&scene, setting, &hands);
         for board in Board::ALL {
-            let counted = count(board, number, Profile::Device, &job);
+            let counted = Counter::new(board, number, Profile::Device)
+                .and_then(|counter| counter.count(&job));
             let Some(counted) = if_installed(counted) else {
                 continue;
             };
-            let case = format!("{} {} {evolution:?}", board.name(), number.name());
+            let case = format!("{} {} {setting:?}", board.name(), number.name());
             assert_eq!(counted.frames.len(), outputs.len(), "{case}");
             for (i, (frame, output)) in counted.frames.iter().zip(&outputs).enumerate() {
                 assert_eq!(*frame, Frame::new(frame.instructions, output), "{case} {i}");

@@ -8,10 +8,19 @@ use super::{FormatError, VERSION};
 use crate::si::SiFloat;
 
 /// The bytes of a job before its vertices.
-pub const HEAD_BYTES: usize = 88;
+pub const HEAD_BYTES: usize = 96;
 const VERTEX_BYTES: usize = 16;
 const SURFACE_BYTES: usize = 40;
 const MARK: [u8; 4] = *b"stjb";
+
+/// How the solver of a job is set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    /// The evolution within a frame.
+    pub evolution: Evolution,
+    /// The tolerance of its searches (rad), see [`stiction_core::Solver::with_tolerance`]; 0 exact.
+    pub tolerance: f64,
+}
 
 /// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many.
 ///
@@ -22,14 +31,14 @@ const MARK: [u8; 4] = *b"stjb";
 /// More than 255 vertices or surfaces, which no scene has.
 pub fn write_scene<E>(
     scene: &Description<'_, f64>,
-    evolution: Evolution,
+    setting: Setting,
     samples: u32,
     mut sink: impl FnMut(&[u8]) -> Result<(), E>,
 ) -> Result<(), E> {
     let count = |n: usize| u8::try_from(n).unwrap_or(u8::MAX);
     let mut head = Record::<HEAD_BYTES>::new();
     head.put(MARK).u8(VERSION);
-    head.u8(match evolution {
+    head.u8(match setting.evolution {
         Evolution::Path => 0,
         Evolution::Frame => 1,
     });
@@ -42,7 +51,8 @@ pub fn write_scene<E>(
     let [x, y] = scene.holding_point.unwrap_or_default();
     head.f64(x).f64(y).f64(scene.reach);
     head.f64(scene.stiffness_translation)
-        .f64(scene.stiffness_rotation);
+        .f64(scene.stiffness_rotation)
+        .f64(setting.tolerance);
     sink(&head.bytes())?;
     for &[x, y] in scene.vertices {
         sink(&Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes())?;
@@ -62,8 +72,8 @@ pub fn write_scene<E>(
 /// The head of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Head {
-    /// The evolution within a frame.
-    pub evolution: Evolution,
+    /// How the solver is set.
+    pub setting: Setting,
     /// How many hand samples follow.
     pub samples: u32,
     vertices: u8,
@@ -96,17 +106,22 @@ impl Head {
         let start = [fields.f64(), fields.f64(), fields.f64()];
         let weight = fields.f64();
         let holding_point = [fields.f64(), fields.f64()];
+        let [reach, stiffness_translation, stiffness_rotation, tolerance] =
+            [(); 4].map(|()| fields.f64());
         Ok(Self {
-            evolution,
+            setting: Setting {
+                evolution,
+                tolerance,
+            },
             samples,
             vertices,
             surfaces,
             start,
             weight,
             holding_point: has_holding_point.then_some(holding_point),
-            reach: fields.f64(),
-            stiffness_translation: fields.f64(),
-            stiffness_rotation: fields.f64(),
+            reach,
+            stiffness_translation,
+            stiffness_rotation,
         })
     }
 

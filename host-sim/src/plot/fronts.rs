@@ -26,6 +26,7 @@ pub(crate) struct Point {
     pub(crate) color: RGBColor,
     /// A dot; otherwise a ring.
     pub(crate) filled: bool,
+    /// Shown for the best.
     pub(crate) label: String,
     /// No other point has less cost and less error.
     pub(crate) best: bool,
@@ -220,21 +221,25 @@ impl Axes<'_, '_> {
             self.area
                 .draw(&Circle::new((px(x), px(y)), px(RADIUS), style))?;
         }
-        let names: Vec<_> = points.iter().map(|point| point.label.as_str()).collect();
+        let best: Vec<_> = points.iter().filter(|point| point.best).collect();
+        let named: Vec<_> = best
+            .iter()
+            .map(|point| (point.label.as_str(), place(point)))
+            .collect();
         let (left, top) = self.corner;
         let inside = (left..left + self.width, top..top + HEIGHT);
-        for (point, at) in points.iter().zip(labels(&names, &places, &inside)) {
+        for (point, at) in best.iter().zip(labels(&named, &places, &inside)) {
             self.colored(&point.label, at, SMALL, point.color)?;
         }
         Ok(())
     }
 }
 
-/// The middle of a label beside each of some places: right, left, above or below, where it covers least of the marks and of
-/// the labels before it, and stays inside.
+/// The middle of a label beside each of some places with names: right, left, above or below, where it covers least of the
+/// marks and of the labels before it, and stays inside.
 fn labels(
-    names: &[&str],
-    places: &[(f64, f64)],
+    named: &[(&str, (f64, f64))],
+    marks: &[(f64, f64)],
     inside: &(Range<f64>, Range<f64>),
 ) -> Vec<(f64, f64)> {
     let overlap = |(x, y): (f64, f64), width: f64, (u, v): (f64, f64), size: (f64, f64)| {
@@ -243,7 +248,7 @@ fn labels(
         across.max(0.0) * along.max(0.0)
     };
     let mut set: Vec<((f64, f64), f64)> = Vec::new();
-    for (name, &(x, y)) in names.iter().zip(places) {
+    for &(name, (x, y)) in named {
         let width = 0.92 * text_width(name, SMALL);
         let (dx, dy) = (RADIUS + 3.0 + width / 2.0, RADIUS + 1.0 + LINE / 2.0);
         let beside = [
@@ -259,7 +264,7 @@ fn labels(
             (0.0, 2.2 * dy),
         ];
         let cost = |&(u, v): &(f64, f64)| {
-            let marks = places
+            let marks = marks
                 .iter()
                 .map(|&at| overlap((u, v), width, at, (2.0 * RADIUS, 2.0 * RADIUS)));
             let others = set
@@ -298,7 +303,8 @@ mod tests {
     #[test]
     fn labels_of_marks_close_together_do_not_cover_each_other() {
         let places = [(100.0, 100.0), (104.0, 101.0), (100.0, 108.0)];
-        let at = labels(&["31", "100", "1000"], &places, &(0.0..200.0, 0.0..200.0));
+        let named = [("31", places[0]), ("100", places[1]), ("1000", places[2])];
+        let at = labels(&named, &places, &(0.0..200.0, 0.0..200.0));
         for (i, a) in at.iter().enumerate() {
             for b in &at[..i] {
                 assert!(

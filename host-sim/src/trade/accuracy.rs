@@ -44,6 +44,12 @@ pub struct Accuracy {
     pub position: Spread,
     /// Angle between the body and that of the reference (mrad).
     pub angle: Spread,
+    /// Frames in step: with the contact state of the reference, and in all frames so far as many slips.
+    pub in_step: usize,
+    /// Distance in these frames (µm).
+    pub position_in_step: Spread,
+    /// Angle in these frames (mrad).
+    pub angle_in_step: Spread,
     /// The largest unbalanced force of a scene / its largest force, or moment / (that force · L).
     pub residual: f64,
     /// Frames in a different contact state.
@@ -58,6 +64,13 @@ pub struct Accuracy {
     pub not_ok: usize,
 }
 
+impl Accuracy {
+    /// So many of the frames (%).
+    pub(super) fn percent(&self, count: usize) -> f64 {
+        100.0 * count as f64 / self.frames.max(1) as f64
+    }
+}
+
 /// What is gathered for an [`Accuracy`].
 #[derive(Clone, Debug, Default)]
 pub(super) struct Errors {
@@ -65,21 +78,33 @@ pub(super) struct Errors {
     positions: Vec<f32>,
     /// mrad
     angles: Vec<f32>,
+    /// The same of the frames in step.
+    positions_in_step: Vec<f32>,
+    angles_in_step: Vec<f32>,
+    /// The slips of this scene were not always as many as those of the reference.
+    has_strayed: bool,
     counts: Accuracy,
 }
 
 impl Errors {
-    /// Adds a frame.
-    pub(super) fn add(&mut self, frame: &Frame, truth: &Truth) {
+    /// Adds a frame, at whose end there were so many slips in all.
+    pub(super) fn add(&mut self, frame: &Frame, slips: u64, truth: &Truth) {
         let [dx, dy, turn] = [0, 1, 2].map(|k| frame.pose[k] - truth.pose[k]);
-        self.positions.push((1e6 * dx.hypot(dy)) as f32);
-        self.angles.push((1e3 * turn.abs()) as f32);
+        let (position, angle) = ((1e6 * dx.hypot(dy)) as f32, (1e3 * turn.abs()) as f32);
+        self.positions.push(position);
+        self.angles.push(angle);
+        self.has_strayed |= slips != truth.slips;
+        if !self.has_strayed && frame.state == truth.state {
+            self.positions_in_step.push(position);
+            self.angles_in_step.push(angle);
+        }
         self.counts.other_state += usize::from(frame.state != truth.state);
         self.counts.not_ok += usize::from(frame.status != Status::Ok);
     }
 
     /// Adds what is known at the end of a scene.
     pub(super) fn end_scene(&mut self, slips: u64, reference: u64, residual: Imbalance) {
+        self.has_strayed = false;
         let counts = &mut self.counts;
         counts.reference_slips += reference;
         counts.slips_too_many += slips.saturating_sub(reference);
@@ -91,6 +116,8 @@ impl Errors {
     pub(super) fn merge(&mut self, other: &Self) {
         self.positions.extend(&other.positions);
         self.angles.extend(&other.angles);
+        self.positions_in_step.extend(&other.positions_in_step);
+        self.angles_in_step.extend(&other.angles_in_step);
         let (sum, more) = (&mut self.counts, &other.counts);
         sum.other_state += more.other_state;
         sum.reference_slips += more.reference_slips;
@@ -106,6 +133,9 @@ impl Errors {
             frames: self.positions.len(),
             position: Spread::of(&mut self.positions),
             angle: Spread::of(&mut self.angles),
+            in_step: self.positions_in_step.len(),
+            position_in_step: Spread::of(&mut self.positions_in_step),
+            angle_in_step: Spread::of(&mut self.angles_in_step),
             ..self.counts
         }
     }

@@ -38,7 +38,7 @@ impl Chip {
 }
 
 /// What a setting costs on an emulated chip.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Emulated {
     /// Instructions per frame, mean.
     pub instructions: f64,

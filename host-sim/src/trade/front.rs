@@ -59,6 +59,14 @@ impl Place {
             Self::Chip(k) => cost.emulated[k].map(|counted| counted.instructions),
         }
     }
+
+    /// Of the worst frame, where that is known.
+    pub(super) fn worst(self, cost: &Cost) -> Option<u32> {
+        match self {
+            Self::Host => None,
+            Self::Chip(k) => cost.emulated[k].map(|counted| counted.worst),
+        }
+    }
 }
 
 /// The position error (µm) below which settings are equally good.
@@ -75,9 +83,9 @@ fn floor(rows: &[Row]) -> f64 {
     }
 }
 
-/// What a front is made of: the error that 99 % of the frames stay within.
+/// What a front is made of: the error (µm) that 99 % of the frames in step stay within.
 pub(super) fn error(row: &Row) -> f64 {
-    row.accuracy.position.most
+    row.accuracy.position_in_step.most
 }
 
 /// For each of some (cost, error): no other one has less of one and not more of the other.
@@ -87,8 +95,13 @@ pub(super) fn best(points: &[(f64, f64)]) -> Vec<bool> {
     points.iter().map(unbeaten).collect()
 }
 
-/// The picture for a place.
+/// The picture for a place: all settings that have a cost there, but for the reference.
 pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
+    let counted = |row: &&Row| !row.is_reference() && place.cost(&row.cost).is_some();
+    let rows: Vec<Row> = rows.iter().filter(counted).copied().collect();
+    let numbers = Number::ALL
+        .into_iter()
+        .filter(|number| rows.iter().any(|row| row.setting.number == *number));
     let unit = place.unit();
     let where_ = match place {
         Place::Host => machine.to_owned(),
@@ -100,17 +113,17 @@ pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
     };
     Fronts {
         title: format!("Error and cost of every setting: {where_}"),
-        colors: Number::ALL
+        colors: numbers
             .map(|number| (number_color(number), number.name()))
-            .to_vec(),
+            .collect(),
         marks: ["path", "frame"],
-        error: "position error, 99 % of the frames [µm]".to_owned(),
-        floor: floor(rows),
+        error: "position error, 99 % of the frames in step [µm]".to_owned(),
+        floor: floor(&rows),
         panels: vec![
-            panel(place, rows, format!("{unit} per frame, mean"), |_| 1.0),
+            panel(place, &rows, format!("{unit} per frame, mean"), |_| 1.0),
             panel(
                 place,
-                rows,
+                &rows,
                 format!("{per_second} per second of motion"),
                 |row| scale * row.rate,
             ),
@@ -133,10 +146,7 @@ fn panel(place: Place, rows: &[Row], label: String, factor: impl Fn(&Row) -> f64
             y: error(row),
             color: number_color(row.setting.number),
             filled: row.setting.evolution == Evolution::Path,
-            label: match row.setting.dial.name {
-                "exact" => format!("{}", row.rate),
-                dial => format!("{} {dial}", row.rate),
-            },
+            label: format!("{} Hz, {}", row.rate, row.setting.dial.name),
             best,
         });
     Panel {

@@ -8,7 +8,7 @@ use stiction_core::{Fixed, Hand, Real};
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Chip, Cost};
 use super::reference::{Reference, Truth};
-use super::setting::{RATES, Setting};
+use super::setting::{FINEST, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use crate::number::{Number, SiFloat, narrow_hand};
@@ -32,6 +32,11 @@ pub struct Row {
 }
 
 impl Row {
+    /// Whether it is what all others are measured against.
+    pub(super) fn is_reference(&self) -> bool {
+        (self.setting, self.rate) == (Setting::REFERENCE, FINEST)
+    }
+
     /// Name and value of every column, in the order of the files.
     pub fn columns(&self) -> Vec<(String, Value)> {
         let (setting, accuracy) = (&self.setting, &self.accuracy);
@@ -50,6 +55,17 @@ impl Row {
             add(&format!("{name}_median_{unit}"), spread.median.into());
             add(&format!("{name}_p99_{unit}"), spread.most.into());
             add(&format!("{name}_max_{unit}"), spread.max.into());
+        }
+        add("in_step", accuracy.in_step.into());
+        for (name, unit, spread) in [
+            ("position", "um", accuracy.position_in_step),
+            ("angle", "mrad", accuracy.angle_in_step),
+        ] {
+            add(
+                &format!("{name}_in_step_median_{unit}"),
+                spread.median.into(),
+            );
+            add(&format!("{name}_in_step_p99_{unit}"), spread.most.into());
         }
         add("worst_residual", accuracy.residual.into());
         add("other_state", accuracy.other_state.into());
@@ -136,7 +152,7 @@ pub fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, I
                 rate: *rate,
                 truths: (RATES.iter().position(|known| known == rate))
                     .map_or(&[][..], |k| &truths[k]),
-                slips: reference.slips,
+                slips: reference.slips(),
             };
             ride.measure(&mut tallies[case.group as usize])?;
         }
@@ -192,7 +208,7 @@ impl Ride<'_> {
             residual.add(&frame);
             slips += u64::from(frame.slips);
             if let Some(truth) = truths.next() {
-                tally.errors.add(&frame, truth);
+                tally.errors.add(&frame, slips, truth);
             }
             Ok::<_, InputError>(())
         })?;

@@ -16,14 +16,18 @@ pub(super) struct Truth {
     /// x, y (m), theta (rad)
     pub(super) pose: [f64; 3],
     pub(super) state: StateKind,
+    /// Slips since the start.
+    pub(super) slips: u64,
 }
 
 impl Truth {
-    fn of(output: &Output<f64>) -> Self {
+    /// After so many slips before.
+    fn of(output: &Output<f64>, slips: u64) -> Self {
         let [x, y] = output.position;
         Self {
             pose: [x, y, output.angle.radians()],
             state: output.state,
+            slips: slips + u64::from(output.slips),
         }
     }
 }
@@ -32,8 +36,6 @@ impl Truth {
 pub(super) struct Reference {
     solver: HostSolver<f64>,
     frames: Vec<(f64, State<f64>, Truth)>,
-    /// Slips of the whole run.
-    pub(super) slips: u64,
 }
 
 impl Reference {
@@ -43,7 +45,6 @@ impl Reference {
     pub(super) fn new(case: &Case) -> Result<Self, InputError> {
         let solver = Setting::REFERENCE.solver(case.scene.scene()?);
         let mut frames: Vec<(f64, State<f64>, Truth)> = Vec::with_capacity(case.frame_count());
-        let mut slips = 0;
         for sample in case.path.frames(Some(FINEST)) {
             let hand = narrow_hand(&sample.hand);
             let (state, output) = match frames.last() {
@@ -54,14 +55,15 @@ impl Reference {
                     (state, output)
                 }
             };
-            slips += u64::from(output.slips);
-            frames.push((sample.t, state, Truth::of(&output)));
+            let slips = frames.last().map_or(0, |(.., truth)| truth.slips);
+            frames.push((sample.t, state, Truth::of(&output, slips)));
         }
-        Ok(Self {
-            solver,
-            frames,
-            slips,
-        })
+        Ok(Self { solver, frames })
+    }
+
+    /// Slips of the whole run.
+    pub(super) fn slips(&self) -> u64 {
+        self.frames.last().map_or(0, |(.., truth)| truth.slips)
     }
 
     /// The truth at the instants of samples: a frame's, or that of one step more from the frame before. The run itself
@@ -75,7 +77,8 @@ impl Reference {
                 return *truth;
             }
             let mut state = state.clone();
-            Truth::of(&self.solver.step(&mut state, narrow_hand(&sample.hand)))
+            let output = self.solver.step(&mut state, narrow_hand(&sample.hand));
+            Truth::of(&output, truth.slips)
         };
         samples.map(truth).collect()
     }

@@ -66,14 +66,23 @@ impl Report {
             .overall()
             .first()
             .map_or(0, |row| row.accuracy.reference_slips);
+        let emulated = match Place::of(&self.rows).len() {
+            ..2 => "",
+            _ => {
+                " Emulated: the bundled scenes only; instructions of a frame, mean and worst, the start not counted; flash: what \
+                 the solver of the first one adds to an image, at any dial; stack: the deepest below the caller."
+            }
+        };
         format!(
-            "Measured on {}. Scenes: {}. Errors: median / 99 % / largest distance of the body's origin, and angle, from f64 with \
-             path evolution at {FINEST} Hz, over all frames of all scenes, in SI units as the scenes are; a frame that falls \
-             between two of the reference is compared with one step more of it. A slip that comes earlier or later is an error \
-             of its whole length until the other one follows. Worst residual: the largest unbalanced \
-             force of a scene / its largest force, or moment / (that force · L). Other state: frames in another contact state \
-             than the reference. Slips +/−: sum over the scenes that slip more often than the reference / less often; it slips \
-             {} times. Time: mean of a frame on this computer, best of {REPEATS} runs.",
+            "Measured on {}. Scenes: {}. Dial: the tolerance of the searches (rad). Errors: median / 99 % / largest distance of \
+             the body's origin, and angle, from f64 with path evolution at {FINEST} Hz, over all frames of all scenes, in SI \
+             units as the scenes are; a frame that falls between two of the reference is compared with one step more of it. A \
+             slip that comes earlier or later is an error of its whole length until the other one follows. In step: frames \
+             with the contact state of the reference, up to the first one with more or fewer slips in all, and their errors, \
+             median / 99 %; there the dial shows. Worst residual: the largest unbalanced force of a scene / its largest force, or moment / (that force · L); \
+             the force is taken as at least 1e-3 k_h L. Other state: frames in another contact state than the reference. Slips \
+             +/−: sum over the scenes that slip more often than the reference / less often; it slips {} times. Time: mean of a \
+             frame on this computer, best of {REPEATS} runs.{emulated}",
             self.machine, self.scenes, slips
         )
     }

@@ -16,14 +16,26 @@ pub const FINEST: f64 = 1000.0;
 pub struct Dial {
     /// The name in tables.
     pub name: &'static str,
+    /// Angles of balance (rad), and the ends of slips as parts of the body size, are found to within this; 0: to the last
+    /// digits of the number type.
+    pub tolerance: f64,
 }
 
 impl Dial {
     /// To the last digits of the number type.
-    pub const EXACT: Self = Self { name: "exact" };
+    pub const EXACT: Self = Self::new("exact", 0.0);
 
     /// All positions that are measured.
-    pub const ALL: [Self; 1] = [Self::EXACT];
+    pub const ALL: [Self; 4] = [
+        Self::EXACT,
+        Self::new("1e-5", 1e-5),
+        Self::new("1e-4", 1e-4),
+        Self::new("1e-3", 1e-3),
+    ];
+
+    const fn new(name: &'static str, tolerance: f64) -> Self {
+        Self { name, tolerance }
+    }
 }
 
 /// A setting of the solver.
@@ -45,18 +57,22 @@ impl Setting {
         dial: Dial::EXACT,
     };
 
-    /// All combinations.
+    /// Both evolutions.
+    pub const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
+
+    /// All combinations; f64, the yardstick, is exact only.
     pub fn all() -> impl Iterator<Item = Self> {
-        Number::ALL.into_iter().flat_map(|number| {
-            [Evolution::Path, Evolution::Frame]
-                .into_iter()
-                .flat_map(move |evolution| {
-                    Dial::ALL.into_iter().map(move |dial| Self {
-                        number,
-                        evolution,
-                        dial,
-                    })
-                })
+        let pairs = Number::ALL
+            .into_iter()
+            .flat_map(move |number| Self::EVOLUTIONS.map(|evolution| (number, evolution)));
+        pairs.flat_map(|(number, evolution)| {
+            let setting = move |dial| Self {
+                number,
+                evolution,
+                dial,
+            };
+            let all = Dial::ALL.into_iter().map(setting);
+            all.filter(|setting| setting.number != Number::F64 || setting.dial == Dial::EXACT)
         })
     }
 
@@ -70,6 +86,6 @@ impl Setting {
 
     /// The solver of a scene; R is the number type of this setting.
     pub(super) fn solver<R: Real<Si: SiFloat>>(&self, scene: HostScene<R>) -> HostSolver<R> {
-        Solver::new(scene, self.evolution)
+        Solver::new(scene, self.evolution).with_tolerance(R::Si::narrow(self.dial.tolerance))
     }
 }

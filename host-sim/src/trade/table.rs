@@ -26,6 +26,9 @@ impl Table {
             "Hz",
             "error (µm)",
             "error (mrad)",
+            "in step (%)",
+            "in step (µm)",
+            "in step (mrad)",
             "worst residual",
             "other state (%)",
             "slips +/−",
@@ -33,13 +36,16 @@ impl Table {
         ];
         let cells = |row: &Row| {
             let accuracy = &row.accuracy;
-            let other = 100.0 * accuracy.other_state as f64 / accuracy.frames.max(1) as f64;
+            let percent = |count| figure(accuracy.percent(count));
             let mut cells = names(row);
             cells.extend([
                 spread(accuracy.position),
                 spread(accuracy.angle),
+                percent(accuracy.in_step),
+                middle(accuracy.position_in_step),
+                middle(accuracy.angle_in_step),
                 format!("{:.1e}", accuracy.residual),
-                figure(other),
+                percent(accuracy.other_state),
                 format!("{} / {}", accuracy.slips_too_many, accuracy.slips_too_few),
                 format!("{:.0}", row.cost.host),
             ]);
@@ -141,6 +147,11 @@ fn spread(spread: Spread) -> String {
     [spread.median, spread.most, spread.max]
         .map(figure)
         .join(" / ")
+}
+
+/// Without the largest one.
+fn middle(spread: Spread) -> String {
+    [spread.median, spread.most].map(figure).join(" / ")
 }
 
 /// A number to two significant digits.

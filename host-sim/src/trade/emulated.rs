@@ -1,0 +1,166 @@
+//! What settings cost on emulated chips: the bundled scenes of the suite through every setting that makes sense on the chip.
+//! From scenes to the instructions of a frame, the stack, the state, and the flash.
+
+use stiction_core::{Evolution, Hand};
+use stiction_firmware::job;
+
+use super::cost::{Chip, Emulated};
+use super::measure::Row;
+use super::setting::{RATES, Setting};
+use super::suite::{Case, Group, Suite};
+use crate::emulator::{
+    Board, BoardNumber, Counter, EmulatorError, Profile, footprint, job, rust_source,
+};
+use crate::number::Number;
+
+/// How images are built.
+const PROFILE: Profile = Profile::Device;
+
+/// What was counted of a setting at a rate.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Count {
+    chip: Chip,
+    setting: Setting,
+    rate: f64,
+    cost: Emulated,
+}
+
+impl Count {
+    /// Puts it into its rows: that of all scenes, and that of the bundled ones.
+    pub(super) fn enter(&self, rows: &mut [Row]) {
+        let groups = [None, Some(Group::Bundled)];
+        let its_own = rows.iter_mut().filter(|row| {
+            (row.setting, row.rate) == (self.setting, self.rate) && groups.contains(&row.group)
+        });
+        for row in its_own {
+            row.cost.emulated[self.chip as usize] = Some(self.cost);
+        }
+    }
+}
+
+/// What a chip computes with.
+struct Build {
+    chip: Chip,
+    board: Board,
+    number: BoardNumber,
+}
+
+/// Fixed point is for the chip that has no unit for single precision.
+const BUILDS: [Build; 3] = [
+    Build {
+        chip: Chip::CortexM4F,
+        board: Board::Stm32F405,
+        number: BoardNumber::F32,
+    },
+    Build {
+        chip: Chip::CortexM0,
+        board: Board::Nrf51822,
+        number: BoardNumber::F32,
+    },
+    Build {
+        chip: Chip::CortexM0,
+        board: Board::Nrf51822,
+        number: BoardNumber::Fixed,
+    },
+];
+
+impl Build {
+    const fn number(&self) -> Number {
+        match self.number {
+            BoardNumber::F32 => Number::F32,
+            BoardNumber::Fixed => Number::Fixed,
+        }
+    }
+
+    fn settings(&self) -> impl Iterator<Item = Setting> {
+        let number = self.number();
+        Setting::all().filter(move |setting| setting.number == number)
+    }
+
+    /// The flash of the solver of a scene (bytes), by evolution.
+    fn flash(&self, case: &Case, evolution: Evolution) -> Result<u64, EmulatorError> {
+        let code = rust_source(&case.scene, self.number, evolution);
+        footprint(self.board, PROFILE, &code)
+    }
+
+    /// Scenes through a setting at a rate.
+    fn count(
+        &self,
+        counter: &Counter,
+        cases: &[&Case],
+        (setting, rate): (Setting, f64),
+    ) -> Result<Emulated, EmulatorError> {
+        let mut cost = Emulated::default();
+        let (mut sum, mut steps) = (0, 0);
+        for case in cases {
+            let samples = case.path.frames(Some(rate));
+            let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
+            let setting = job::Setting {
+                evolution: setting.evolution,
+                tolerance: setting.dial.tolerance,
+            };
+            let counted = counter.count(&job(&case.scene, setting, &hands))?;
+            // The first frame is the start.
+            for frame in counted.frames.iter().skip(1) {
+                sum += u64::from(frame.instructions);
+                steps += 1;
+                cost.worst = cost.worst.max(frame.instructions);
+            }
+            cost.state = counted.totals.state;
+            cost.stack = cost.stack.max(counted.totals.stack);
+        }
+        cost.instructions = sum as f64 / f64::from(steps.max(1_u32));
+        Ok(cost)
+    }
+}
+
+/// How many times [`count`] says that a setting is done at a rate.
+pub(super) fn extent() -> usize {
+    let settings = BUILDS.iter().flat_map(Build::settings);
+    settings.count() * RATES.len()
+}
+
+/// Counts on all chips; `done` hears of every setting at a rate. Flash is that of the first scene's solver.
+///
+/// # Errors
+/// The emulator or a target is missing, or an image cannot be built or run.
+pub(super) fn count(
+    suite: &Suite,
+    mut done: impl FnMut(&str),
+) -> Result<Vec<Count>, EmulatorError> {
+    let bundled = suite
+        .cases
+        .iter()
+        .filter(|case| case.group == Group::Bundled);
+    let cases: Vec<&Case> = bundled.collect();
+    let mut counts = Vec::new();
+    for build in &BUILDS {
+        let counter = Counter::new(build.board, build.number, PROFILE)?;
+        for setting in build.settings() {
+            for rate in RATES {
+                let cost = build.count(&counter, &cases, (setting, rate))?;
+                done(build.chip.name());
+                counts.push(Count {
+                    chip: build.chip,
+                    setting,
+                    rate,
+                    cost,
+                });
+            }
+        }
+    }
+    // After all counting: every scene's footprint is built anew, and so are the images after it.
+    for build in &BUILDS {
+        for evolution in Setting::EVOLUTIONS {
+            let Some(case) = cases.first() else { continue };
+            let flash = build.flash(case, evolution)?;
+            let its_own = counts.iter_mut().filter(|count| {
+                let setting = &count.setting;
+                (count.chip, setting.number, setting.evolution)
+                    == (build.chip, build.number(), evolution)
+            });
+            its_own.for_each(|count| count.cost.flash = flash);
+        }
+    }
+    Ok(counts)
+}
