@@ -12,7 +12,7 @@ mod source;
 pub use bits::Machine;
 pub use image::{Profile, footprint};
 pub use process::EmulatorError;
-pub use source::rust_source;
+pub use source::{rust_source, rust_source_in};
 
 use std::convert::Infallible;
 use std::fs;
@@ -157,6 +157,25 @@ pub fn count(
     job: &[u8],
 ) -> Result<Counted, EmulatorError> {
     let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
+    counted(board, &image, job)
+}
+
+/// Does a job on a board with a scene and an evolution that are compiled in, those of the job or of the same capacities:
+/// `scene` is Rust code, see [`rust_source`]. The number type, V, S and the model are its own.
+///
+/// # Errors
+/// As [`count`].
+pub fn count_compiled(
+    board: Board,
+    profile: Profile,
+    scene: &str,
+    job: &[u8],
+) -> Result<Counted, EmulatorError> {
+    let image = Image::of_scene(board, "count_scene", profile, scene)?;
+    counted(board, &image, job)
+}
+
+fn counted(board: Board, image: &Image, job: &[u8]) -> Result<Counted, EmulatorError> {
     let folder = tempfile::tempdir()?;
     fs::write(folder.path().join("job"), job)?;
     let mut emulator = board.emulator();
@@ -164,7 +183,7 @@ pub fn count(
         .current_dir(folder.path())
         .arg("-icount")
         .arg(format!("shift={}", board.instruction_shift()));
-    run(emulator, &image, &["count", "job", "results"])?;
+    run(emulator, image, &["count", "job", "results"])?;
     let bytes = fs::read(folder.path().join("results"))?;
     let results = Results::read(&bytes)?;
     Ok(Counted {
