@@ -11,7 +11,9 @@ mod table;
 pub use measure::{Chip, Measured, measure};
 
 use std::io;
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
+use std::thread;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -141,27 +143,40 @@ fn measured(cases: &[Case]) -> Result<Table, FootprintError> {
     let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     let mut rows = Vec::new();
-    for Case { scene, hands } in cases {
-        bar.set_message(scene.title.clone());
-        let smallest = SceneModel::smallest(scene);
-        for chip in Chip::ALL {
-            for evolution in EVOLUTIONS {
-                let of = |model| {
-                    let measured = measure(chip, model, scene, evolution, hands);
-                    bar.inc(1);
-                    measured
-                };
-                rows.push(Row {
-                    scene: scene.title.clone(),
-                    model: smallest,
-                    chip,
-                    evolution,
-                    smallest: of(smallest)?,
-                    full: of(smallest.full())?,
-                });
-            }
+    for case in cases {
+        bar.set_message(case.scene.title.clone());
+        // One chip computes while the image of the other one is built.
+        let bar = &bar;
+        let of_chips = thread::scope(|scope| {
+            let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, bar)));
+            started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
+        });
+        for of_chip in of_chips {
+            rows.extend(of_chip?);
         }
     }
     bar.finish_and_clear();
     Ok(Table { rows })
+}
+
+/// The rows of a scene on a chip.
+fn of_chip(chip: Chip, case: &Case, bar: &ProgressBar) -> Result<Vec<Row>, EmulatorError> {
+    let Case { scene, hands } = case;
+    let model = SceneModel::smallest(scene);
+    let row = |evolution| {
+        let of = |model| {
+            let measured = measure(chip, model, scene, evolution, hands);
+            bar.inc(1);
+            measured
+        };
+        Ok(Row {
+            scene: scene.title.clone(),
+            model,
+            chip,
+            evolution,
+            smallest: of(model)?,
+            full: of(model.full())?,
+        })
+    };
+    EVOLUTIONS.into_iter().map(row).collect()
 }

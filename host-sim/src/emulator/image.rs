@@ -63,14 +63,18 @@ impl Image {
         profile: Profile,
         scene: &str,
     ) -> Result<Self, EmulatorError> {
-        static BUILDING: Mutex<()> = Mutex::new(());
+        /// Images of different boards do not take each other's place.
+        static BUILDING: [Mutex<()>; Board::ALL.len()] =
+            [const { Mutex::new(()) }; Board::ALL.len()];
         let folder = tempfile::tempdir()?;
         let code = folder.path().join("scene.rs");
         fs::write(&code, scene)?;
         let mut cargo = cargo_for(board, binary, profile);
         cargo.env("STICTION_SCENE", &code);
         let path = folder.path().join(binary);
-        let building = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
+        let building = BUILDING[board as usize]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         fs::copy(Self::built(cargo)?.path, &path)?;
         drop(building);
         Ok(Self {
