@@ -61,8 +61,7 @@ pub enum FootprintError {
 }
 
 /// The scenes of the README.
-const SCENES: [&str; 8] = [
-    "locked",
+const SCENES: [&str; 7] = [
     "corner-stick-slip",
     "ladder",
     "vertex-stick-slip",
@@ -113,14 +112,19 @@ pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
         .as_ref()
         .map(|file| Section::find(file, "footprint").map_err(cannot_write(file)));
     let section = section.transpose()?;
-    report::print(&cases.iter().map(heading).collect::<String>());
-    let table = measured(&cases)?;
-    report::print(&format!("{}\n{table}", table::LEGEND));
+    let mut rows = Vec::new();
+    for case in &cases {
+        report::print(&heading(case));
+        let table = Table {
+            rows: measured(case)?,
+        };
+        report::print(&format!("{table}\n"));
+        rows.extend(table.rows);
+    }
+    report::print(table::LEGEND);
     if let (Some(section), Some(file)) = (section, &args.readme) {
-        let text = format!(
-            "Written by `stiction footprint`. {}\n{table}",
-            table::LEGEND
-        );
+        let (legend, table) = (table::LEGEND, Table { rows });
+        let text = format!("Written by `stiction footprint`. {legend}\n{table}");
         section.write(&text).map_err(cannot_write(file))?;
     }
     Ok(())
@@ -137,26 +141,24 @@ fn heading(case: &Case) -> String {
     text + &format!("  the full model is {}\n\n", model.full())
 }
 
-/// All rows, behind a progress bar.
-fn measured(cases: &[Case]) -> Result<Table, FootprintError> {
-    let bar = ProgressBar::new((cases.len() * Chip::ALL.len() * EVOLUTIONS.len() * 2) as u64);
+/// The rows of a scene, behind a progress bar.
+fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
+    let models = Chip::ALL.len() * EVOLUTIONS.len() * 2;
+    let bar = &ProgressBar::new(models as u64);
     let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    let mut rows = Vec::new();
-    for case in cases {
-        bar.set_message(case.scene.title.clone());
-        // One chip computes while the image of the other one is built.
-        let bar = &bar;
-        let of_chips = thread::scope(|scope| {
-            let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, bar)));
-            started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
-        });
-        for of_chip in of_chips {
-            rows.extend(of_chip?);
-        }
-    }
+    bar.set_message(case.scene.title.clone());
+    // One chip computes while the image of the other one is built.
+    let of_chips = thread::scope(|scope| {
+        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, bar)));
+        started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
     bar.finish_and_clear();
-    Ok(Table { rows })
+    let mut rows = Vec::new();
+    for of_chip in of_chips {
+        rows.extend(of_chip?);
+    }
+    Ok(rows)
 }
 
 /// The rows of a scene on a chip.

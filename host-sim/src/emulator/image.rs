@@ -131,8 +131,21 @@ impl Image {
 /// # Errors
 /// Cargo or the target is missing, or the image cannot be built.
 pub fn footprint(board: Board, profile: Profile, scene: &str) -> Result<u64, EmulatorError> {
-    let flash = |binary| Image::of_scene(board, binary, profile, scene)?.flash();
-    Ok(flash("footprint")?.saturating_sub(flash("footprint_baseline")?))
+    let whole = Image::of_scene(board, "footprint", profile, scene)?.flash()?;
+    Ok(whole.saturating_sub(baseline(board, profile)?))
+}
+
+/// The flash of the image without a solver (bytes): the same for every scene, so it is built once.
+fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
+    static KNOWN: Mutex<Vec<(Board, Profile, u64)>> = Mutex::new(Vec::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let wanted = |(b, p, _): &&(Board, Profile, u64)| (*b, *p) == (board, profile);
+    if let Some((_, _, flash)) = known.iter().find(wanted) {
+        return Ok(*flash);
+    }
+    let flash = Image::of_board(board, "footprint_baseline", profile)?.flash()?;
+    known.push((board, profile, flash));
+    Ok(flash)
 }
 
 /// Builds a binary of the firmware for a board.
