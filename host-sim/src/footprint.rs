@@ -61,7 +61,8 @@ pub enum FootprintError {
 }
 
 /// The scenes of the README.
-const SCENES: [&str; 7] = [
+const SCENES: [&str; 8] = [
+    "locked",
     "corner-stick-slip",
     "ladder",
     "vertex-stick-slip",

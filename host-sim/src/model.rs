@@ -101,7 +101,7 @@ fn friction(scene: &SceneFile) -> String {
         .map(|surface| format!("{:?} has mu_s = {}", surface.name, surface.friction_static))
         .collect();
     if rough.is_empty() {
-        return "no friction: mu = 0 everywhere, so no slip is searched for".to_owned();
+        return "no friction: mu = 0 everywhere, so nothing ever sticks".to_owned();
     }
     format!("friction: {}", rough.join(", "))
 }
@@ -169,7 +169,7 @@ mod tests {
         for part in [
             "no edge",
             "no two-vertex, corner and locked",
-            "no slip",
+            "no friction",
             "no weight",
         ] {
             assert!(reasons.contains(part), "{part}: {reasons}");
