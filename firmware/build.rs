@@ -1,9 +1,9 @@
-//! What the linker must know of the chip, by target, and which scene the footprint's image holds.
+//! What the linker must know of the chip, by target, and which scene is compiled into an image.
 
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// The scene file of the footprint's image, instead of `scenes/box.rs`: see there.
+/// The scene file of the images `footprint` and `count_scene`, instead of `scenes/box.rs`: see there.
 const SCENE: &str = "STICTION_SCENE";
 
 fn main() {

@@ -47,10 +47,6 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn conj_mul(self, b: Self) -> Self {
         Self::new(self.dot(b), self.cross(b))
     }
-    /// False where a component is infinite or NaN.
-    pub(crate) fn is_finite(self) -> bool {
-        self.x.is_finite() && self.y.is_finite()
-    }
     /// Divided by a number.
     pub(crate) fn over(self, k: R) -> Self {
         Self::new(self.x / k, self.y / k)

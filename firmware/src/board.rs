@@ -7,7 +7,7 @@ use semihosting::experimental::env;
 use semihosting::fs::File;
 use semihosting::io::{Read, Write};
 use semihosting::process;
-use stiction_core::Real;
+use stiction_core::{Model, Real, Solver};
 
 use crate::bits;
 use crate::count::{self, Failure, FileError, Files};
@@ -48,18 +48,34 @@ impl Files for HostFiles {
 
 /// The program `count`: does the job of the file that the command line names first, writes to the second one, and ends.
 pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
+    measured(|files, instruments| count::run::<R, V, S>(files, instruments))
+}
+
+/// The program `count_scene`: likewise, with the solver of a compiled-in scene.
+pub fn count_compiled<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    solver: Solver<R, V, S, M>,
+) -> ! {
+    measured(|files, instruments| count::run_compiled(solver, files, instruments))
+}
+
+fn measured(job: impl FnOnce(&mut HostFiles, &mut Counter) -> Result<(), Failure>) -> ! {
     let Some(mut files) = open() else {
         process::exit(1)
     };
     let Some(mut instruments) = Counter::take() else {
         process::exit(5)
     };
-    process::exit(match count::run::<R, V, S>(&mut files, &mut instruments) {
+    process::exit(match job(&mut files, &mut instruments) {
         Ok(()) => 0,
         Err(Failure::File) => 1,
         Err(Failure::Format(_)) => 3,
         Err(Failure::Scene(_)) => 4,
     })
+}
+
+/// What a program does whose compiled-in scene is none: it ends.
+pub fn no_scene() -> ! {
+    process::exit(4)
 }
 
 fn open() -> Option<HostFiles> {

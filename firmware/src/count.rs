@@ -2,7 +2,7 @@
 //! the stack, with the few things that a board must give for that.
 
 use core::mem::size_of;
-use stiction_core::{Hand, Output, Parameter, Real, Scene, SceneError, Solver, State};
+use stiction_core::{Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State};
 
 use crate::job::{self, FormatError, Frame, Head, Results, Setting, Totals};
 use crate::si::{SiFloat, narrow_hand};
@@ -75,29 +75,59 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
     files: &mut impl Files,
     instruments: &mut impl Instruments,
 ) -> Result<(), Failure> {
-    let mut head = [0; job::HEAD_BYTES];
-    files.read(&mut head)?;
-    let head = Head::decode(&head)?;
+    let head = head(files)?;
     let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
     let Setting {
         evolution,
         tolerance,
     } = head.setting;
     let solver = Solver::new(scene, evolution).with_tolerance(R::Si::narrow(tolerance));
+    ride(solver, head.samples, files, instruments)
+}
+
+/// Does the job with a solver that is there already, of any model; the job's own scene, which must fit into V and S as
+/// well, and its evolution are passed over.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn run_compiled<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    solver: Solver<R, V, S, M>,
+    files: &mut impl Files,
+    instruments: &mut impl Instruments,
+) -> Result<(), Failure> {
+    let head = head(files)?;
+    let _: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
+    ride(solver, head.samples, files, instruments)
+}
+
+fn head(files: &mut impl Files) -> Result<Head, Failure> {
+    let mut bytes = [0; job::HEAD_BYTES];
+    files.read(&mut bytes)?;
+    Ok(Head::decode(&bytes)?)
+}
+
+/// All samples of a job.
+#[inline(always)]
+fn ride<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    solver: Solver<R, V, S, M>,
+    samples: u32,
+    files: &mut impl Files,
+    instruments: &mut impl Instruments,
+) -> Result<(), Failure> {
     let mut ride = Ride {
         solver,
         state: None,
     };
     files.write(&Results::head())?;
     instruments.watch_stack();
-    let mut left = head.samples;
+    let mut left = samples;
     while left > 0 {
-        let mut samples = [[0; job::SAMPLE_BYTES]; BATCH];
+        let mut batch = [[0; job::SAMPLE_BYTES]; BATCH];
         let mut frames = [[0; job::FRAME_BYTES]; BATCH];
         let count = BATCH.min(usize::try_from(left).unwrap_or(BATCH));
-        let (samples, _) = samples.split_at_mut(count);
-        files.read(samples.as_flattened_mut())?;
-        for (sample, frame) in samples.iter().zip(&mut frames) {
+        let (batch, _) = batch.split_at_mut(count);
+        files.read(batch.as_flattened_mut())?;
+        for (sample, frame) in batch.iter().zip(&mut frames) {
             let hand = narrow_hand(&job::decode_sample(sample));
             *frame = ride.frame(hand, instruments).encode();
         }
@@ -107,9 +137,9 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
     }
     let bytes = |size: usize| u32::try_from(size).unwrap_or(u32::MAX);
     let totals = Totals {
-        frames: head.samples,
+        frames: samples,
         stack: instruments.deepest_stack(),
-        solver: bytes(size_of::<Solver<R, V, S>>()),
+        solver: bytes(size_of::<Solver<R, V, S, M>>()),
         state: bytes(size_of::<State<R>>()),
         output: bytes(size_of::<Output<R::Si>>()),
     };
@@ -118,12 +148,12 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
 }
 
 /// A run of the solver; it has no state before the first sample.
-struct Ride<R: Real, const V: usize, const S: usize> {
-    solver: Solver<R, V, S>,
+struct Ride<R: Real, const V: usize, const S: usize, M: Model> {
+    solver: Solver<R, V, S, M>,
     state: Option<State<R>>,
 }
 
-impl<R: Real<Si: SiFloat>, const V: usize, const S: usize> Ride<R, V, S> {
+impl<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model> Ride<R, V, S, M> {
     /// One frame. Inlined, so that the stack is counted from the caller.
     #[inline(always)]
     fn frame(&mut self, hand: Hand<R::Si>, instruments: &mut impl Instruments) -> Frame {
@@ -142,8 +172,8 @@ impl<R: Real<Si: SiFloat>, const V: usize, const S: usize> Ride<R, V, S> {
 
 /// [`Solver::start`] as a call of its own, so that nothing else is counted with it.
 #[inline(never)]
-fn start<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
-    solver: &Solver<R, V, S>,
+fn start<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    solver: &Solver<R, V, S, M>,
     hand: Hand<R::Si>,
 ) -> (State<R>, Output<R::Si>) {
     solver.start(hand)
@@ -151,8 +181,8 @@ fn start<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
 
 /// [`Solver::step`], likewise.
 #[inline(never)]
-fn step<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
-    solver: &Solver<R, V, S>,
+fn step<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    solver: &Solver<R, V, S, M>,
     state: &mut State<R>,
     hand: Hand<R::Si>,
 ) -> Output<R::Si> {

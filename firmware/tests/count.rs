@@ -2,8 +2,9 @@
 
 use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
+    Weightless,
 };
-use stiction_firmware::count::{Failure, FileError, Files, Instruments, run};
+use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_compiled};
 use stiction_firmware::job::{self, FormatError, Frame, Results, Setting};
 use stiction_firmware::si::{SiFloat, narrow_hand};
 
@@ -159,6 +160,29 @@ fn a_job_comes_back_with_the_answers_of_the_solver() {
             comes_back::<f64>(setting);
         }
     }
+}
+
+#[test]
+fn a_compiled_solver_takes_the_samples_of_a_job_alone() {
+    let weightless = Description {
+        weight: 0.0,
+        ..SCENE
+    };
+    let mut own = Memory::new(job_of(
+        &weightless,
+        Setting {
+            evolution: Evolution::Frame,
+            ..EXACT
+        },
+    ));
+    run::<f64, 8, 4>(&mut own, &mut Calls(0)).unwrap();
+    let scene = Scene::<f64, 4, 1, Weightless>::new(&weightless).unwrap();
+    let solver = Solver::new(scene, Evolution::Frame);
+    let mut compiled = Memory::new(job_of(&SCENE, EXACT));
+    run_compiled(solver, &mut compiled, &mut Calls(0)).unwrap();
+    let [own, compiled] = [&own, &compiled].map(|files| Results::read(&files.results).unwrap());
+    assert!(own.frames().eq(compiled.frames()));
+    assert!(compiled.totals.solver < own.totals.solver);
 }
 
 #[test]

@@ -12,7 +12,7 @@ mod source;
 pub use bits::Machine;
 pub use image::{Profile, footprint};
 pub use process::EmulatorError;
-pub use source::rust_source;
+pub use source::{rust_source, rust_source_in};
 
 use std::convert::Infallible;
 use std::fs;
@@ -162,7 +162,17 @@ impl Counter {
         Ok(Self { board, image })
     }
 
-    /// Does a job: the instructions of every frame. A job has at most 8 vertices and 4 surfaces.
+    /// Builds one with a scene and an evolution that are compiled in: `scene` is Rust code, see [`rust_source`]. The number
+    /// type, V, S and the model are its own; of a job, which must fit into them, it takes the samples alone.
+    ///
+    /// # Errors
+    /// Cargo or the target is missing, or the image cannot be built.
+    pub fn of_scene(board: Board, profile: Profile, scene: &str) -> Result<Self, EmulatorError> {
+        let image = Image::of_scene(board, "count_scene", profile, scene)?;
+        Ok(Self { board, image })
+    }
+
+    /// Does a job: the instructions of every frame. Where no scene is compiled in, it has at most 8 vertices and 4 surfaces.
     ///
     /// # Errors
     /// The emulator is missing, or the job ends with an error.

@@ -8,11 +8,15 @@
 //! ```
 //!
 //! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
+//!
+//! [`footprint`] builds the solver that a scene needs for two chips: how large it is there and what a frame costs.
 
 mod balance;
 pub mod emulator;
+pub mod footprint;
 pub mod hand_path;
 pub mod machine;
+pub mod model;
 pub mod number;
 pub mod plot;
 pub mod readme;

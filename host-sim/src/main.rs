@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use stiction_host_sim::footprint::{FootprintArgs, footprint};
 use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::trade::{TradeArgs, trade};
 
@@ -20,12 +21,15 @@ enum Command {
     Run(RunArgs),
     /// Measure every setting of the solver: errors, costs, and which one to take
     Trade(TradeArgs),
+    /// Build the smallest solver for a scene, for two chips: why it is that, its size, what a frame costs (in QEMU)
+    Footprint(FootprintArgs),
 }
 
 fn main() -> ExitCode {
     let result: Result<(), Box<dyn std::error::Error>> = match Cli::parse().command {
         Some(Command::Run(args)) => run(&args).map_err(Into::into),
         Some(Command::Trade(args)) => trade(&args).map_err(Into::into),
+        Some(Command::Footprint(args)) => footprint(&args).map_err(Into::into),
         None => run(&RunArgs::demonstration()).map_err(Into::into),
     };
     match result {

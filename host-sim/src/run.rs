@@ -111,7 +111,7 @@ pub enum RunError {
 /// Input that cannot be used, or output that cannot be written; there is then no trace.
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let scene = open_scene(&args.scene, args.number)?;
-    let (path, rate) = open_path(args, &scene)?;
+    let (path, rate) = open_path(&scene, args.hand.as_deref(), args.rate)?;
     let mut record = Run::of(&scene, args.number, args.evolution);
     let mut summary = Summary::new(&record);
     let cannot_write = |error| RunError::Trace {
@@ -177,7 +177,8 @@ fn solver<R: Real<Si: SiFloat>>(
     Ok(Solver::new(scene.scene()?, args.evolution))
 }
 
-fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+/// A scene file, or the bundled scene of a name.
+pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     if name.exists() {
         return SceneFile::read(name, number);
     }
@@ -193,13 +194,16 @@ fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     }
 }
 
-/// The hand's path and the rate to resample it to.
-fn open_path(args: &RunArgs, scene: &SceneFile) -> Result<(HandPath, Option<f64>), InputError> {
-    let rate = args.rate.or(scene.hand.rate);
-    let path = match (&args.hand, &scene.hand.motion) {
-        (Some(file), _) | (None, Some(Motion::Recorded(file))) => {
-            HandPath::read(file, &scene.hand.placement)?
-        }
+/// The hand's path and the rate (Hz) to resample it to: a file and a rate that are given, or else those of the scene.
+pub(crate) fn open_path(
+    scene: &SceneFile,
+    hand: Option<&Path>,
+    rate: Option<f64>,
+) -> Result<(HandPath, Option<f64>), InputError> {
+    let rate = rate.or(scene.hand.rate);
+    let path = match (hand, &scene.hand.motion) {
+        (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
+        (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
         (None, Some(Motion::Keyframes(_))) => {
             let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";

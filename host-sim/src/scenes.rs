@@ -23,6 +23,9 @@ pub const ALL: &[(&str, &str)] = bundled![
     "snap",
     "locked",
     "parallel-walls",
+    "point-stick-slip",
+    "point-frictionless",
+    "rod-on-floor",
 ];
 
 /// The bundled scene of a name.

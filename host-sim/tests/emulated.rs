@@ -8,14 +8,20 @@ use stiction_core::{Evolution, Fixed, Hand, Output, Real, Solver};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
-    Board, BoardNumber, Counter, EmulatorError, Machine, Profile, footprint, job, rust_source,
+    Board, BoardNumber, Counted, Counter, EmulatorError, Machine, Profile, footprint, job,
+    rust_source, rust_source_in,
 };
+use stiction_host_sim::model::SceneModel;
 use stiction_host_sim::number::{Number, SiFloat, narrow_hand};
-use stiction_host_sim::scene_file::{HostSolver, SceneFile};
+use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
 
 fn scene() -> SceneFile {
-    let source = scenes::find(scenes::DEFAULT.as_ref()).unwrap();
+    bundled(scenes::DEFAULT)
+}
+
+fn bundled(name: &str) -> SceneFile {
+    let source = scenes::find(name.as_ref()).unwrap();
     SceneFile::parse(source, Number::F32).unwrap()
 }
 
@@ -123,5 +129,61 @@ fn the_solver_fits_into_the_flash() {
             let case = format!("{} {}: {small}, {fast}", board.name(), number.name());
             assert!(5_000 < small && small < fast && fast < 200_000, "{case}");
         }
+    }
+}
+
+/// A scene along its own hand's path, at 100 Hz, in a model: what is counted, and the flash.
+fn of_model(
+    (board, number, evolution): (Board, BoardNumber, Evolution),
+    scene: &SceneFile,
+    model: SceneModel,
+) -> Result<(Counted, u64), EmulatorError> {
+    let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
+        panic!("{} has no keyframes", scene.title);
+    };
+    let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
+    let code = rust_source_in(model, scene, number, evolution);
+    let exact = Setting {
+        evolution,
+        tolerance: 0.0,
+    };
+    let counter = Counter::of_scene(board, Profile::Device, &code)?;
+    let mut counted = counter.count(&job(scene, exact, &hands))?;
+    for frame in &mut counted.frames {
+        assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");
+        frame.instructions = 0;
+    }
+    Ok((counted, footprint(board, Profile::DeviceSmall, &code)?))
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "boards are compared once, with a release build"
+)]
+fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
+    for (board, number, evolution, name) in [
+        (
+            Board::Stm32F405,
+            BoardNumber::F32,
+            Evolution::Path,
+            "point-frictionless",
+        ),
+        (
+            Board::Nrf51822,
+            BoardNumber::Fixed,
+            Evolution::Frame,
+            "rod-on-floor",
+        ),
+    ] {
+        let (scene, build) = (bundled(name), (board, number, evolution));
+        let model = SceneModel::smallest(&scene);
+        let [smallest, full] = [model, model.full()].map(|m| of_model(build, &scene, m));
+        let (Some(smallest), Some(full)) = (if_installed(smallest), if_installed(full)) else {
+            continue;
+        };
+        assert_eq!(smallest.0.frames, full.0.frames, "{name}");
+        assert!(smallest.0.totals.solver < full.0.totals.solver, "{name}");
+        assert!(smallest.1 < full.1, "{name}: {} {}", smallest.1, full.1);
     }
 }

@@ -272,13 +272,29 @@ fn places_where_nothing_can_be_written_are_refused() {
 #[test]
 fn a_scene_that_is_not_there_is_refused_with_the_names_of_the_bundled_ones() {
     let folder = Folder::new();
-    let output = folder.stiction(&["run", "absent.toml"]);
+    for command in ["run", "footprint"] {
+        let output = folder.stiction(&[command, "absent.toml"]);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message.contains("absent.toml") && message.contains("ladder"),
+            "{message}"
+        );
+        let output = folder.stiction(&[command]);
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    }
+}
+
+#[test]
+fn a_footprint_for_a_file_without_its_section_is_refused_before_anything_is_built() {
+    let folder = Folder::new();
+    folder.write("README.md", "no section");
+    let output = folder.stiction(&["footprint", "ladder", "--readme", "README.md"]);
     let message = text(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(
-        message.contains("absent.toml") && message.contains("ladder"),
+        output.stdout.is_empty() && message.contains("README.md: cannot be written"),
         "{message}"
     );
-    let output = folder.stiction(&["run"]);
-    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert_eq!(folder.read("README.md"), "no section");
 }

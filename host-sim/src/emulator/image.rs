@@ -4,9 +4,11 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
 use object::{Object, ObjectSection, SectionFlags, elf};
 use serde_json::Value;
+use tempfile::TempDir;
 
 use super::process::{EmulatorError, output_of};
 use super::{Board, workspace};
@@ -39,6 +41,8 @@ impl Profile {
 /// A program built for a machine.
 pub(super) struct Image {
     path: PathBuf,
+    /// Where it lies, if nobody else shall have it.
+    _folder: Option<TempDir>,
 }
 
 impl Image {
@@ -49,6 +53,34 @@ impl Image {
         profile: Profile,
     ) -> Result<Self, EmulatorError> {
         Self::built(cargo_for(board, binary, profile))
+    }
+
+    /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](super::rust_source).
+    /// A copy of its own, as the next scene takes the place of this one.
+    pub(super) fn of_scene(
+        board: Board,
+        binary: &str,
+        profile: Profile,
+        scene: &str,
+    ) -> Result<Self, EmulatorError> {
+        /// Images of different boards do not take each other's place.
+        static BUILDING: [Mutex<()>; Board::ALL.len()] =
+            [const { Mutex::new(()) }; Board::ALL.len()];
+        let folder = tempfile::tempdir()?;
+        let code = folder.path().join("scene.rs");
+        fs::write(&code, scene)?;
+        let mut cargo = cargo_for(board, binary, profile);
+        cargo.env("STICTION_SCENE", &code);
+        let path = folder.path().join(binary);
+        let building = BUILDING[board as usize]
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        fs::copy(Self::built(cargo)?.path, &path)?;
+        drop(building);
+        Ok(Self {
+            path,
+            _folder: Some(folder),
+        })
     }
 
     /// An example of the firmware for a target, or for this computer.
@@ -66,7 +98,10 @@ impl Image {
     fn built(cargo: Command) -> Result<Self, EmulatorError> {
         let messages = output_of(cargo)?;
         match messages.lines().rev().find_map(artifact) {
-            Some(path) => Ok(Self { path }),
+            Some(path) => Ok(Self {
+                path,
+                _folder: None,
+            }),
             None => Err(EmulatorError::Output("cargo names no image".to_owned())),
         }
     }
@@ -96,15 +131,21 @@ impl Image {
 /// # Errors
 /// Cargo or the target is missing, or the image cannot be built.
 pub fn footprint(board: Board, profile: Profile, scene: &str) -> Result<u64, EmulatorError> {
-    let folder = tempfile::tempdir()?;
-    let file = folder.path().join("scene.rs");
-    fs::write(&file, scene)?;
-    let flash = |binary| {
-        let mut cargo = cargo_for(board, binary, profile);
-        cargo.env("STICTION_SCENE", &file);
-        Image::built(cargo)?.flash()
-    };
-    Ok(flash("footprint")?.saturating_sub(flash("footprint_baseline")?))
+    let whole = Image::of_scene(board, "footprint", profile, scene)?.flash()?;
+    Ok(whole.saturating_sub(baseline(board, profile)?))
+}
+
+/// The flash of the image without a solver (bytes): the same for every scene, so it is built once.
+fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
+    static KNOWN: Mutex<Vec<(Board, Profile, u64)>> = Mutex::new(Vec::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let wanted = |(b, p, _): &&(Board, Profile, u64)| (*b, *p) == (board, profile);
+    if let Some((_, _, flash)) = known.iter().find(wanted) {
+        return Ok(*flash);
+    }
+    let flash = Image::of_board(board, "footprint_baseline", profile)?.flash()?;
+    known.push((board, profile, flash));
+    Ok(flash)
 }
 
 /// Builds a binary of the firmware for a board.

@@ -1,14 +1,30 @@
-//! A scene as the Rust code that is compiled into an image: the number type, room for exactly its vertices and surfaces,
-//! and only the parts of the solver that it needs.
+//! A scene as the Rust code that is compiled into an image: the number type, room for its vertices and surfaces, and the
+//! parts of the solver.
 
 use stiction_core::Evolution;
 
 use super::BoardNumber;
+use crate::model::SceneModel;
 use crate::scene_file::SceneFile;
 
-/// The code of a scene, as in `firmware/scenes/box.rs`.
+/// The code of a scene in its smallest model, as in `firmware/scenes/box.rs`.
 pub fn rust_source(scene: &SceneFile, number: BoardNumber, evolution: Evolution) -> String {
-    let friction = (scene.surfaces.iter()).any(|s| s.friction_static > 0.0);
+    rust_source_in(SceneModel::smallest(scene), scene, number, evolution)
+}
+
+/// The code of a scene in a model that has all that it needs.
+pub fn rust_source_in(
+    model: SceneModel,
+    scene: &SceneFile,
+    number: BoardNumber,
+    evolution: Evolution,
+) -> String {
+    let SceneModel {
+        vertices: vertex_count,
+        surfaces: surface_count,
+        friction,
+        weight,
+    } = model;
     let surfaces: Vec<String> = scene.surfaces.iter().map(|s| {
         format!(
             "SurfaceDescription {{ normal: {:?}, offset: {:?}, friction_static: {:?}, friction_dynamic: {:?} }}",
@@ -33,9 +49,6 @@ pub fn rust_source(scene: &SceneFile, number: BoardNumber, evolution: Evolution)
             BoardNumber::F32 => "f32",
             BoardNumber::Fixed => "stiction_core::Fixed",
         },
-        vertex_count = scene.vertices.len(),
-        surface_count = scene.surfaces.len(),
-        weight = scene.weight > 0.0,
         vertices = scene.vertices,
         start = scene.start,
         newtons = scene.weight,

@@ -1,0 +1,185 @@
+//! `stiction footprint`: which model of the solver a scene needs and why, and what that model takes on two emulated chips
+//! beside the full one. From a scene to a table:
+//!
+//! ```text
+//! scene ─ model ─ measure (flash, state, stack, instructions) ─ table
+//! ```
+
+mod measure;
+mod table;
+
+pub use measure::{Chip, Measured, measure};
+
+use std::io;
+use std::panic::resume_unwind;
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use stiction_core::{Evolution, Fixed, Hand};
+
+use crate::emulator::EmulatorError;
+use crate::model::SceneModel;
+use crate::number::Number;
+use crate::readme::Section;
+use crate::report;
+use crate::run::{open_path, open_scene};
+use crate::scene_file::SceneFile;
+use crate::source::InputError;
+use table::{Row, Table};
+
+/// The arguments of `stiction footprint`.
+#[derive(Args, Clone, Debug)]
+pub struct FootprintArgs {
+    /// Scene file (TOML), or the name of a bundled scene; without it a few bundled scenes
+    #[arg(required_unless_present = "readme")]
+    pub scene: Option<PathBuf>,
+    /// Writes the table, without a scene that of a few bundled ones, between the marks <!-- footprint: begin --> and
+    /// <!-- footprint: end --> of this file as well
+    #[arg(long, value_name = "FILE")]
+    pub readme: Option<PathBuf>,
+}
+
+/// Why there is no table.
+#[derive(Debug, thiserror::Error)]
+pub enum FootprintError {
+    /// The scene or the hand's path cannot be used.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// An image cannot be built or run.
+    #[error(transparent)]
+    Emulator(#[from] EmulatorError),
+    /// The file cannot be written.
+    #[error("{}: cannot be written: {error}", file.display())]
+    Write {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+}
+
+/// The scenes of the README.
+const SCENES: [&str; 8] = [
+    "locked",
+    "corner-stick-slip",
+    "ladder",
+    "vertex-stick-slip",
+    "box-flat",
+    "rod-on-floor",
+    "point-stick-slip",
+    "point-frictionless",
+];
+
+/// How a frame can be evolved.
+const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
+
+/// A scene and its hand in every frame.
+struct Case {
+    scene: SceneFile,
+    hands: Vec<Hand<f64>>,
+}
+
+impl Case {
+    fn open(name: &Path) -> Result<Self, InputError> {
+        let scene = open_scene(name, Number::F32)?;
+        // Before anything is built: the numbers make a scene for both chips.
+        scene.scene::<f32>()?;
+        scene.scene::<Fixed>()?;
+        let (path, rate) = open_path(&scene, None, None)?;
+        let hands = path.frames(rate).map(|sample| sample.hand).collect();
+        Ok(Self { scene, hands })
+    }
+}
+
+/// Measures a scene, or a few bundled ones, and prints the table.
+///
+/// # Errors
+/// [`FootprintError`]; before anything is built where that can be known.
+pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
+    let names = match &args.scene {
+        Some(name) => vec![name.as_path()],
+        None => SCENES.map(Path::new).to_vec(),
+    };
+    let cases: Result<Vec<Case>, _> = names.into_iter().map(Case::open).collect();
+    let cases = cases?;
+    let cannot_write = |file: &Path| {
+        let file = file.to_owned();
+        |error| FootprintError::Write { file, error }
+    };
+    let section = args
+        .readme
+        .as_ref()
+        .map(|file| Section::find(file, "footprint").map_err(cannot_write(file)));
+    let section = section.transpose()?;
+    let mut rows = Vec::new();
+    for case in &cases {
+        report::print(&heading(case));
+        let table = Table {
+            rows: measured(case)?,
+        };
+        report::print(&format!("{table}\n"));
+        rows.extend(table.rows);
+    }
+    report::print(table::LEGEND);
+    if let (Some(section), Some(file)) = (section, &args.readme) {
+        let (legend, table) = (table::LEGEND, Table { rows });
+        let text = format!("Written by `stiction footprint`. {legend}\n{table}");
+        section.write(&text).map_err(cannot_write(file))?;
+    }
+    Ok(())
+}
+
+/// A scene's model, and why.
+fn heading(case: &Case) -> String {
+    let scene = &case.scene;
+    let model = SceneModel::smallest(scene);
+    let mut text = format!("{}: the smallest model is {model}\n", scene.title);
+    for reason in SceneModel::reasons(scene) {
+        text += &format!("  {reason}\n");
+    }
+    text + &format!("  the full model is {}\n\n", model.full())
+}
+
+/// The rows of a scene, behind a progress bar.
+fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
+    let models = Chip::ALL.len() * EVOLUTIONS.len() * 2;
+    let bar = &ProgressBar::new(models as u64);
+    let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar.set_message(case.scene.title.clone());
+    // One chip computes while the image of the other one is built.
+    let of_chips = thread::scope(|scope| {
+        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, bar)));
+        started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
+    });
+    bar.finish_and_clear();
+    let mut rows = Vec::new();
+    for of_chip in of_chips {
+        rows.extend(of_chip?);
+    }
+    Ok(rows)
+}
+
+/// The rows of a scene on a chip.
+fn of_chip(chip: Chip, case: &Case, bar: &ProgressBar) -> Result<Vec<Row>, EmulatorError> {
+    let Case { scene, hands } = case;
+    let model = SceneModel::smallest(scene);
+    let row = |evolution| {
+        let of = |model| {
+            let measured = measure(chip, model, scene, evolution, hands);
+            bar.inc(1);
+            measured
+        };
+        Ok(Row {
+            scene: scene.title.clone(),
+            model,
+            chip,
+            evolution,
+            smallest: of(model)?,
+            full: of(model.full())?,
+        })
+    };
+    EVOLUTIONS.into_iter().map(row).collect()
+}

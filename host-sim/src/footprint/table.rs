@@ -1,0 +1,172 @@
+//! The table: the smallest model beside the full one, as Markdown with columns of one width, for terminals as well.
+
+use std::fmt;
+
+use stiction_core::Evolution;
+
+use super::measure::{Chip, Measured};
+use crate::model::SceneModel;
+
+/// What the columns mean.
+pub(super) const LEGEND: &str = "\
+Smallest model of the scene / full model (Full, room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
+scene, built for little flash (opt-level s) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
+went. Instructions: of a frame, counted in QEMU along the scene's own path of the hand; stack and instructions are those of
+the build for speed.
+";
+
+/// A scene on a chip.
+pub(super) struct Row {
+    pub(super) scene: String,
+    /// The smallest model.
+    pub(super) model: SceneModel,
+    pub(super) chip: Chip,
+    pub(super) evolution: Evolution,
+    pub(super) smallest: Measured,
+    pub(super) full: Measured,
+}
+
+/// All rows.
+pub(super) struct Table {
+    pub(super) rows: Vec<Row>,
+}
+
+/// Columns on the left that are words.
+const WORDS: usize = 4;
+const HEADER: [&str; 10] = [
+    "scene",
+    "smallest model",
+    "chip",
+    "evolution",
+    "flash, small (bytes)",
+    "flash, fast (bytes)",
+    "state (bytes)",
+    "stack (bytes)",
+    "instructions, mean",
+    "instructions, worst",
+];
+
+impl Row {
+    fn cells(&self) -> [String; HEADER.len()] {
+        let both = |figure: fn(&Measured) -> String| {
+            format!("{} / {}", figure(&self.smallest), figure(&self.full))
+        };
+        [
+            self.scene.clone(),
+            self.model.to_string(),
+            self.chip.name().to_owned(),
+            format!("{:?}", self.evolution).to_lowercase(),
+            both(|measured| measured.flash_small.to_string()),
+            both(|measured| measured.flash_fast.to_string()),
+            both(|measured| measured.counted.totals.state.to_string()),
+            both(|measured| measured.counted.totals.stack.to_string()),
+            both(|measured| or_none(measured.instructions().map(|(mean, _)| mean))),
+            both(|measured| or_none(measured.instructions().map(|(_, worst)| worst))),
+        ]
+    }
+}
+
+fn or_none(figure: Option<impl fmt::Display>) -> String {
+    figure.map_or_else(|| "-".to_owned(), |figure| figure.to_string())
+}
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows: Vec<_> = self.rows.iter().map(Row::cells).collect();
+        let width = |k: usize| {
+            let cells = rows.iter().map(|row| row[k].chars().count());
+            cells.fold(HEADER[k].len(), usize::max)
+        };
+        let widths: [usize; HEADER.len()] = std::array::from_fn(width);
+        let line = |cells: &[String; HEADER.len()]| {
+            let cells = cells.iter().zip(widths).enumerate();
+            let padded = cells.map(|(k, (cell, width))| match k {
+                ..WORDS => format!(" {cell:<width$} |"),
+                _ => format!(" {cell:>width$} |"),
+            });
+            format!("|{}", padded.collect::<String>())
+        };
+        writeln!(f, "{}", line(&HEADER.map(str::to_owned)))?;
+        let rule = widths.iter().enumerate().map(|(k, width)| {
+            let end = if k < WORDS { "-" } else { ":" };
+            format!("-{}{end}|", "-".repeat(*width))
+        });
+        writeln!(f, "|{}", rule.collect::<String>())?;
+        rows.iter().try_for_each(|row| writeln!(f, "{}", line(row)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emulator::Counted;
+    use stiction_core::StateKind;
+    use stiction_core::{Angle, Status};
+    use stiction_firmware::job::{Frame, Totals};
+
+    fn measured(instructions: &[u32]) -> Measured {
+        let frame = |&instructions: &u32| Frame {
+            instructions,
+            position: [0.0; 2],
+            angle: Angle::default(),
+            slips: 0,
+            state: StateKind::NonContact,
+            status: Status::Ok,
+        };
+        Measured {
+            flash_small: 100,
+            flash_fast: 200,
+            counted: Counted {
+                frames: instructions.iter().map(frame).collect(),
+                totals: Totals {
+                    state: 30,
+                    stack: 40,
+                    ..Totals::default()
+                },
+            },
+        }
+    }
+
+    #[test]
+    fn models_stand_beside_each_other() {
+        let model = SceneModel {
+            vertices: 1,
+            surfaces: 1,
+            friction: false,
+            weight: false,
+        };
+        let table = Table {
+            rows: vec![Row {
+                scene: "tip".to_owned(),
+                model,
+                chip: Chip::CortexM0,
+                evolution: Evolution::Frame,
+                smallest: measured(&[900, 10, 20]),
+                full: measured(&[900]),
+            }],
+        };
+        let text = table.to_string();
+        let lines: Vec<&str> = text.lines().collect();
+        let [header, rule, row] = lines[..] else {
+            panic!("{text}");
+        };
+        assert!(
+            header.len() == rule.len() && rule.len() == row.len(),
+            "{text}"
+        );
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let expected = [
+            "tip",
+            "V = 1, S = 1, Bare",
+            "M0, fixed",
+            "frame",
+            "100 / 100",
+            "200 / 200",
+            "30 / 30",
+            "40 / 40",
+            "15 / -",
+            "20 / -",
+        ];
+        assert_eq!(cells, expected);
+    }
+}
