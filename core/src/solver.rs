@@ -46,11 +46,11 @@ pub struct State<R: Real> {
 /// A hand that is turned farther than this (rad) from the body that it holds is out of range.
 const MAX_TURN: i32 = 100_000;
 /// Events of one frame before the rest of it is taken as one jump of the hand.
-const MAX_EVENTS_ON_PATH: u32 = 64;
+const MAX_EVENTS_ON_PATH: u32 = 128;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
 const FINEST_HALF: u32 = 24;
 /// This many slips fit into a frame before a limit is reported.
-const UNLIMITED_SLIPS: u32 = 32;
+const UNLIMITED_SLIPS: u32 = 100;
 
 impl<R: Real> State<R> {
     /// The last good sample of the hand: the one that the state belongs to.
