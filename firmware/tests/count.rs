@@ -26,10 +26,7 @@ const SCENE: Description<'static, f64> = Description {
     surfaces: &[SURFACE],
 };
 
-const EXACT: Setting = Setting {
-    evolution: Evolution::Path,
-    tolerance: 0.0,
-};
+const EXACT: Setting = Setting::exact(Evolution::Path);
 
 /// Files in memory.
 struct Memory {
@@ -168,13 +165,7 @@ fn a_compiled_solver_takes_the_samples_of_a_job_alone() {
         weight: 0.0,
         ..SCENE
     };
-    let mut own = Memory::new(job_of(
-        &weightless,
-        Setting {
-            evolution: Evolution::Frame,
-            ..EXACT
-        },
-    ));
+    let mut own = Memory::new(job_of(&weightless, Setting::exact(Evolution::Frame)));
     run::<f64, 8, 4>(&mut own, &mut Calls(0)).unwrap();
     let scene = Scene::<f64, 4, 1, Weightless>::new(&weightless).unwrap();
     let solver = Solver::new(scene, Evolution::Frame);

@@ -129,14 +129,9 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
         return Err("a scene without keyframes".into());
     };
     let hands: Vec<_> = path.frames(scene.hand.rate).map(|s| s.hand).collect();
-    let setting = Setting {
-        evolution,
-        tolerance: 0.0,
-    };
-    let job = job(&scene, setting, &hands);
+    let job = job(&scene, Setting::exact(evolution), &hands);
     let counted = Counter::new(build.board, build.number, build.profile)?.count(&job)?;
-    // The first frame is the start.
-    let steps = &counted.frames[1..];
+    let steps = counted.steps();
     let instructions = || steps.iter().map(|frame| u64::from(frame.instructions));
     let mean = instructions().sum::<u64>() / steps.len() as u64;
     let worst = (1..).zip(steps).max_by_key(|(_, frame)| frame.instructions);

@@ -5,11 +5,13 @@
 //! semihosting.
 
 mod bits;
+mod chip;
 mod image;
 mod process;
 mod source;
 
 pub use bits::Machine;
+pub use chip::Chip;
 pub use image::{Profile, footprint};
 pub use process::EmulatorError;
 pub use source::{rust_source, rust_source_in};
@@ -111,6 +113,13 @@ pub struct Counted {
     pub frames: Vec<Frame>,
     /// Stack and sizes.
     pub totals: Totals,
+}
+
+impl Counted {
+    /// The frames without the start.
+    pub fn steps(&self) -> &[Frame] {
+        self.frames.get(1..).unwrap_or_default()
+    }
 }
 
 /// A job for a [`Counter`]: the scene, and a hand sample for every frame.

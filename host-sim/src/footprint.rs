@@ -8,7 +8,7 @@
 mod measure;
 mod table;
 
-pub use measure::{Chip, Measured, measure};
+pub use measure::{Measured, measure};
 
 use std::io;
 use std::panic::resume_unwind;
@@ -19,7 +19,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use stiction_core::{Evolution, Fixed, Hand};
 
-use crate::emulator::EmulatorError;
+use crate::emulator::{Chip, EmulatorError};
 use crate::model::SceneModel;
 use crate::number::Number;
 use crate::readme::Section;

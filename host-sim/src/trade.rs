@@ -23,7 +23,7 @@ mod suite;
 mod table;
 
 pub use accuracy::{Accuracy, Spread};
-pub use cost::{Chip, Cost, Emulated};
+pub use cost::{Cost, Emulated};
 pub use measure::{Row, measure};
 pub use report::Report;
 pub use setting::{Dial, FINEST, RATES, Setting};

@@ -143,12 +143,8 @@ fn of_model(
     };
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
     let code = rust_source_in(model, scene, number, evolution);
-    let exact = Setting {
-        evolution,
-        tolerance: 0.0,
-    };
     let counter = Counter::of_scene(board, Profile::Device, &code)?;
-    let mut counted = counter.count(&job(scene, exact, &hands))?;
+    let mut counted = counter.count(&job(scene, Setting::exact(evolution), &hands))?;
     for frame in &mut counted.frames {
         assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");
         frame.instructions = 0;

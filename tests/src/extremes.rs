@@ -4,7 +4,8 @@
 
 use crate::laws::{judge, worst};
 use crate::number::Number;
-use crate::run::{Run, polyline};
+use crate::run::Run;
+use crate::scenes;
 use crate::setup::Setup;
 use stiction_core::{Evolution, Status};
 
@@ -218,13 +219,11 @@ fn exercise(setup: Setup) -> (Setup, Vec<[f64; 3]>) {
     from_grip(setup, &offsets.map(|[x, y, turn]| [x * l, y * l, turn]), 30)
 }
 
-/// The hand goes from the holding point by each of the offsets.
+/// The hand takes the body where it stands and moves by each of the offsets from there, in so many frames each.
 fn from_grip(setup: Setup, offsets: &[[f64; 3]], frames: usize) -> (Setup, Vec<[f64; 3]>) {
-    let ([x, y], theta) = (setup.grip(), setup.start[2]);
-    let at = |[dx, dy, turn]: &[f64; 3]| [x + dx, y + dy, theta + turn];
-    let keyframes: Vec<_> = std::iter::once(&[0.0; 3]).chain(offsets).map(at).collect();
-    let hands = polyline(&keyframes, frames);
-    (setup, hands)
+    let scenario = scenes::from_grip(setup, offsets);
+    let hands = scenario.hands(frames);
+    (scenario.setup, hands)
 }
 
 /// Runs the scene of a value in a number type.

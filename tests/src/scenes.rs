@@ -51,7 +51,7 @@ fn scenario(setup: Setup, keyframes: &[[f64; 3]]) -> Scenario {
 }
 
 /// The hand takes the body where it stands and moves by each of the offsets from there.
-fn from_grip(setup: Setup, offsets: &[[f64; 3]]) -> Scenario {
+pub(crate) fn from_grip(setup: Setup, offsets: &[[f64; 3]]) -> Scenario {
     let ([x, y], theta) = (setup.grip(), setup.start[2]);
     let hand = |[dx, dy, turn]: &[f64; 3]| [x + dx, y + dy, theta + turn];
     let keyframes: Vec<_> = std::iter::once(&[0.0; 3])

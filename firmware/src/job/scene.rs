@@ -22,6 +22,16 @@ pub struct Setting {
     pub tolerance: f64,
 }
 
+impl Setting {
+    /// Without a tolerance.
+    pub const fn exact(evolution: Evolution) -> Self {
+        Self {
+            evolution,
+            tolerance: 0.0,
+        }
+    }
+}
+
 /// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many.
 ///
 /// # Errors

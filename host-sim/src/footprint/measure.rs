@@ -4,39 +4,10 @@ use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::Setting;
 
 use crate::emulator::{
-    Board, BoardNumber, Counted, Counter, EmulatorError, Profile, footprint, job, rust_source_in,
+    Chip, Counted, Counter, EmulatorError, Profile, footprint, job, rust_source_in,
 };
 use crate::model::SceneModel;
 use crate::scene_file::SceneFile;
-
-/// A chip with the number type that suits it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chip {
-    /// With a floating point unit: f32.
-    CortexM4F,
-    /// Without: fixed point.
-    CortexM0,
-}
-
-impl Chip {
-    /// All chips.
-    pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
-
-    /// The name for a reader, with that of the number type.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::CortexM4F => "M4F, f32",
-            Self::CortexM0 => "M0, fixed",
-        }
-    }
-
-    const fn build(self) -> (Board, BoardNumber) {
-        match self {
-            Self::CortexM4F => (Board::Stm32F405, BoardNumber::F32),
-            Self::CortexM0 => (Board::Nrf51822, BoardNumber::Fixed),
-        }
-    }
-}
 
 /// What a model takes on a chip. Instructions and stack are those of the build for speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +23,7 @@ pub struct Measured {
 impl Measured {
     /// Instructions per frame, mean and worst; the start is not among them. `None`: there is no frame but that.
     pub fn instructions(&self) -> Option<(u64, u32)> {
-        let steps = self.counted.frames.get(1..)?;
+        let steps = self.counted.steps();
         let sum: u64 = steps.iter().map(|step| u64::from(step.instructions)).sum();
         let worst = steps.iter().map(|step| step.instructions).max()?;
         Some((sum / steps.len() as u64, worst))
@@ -70,13 +41,9 @@ pub fn measure(
     evolution: Evolution,
     hands: &[Hand<f64>],
 ) -> Result<Measured, EmulatorError> {
-    let (board, number) = chip.build();
+    let (board, number) = (chip.board(), chip.number());
     let code = rust_source_in(model, scene, number, evolution);
-    let exact = Setting {
-        evolution,
-        tolerance: 0.0,
-    };
-    let job = job(scene, exact, hands);
+    let job = job(scene, Setting::exact(evolution), hands);
     Ok(Measured {
         flash_small: footprint(board, Profile::DeviceSmall, &code)?,
         flash_fast: footprint(board, Profile::Device, &code)?,

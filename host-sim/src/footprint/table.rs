@@ -4,7 +4,8 @@ use std::fmt;
 
 use stiction_core::Evolution;
 
-use super::measure::{Chip, Measured};
+use super::measure::Measured;
+use crate::emulator::Chip;
 use crate::model::SceneModel;
 
 /// What the columns mean.
@@ -46,6 +47,14 @@ const HEADER: [&str; 10] = [
     "instructions, worst",
 ];
 
+/// A chip with its number type.
+const fn label(chip: Chip) -> &'static str {
+    match chip {
+        Chip::CortexM4F => "M4F, f32",
+        Chip::CortexM0 => "M0, fixed",
+    }
+}
+
 impl Row {
     fn cells(&self) -> [String; HEADER.len()] {
         let both = |figure: fn(&Measured) -> String| {
@@ -54,7 +63,7 @@ impl Row {
         [
             self.scene.clone(),
             self.model.to_string(),
-            self.chip.name().to_owned(),
+            label(self.chip).to_owned(),
             format!("{:?}", self.evolution).to_lowercase(),
             both(|measured| measured.flash_small.to_string()),
             both(|measured| measured.flash_fast.to_string()),

@@ -5,37 +5,8 @@ use std::time::{Duration, Instant};
 
 use stiction_core::{Hand, Real};
 
+use crate::emulator::Chip;
 use crate::scene_file::HostSolver;
-
-/// A chip on which settings are counted in emulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chip {
-    /// Cortex-M4 with a floating point unit.
-    CortexM4F,
-    /// Cortex-M0.
-    CortexM0,
-}
-
-impl Chip {
-    /// All chips.
-    pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
-
-    /// The name for a reader.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::CortexM4F => "Cortex-M4F",
-            Self::CortexM0 => "Cortex-M0",
-        }
-    }
-
-    /// The name in files and columns.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::CortexM4F => "cortex_m4f",
-            Self::CortexM0 => "cortex_m0",
-        }
-    }
-}
 
 /// What a setting costs on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

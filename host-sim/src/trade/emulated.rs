@@ -4,12 +4,12 @@
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job;
 
-use super::cost::{Chip, Emulated};
+use super::cost::Emulated;
 use super::measure::Row;
 use super::setting::{RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::emulator::{
-    Board, BoardNumber, Counter, EmulatorError, Profile, footprint, job, rust_source,
+    BoardNumber, Chip, Counter, EmulatorError, Profile, footprint, job, rust_source,
 };
 use crate::number::Number;
 
@@ -41,7 +41,6 @@ impl Count {
 /// What a chip computes with.
 struct Build {
     chip: Chip,
-    board: Board,
     number: BoardNumber,
 }
 
@@ -49,17 +48,14 @@ struct Build {
 const BUILDS: [Build; 3] = [
     Build {
         chip: Chip::CortexM4F,
-        board: Board::Stm32F405,
         number: BoardNumber::F32,
     },
     Build {
         chip: Chip::CortexM0,
-        board: Board::Nrf51822,
         number: BoardNumber::F32,
     },
     Build {
         chip: Chip::CortexM0,
-        board: Board::Nrf51822,
         number: BoardNumber::Fixed,
     },
 ];
@@ -80,7 +76,7 @@ impl Build {
     /// The flash of the solver of a scene (bytes), by evolution.
     fn flash(&self, case: &Case, evolution: Evolution) -> Result<u64, EmulatorError> {
         let code = rust_source(&case.scene, self.number, evolution);
-        footprint(self.board, PROFILE, &code)
+        footprint(self.chip.board(), PROFILE, &code)
     }
 
     /// Scenes through a setting at a rate.
@@ -100,8 +96,7 @@ impl Build {
                 tolerance: setting.dial.tolerance,
             };
             let counted = counter.count(&job(&case.scene, setting, &hands))?;
-            // The first frame is the start.
-            for frame in counted.frames.iter().skip(1) {
+            for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;
                 cost.worst = cost.worst.max(frame.instructions);
@@ -135,7 +130,7 @@ pub(super) fn count(
     let cases: Vec<&Case> = bundled.collect();
     let mut counts = Vec::new();
     for build in &BUILDS {
-        let counter = Counter::new(build.board, build.number, PROFILE)?;
+        let counter = Counter::new(build.chip.board(), build.number, PROFILE)?;
         for setting in build.settings() {
             for rate in RATES {
                 let cost = build.count(&counter, &cases, (setting, rate))?;

@@ -1,8 +1,9 @@
 //! Which settings no other one beats in both cost and error, and the picture of them: error against the cost of a frame, and
 //! against the cost of a second of motion.
 
-use super::cost::{Chip, Cost};
+use super::cost::Cost;
 use super::measure::Row;
+use crate::emulator::Chip;
 use crate::number::Number;
 use crate::plot::fronts::{Fronts, Panel, Point};
 use crate::plot::style::number_color;

@@ -6,11 +6,12 @@ use serde_json::Value;
 use stiction_core::{Fixed, Hand, Real};
 
 use super::accuracy::{Accuracy, Errors};
-use super::cost::{self, Chip, Cost};
+use super::cost::{self, Cost};
 use super::reference::{Reference, Truth};
 use super::setting::{FINEST, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
+use crate::emulator::Chip;
 use crate::number::{Number, SiFloat, narrow_hand};
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;

@@ -1,5 +1,6 @@
 //! Random scenes as scene files, the same ones in every run: convex bodies of 2 to 6 vertices within 0.1 m, an ordinary
-//! grip, 1 to 3 surfaces with static friction up to 1.5 and dynamic friction of 0.3 to 0.9 of it, and a hand that goes in four straight lines of a second each. SI units, world frame.
+//! grip, 1 to 3 surfaces with static friction up to 1.5 and dynamic friction of 0.3 to 0.9 of it, and a hand that goes in
+//! four straight lines of a second each. SI units, world frame.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write as _;

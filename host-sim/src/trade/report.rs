@@ -5,11 +5,12 @@ use std::path::Path;
 
 use serde_json::{Map, Value, json};
 
-use super::cost::{Chip, REPEATS};
+use super::cost::REPEATS;
 use super::front::Place;
 use super::measure::Row;
 use super::setting::FINEST;
 use super::table::Table;
+use crate::emulator::Chip;
 
 /// What was measured, on what.
 #[derive(Clone, Debug)]

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::accuracy::Spread;
-use super::cost::Chip;
 use super::measure::Row;
+use crate::emulator::Chip;
 
 /// A table.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,0 +1,49 @@
+//! The chips that figures are given for: their names, their emulated boards, the number type that suits them.
+
+use super::{Board, BoardNumber};
+
+/// A chip on which the solver is counted in emulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chip {
+    /// Cortex-M4 with a floating point unit.
+    CortexM4F,
+    /// Cortex-M0.
+    CortexM0,
+}
+
+impl Chip {
+    /// All chips.
+    pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
+
+    /// The name for a reader.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::CortexM4F => "Cortex-M4F",
+            Self::CortexM0 => "Cortex-M0",
+        }
+    }
+
+    /// The name in files and columns.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::CortexM4F => "cortex_m4f",
+            Self::CortexM0 => "cortex_m0",
+        }
+    }
+
+    /// The emulated board that has it.
+    pub const fn board(self) -> Board {
+        match self {
+            Self::CortexM4F => Board::Stm32F405,
+            Self::CortexM0 => Board::Nrf51822,
+        }
+    }
+
+    /// The number type that suits it: fixed point where there is no floating point unit.
+    pub const fn number(self) -> BoardNumber {
+        match self {
+            Self::CortexM4F => BoardNumber::F32,
+            Self::CortexM0 => BoardNumber::Fixed,
+        }
+    }
+}
