@@ -2,11 +2,10 @@
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
-use crate::coupling::{Grip, Stance, Way};
-use crate::detect::Placed;
-use crate::geometry::Orientation;
+use crate::geometry::{Orientation, Vec2};
+use crate::motion::Bend;
 use crate::real::Real;
-use crate::scene::World;
+use crate::roots::Moment;
 
 /// A turn that keeps the balance all the way, and how much anything can stray on it.
 #[derive(Clone, Copy, Debug)]
@@ -21,22 +20,22 @@ pub(crate) struct Calm<R> {
 const MAX_CORRECTIONS: usize = 4;
 
 impl<R: Real> Calm<R> {
-    /// With the hand at the end `to` of its way: `stance` is the body's load there before it turns, balanced at the
-    /// beginning. Nothing where the balance may fold or change much on the way (E8).
-    pub(crate) fn turn(
-        scene: &impl World<R>,
-        stance: &Stance<R>,
-        to: &Grip<R>,
-        way: &Way<R>,
+    /// With the hand at the end of its way: `moment` is that on the body in an orientation before it turns, balanced at the
+    /// beginning, `drive` what the way adds to z, `then` the moment in another orientation. Nothing where the balance may
+    /// fold or change much on the way (E8).
+    pub(crate) fn turn<B: Bend<R>>(
+        moment: &Moment<R, B>,
+        drive: Vec2<R>,
+        mut orientation: Orientation<R>,
+        then: impl Fn(Orientation<R>) -> Moment<R, B>,
     ) -> Option<Self> {
-        let drive = stance.lever.conj_mul(way.hand);
         // The least stability and the largest |z| of the way.
-        let least = stance.stability() - drive.x.max(R::ZERO);
-        let size = stance.hold.reach() + drive.reach();
-        if least <= R::ZERO || drive.reach() > least.halved() || !stance.is_carried() {
+        let least = moment.stability() - drive.x.max(R::ZERO);
+        let size = moment.bent() + drive.reach();
+        if least <= R::ZERO || drive.reach() > least.halved() || !moment.is_carried() {
             return None;
         }
-        let per_stability = R::ONE / stance.stability();
+        let per_stability = R::ONE / moment.stability();
         // The stability is at most half as much again as the least one.
         let per_least = per_stability + per_stability.halved();
         if per_least >= R::HUGE {
@@ -45,33 +44,25 @@ impl<R: Real> Calm<R> {
         // Newton's step and how much the balance bends: with the condition of Kantorovich a balance is at most two steps
         // away.
         let quarter = R::HALF.halved();
-        let (step, bend) = (
-            stance.moment().abs() * per_least + R::MICRO,
-            size * per_least,
-        );
+        let (step, bend) = (moment.now().abs() * per_least + R::MICRO, size * per_least);
         if step > quarter || bend * step >= quarter {
             return None;
         }
         let reach = step.doubled();
-        let mut orientation = stance.placed.orientation;
-        if reach <= stance.tolerance {
+        if reach <= moment.tolerance {
             return Some(Self { orientation, reach });
         }
-        let mut turn = stance.correction(per_stability);
+        let mut turn = moment.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
             orientation = orientation.plus(turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
             let bent = bend * turn.abs();
             let left = (bent * (bent + turn.abs()) * turn.abs()).halved();
-            if left <= R::EPSILON.max(stance.tolerance) {
+            if left <= R::EPSILON.max(moment.tolerance) {
                 return Some(Self { orientation, reach });
             }
-            let placed = Placed {
-                orientation,
-                ..stance.placed
-            };
-            let stance = Stance::new(scene, placed, to);
-            turn = stance.correction(R::ONE / stance.stability());
+            let moment = then(orientation);
+            turn = moment.correction(R::ONE / moment.stability());
         }
         None
     }

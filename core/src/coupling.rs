@@ -3,9 +3,9 @@
 
 use crate::detect::Placed;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
-use crate::motion::Margin;
+use crate::motion::{Bend, Margin};
 use crate::real::Real;
-use crate::roots::PinnedMoment;
+use crate::roots::Moment;
 use crate::scene::{Surface, World};
 use crate::state::Pair;
 use crate::support::Screw;
@@ -71,6 +71,14 @@ impl<R: Real> Way<R> {
         }
     }
 
+    /// What of it a foot that glides along a surface without friction does not follow.
+    pub(crate) fn pressing(&self, surface: &Surface<R>) -> Self {
+        Self {
+            hand: surface.normal * surface.normal.dot(self.hand),
+            turn: self.turn,
+        }
+    }
+
     /// How far the body can be moved by it: displacement and turn at a lever of one body size.
     pub(crate) fn size(&self) -> R {
         self.hand.reach() + self.turn.abs()
@@ -120,6 +128,14 @@ impl<R: Real> Pivot<R> {
     /// The load on the body about the pivot.
     pub(crate) fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
         Stance::new(scene, self.placed(scene), grip)
+    }
+
+    /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E9).
+    pub(crate) fn glide(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+        let arm = grip.holding_point - scene.vertex(self.contact.vertex);
+        let lever = self.orientation.rotation().apply(arm);
+        let balanced = grip.hand - lever + scene.weight();
+        self.foot = self.surface(scene).tangent.dot(balanced);
     }
 
     /// The same pivot after a slide along t and a turn.
@@ -179,6 +195,20 @@ impl<R: Real> Stance<R> {
         }
     }
 
+    /// The same body with another orientation about the point.
+    pub(crate) fn turned(
+        &self,
+        scene: &impl World<R>,
+        orientation: Orientation<R>,
+        grip: &Grip<R>,
+    ) -> Self {
+        let placed = Placed {
+            orientation,
+            ..self.placed
+        };
+        Self::new(scene, placed, grip)
+    }
+
     /// The moment of the load about the point, (E1).
     pub(crate) fn moment(&self) -> R {
         self.couple + self.hold.y
@@ -197,41 +227,45 @@ impl<R: Real> Stance<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
-    /// to this balance (the condition of Kantorovich: E1's curvature is at most |z|).
-    pub(crate) fn polish(&self) -> R {
-        let (moment, stability) = (self.moment(), self.stability());
-        let bend = (self.hold.reach() * moment.abs()).doubled().doubled();
-        if stability <= R::ZERO || bend >= stability * stability {
-            return R::ZERO;
-        }
-        let per_stability = R::ONE / stability;
-        if per_stability < R::HUGE {
-            self.correction(per_stability)
-        } else {
-            // Too soft for a reciprocal in this number type.
-            moment / stability
-        }
-    }
-
-    /// The turn to balance, but for the third order in it, from 1 over the stability.
-    pub(crate) fn correction(&self, per_stability: R) -> R {
-        let turn = self.moment() * per_stability;
-        turn - (turn * turn).halved() * (self.hold.y * per_stability)
-    }
-
     /// The number type carries the moments of the load.
     pub(crate) fn is_carried(&self) -> bool {
         self.hold.reach() + self.couple.abs() <= R::LOAD
     }
 
     /// The moment as a function of a turn about the pinned point.
-    pub(crate) fn pinned(&self) -> PinnedMoment<R> {
-        PinnedMoment {
+    pub(crate) fn pinned<B: Bend<R>>(&self) -> Moment<R, B> {
+        Moment {
             couple: self.couple,
             stiffness: self.stiffness,
-            dot: self.hold.x,
-            cross: self.hold.y,
+            hold: self.hold,
+            bend: B::NONE,
+            tolerance: self.tolerance,
+        }
+    }
+
+    /// The same where the point glides along a surface without friction (E9): wherever its foot is now, in balance along
+    /// the tangent.
+    pub(crate) fn gliding<B: Bend<R>>(
+        &self,
+        scene: &impl World<R>,
+        surface: &Surface<R>,
+    ) -> Moment<R, B> {
+        let (along, off) = (
+            surface.tangent.dot(self.lever),
+            surface.normal.dot(self.lever),
+        );
+        // -h
+        let pull = surface.normal.dot(self.force) + off;
+        let mut hold = Vec2::new(pull * off, pull * along);
+        let weight = scene.weight();
+        if weight != Vec2::ZERO {
+            hold = hold + (self.centroid - self.lever).conj_mul(weight);
+        }
+        Moment {
+            couple: self.couple,
+            stiffness: self.stiffness,
+            hold,
+            bend: B::gliding((along, off)),
             tolerance: self.tolerance,
         }
     }

@@ -1,7 +1,7 @@
 //! 2: gaps between the body's vertices and the surfaces, and the first of them to close on a motion.
 
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::{Course, Margin, Motion};
+use crate::motion::{Bend, Course, Margin, Motion};
 use crate::real::Real;
 use crate::scene::World;
 use crate::state::{Pair, Pairs};
@@ -84,7 +84,7 @@ impl<R: Real> Placed<R> {
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
     /// are far, a lower bound.
-    pub(crate) fn room(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
+    pub(crate) fn room<W: World<R>>(&self, scene: &W, pivot: Option<u8>) -> R {
         let radius = self.radius(scene, pivot);
         let mut least = R::HUGE;
         for index in scene.surface_indices() {
@@ -107,7 +107,10 @@ impl<R: Real> Placed<R> {
             };
             match pivot {
                 Some(vertex) if self.on == Some(index) => {
-                    scene.neighbours(vertex).into_iter().for_each(&mut visit);
+                    let neighbours = scene.neighbours(vertex).into_iter();
+                    // A point has none but itself.
+                    let others = neighbours.filter(|&i| W::FRICTION || i != vertex);
+                    others.for_each(&mut visit);
                 }
                 _ => scene.vertex_indices().for_each(&mut visit),
             }
@@ -123,34 +126,46 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The gap on a motion on which the point moves by `shift`·tau.
-    fn margin(&self, scene: &impl World<R>, contact: Pair, shift: Vec2<R>) -> Margin<R> {
+    /// The gap on a motion on which the point moves by `shift`·tau, and as the turn lets its foot glide.
+    fn margin<W: World<R>, B: Bend<R>>(
+        &self,
+        scene: &W,
+        contact: Pair,
+        moving: &Moving<'_, R, B>,
+    ) -> Margin<R> {
         let surface = scene.surface(contact.surface);
         let arm = self.arm(scene, contact.vertex);
         let (start, rounding) = self.gap_at(scene, contact, arm);
-        let along = if self.on == Some(contact.surface) {
-            R::ZERO
-        } else {
-            surface.normal.dot(shift)
+        let mut turning = (surface.normal.dot(arm), surface.normal.dot(arm.turned()));
+        let along = match self.on {
+            Some(own) if own == contact.surface => R::ZERO,
+            on => {
+                if let (false, Some(own)) = (W::FRICTION, on) {
+                    let share = surface.normal.dot(scene.surface(own).tangent);
+                    turning = moving.motion.bend().follows(turning, share);
+                }
+                surface.normal.dot(moving.shift)
+            }
         };
         Margin {
             start,
             along,
-            turning: Vec2::new(surface.normal.dot(arm), surface.normal.dot(arm.turned())),
+            turning: Vec2::new(turning.0, turning.1),
             rounding,
         }
     }
 
     /// The first vertex to reach a surface on a motion, other than the contacts that it keeps. The course is
     /// shortened to there.
-    pub(crate) fn first_touch(
+    pub(crate) fn first_touch<B: Bend<R>>(
         &self,
         scene: &impl World<R>,
         course: &mut Course<R>,
-        moving: &Moving<'_, R>,
+        moving: &Moving<'_, R, B>,
     ) -> Option<Pair> {
         let mut first = None;
-        let radius = self.radius(scene, None);
+        let bend = moving.motion.bend();
+        let radius = bend.swing(self.radius(scene, None));
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let own = self.on == Some(index);
@@ -172,12 +187,13 @@ impl<R: Real> Placed<R> {
                     surface: index,
                 };
                 let body_vertex = scene.vertex(vertex);
-                let swing = (body_vertex - self.body_point).reach() * course.end.turn.abs();
+                let swing = bend.swing((body_vertex - self.body_point).reach());
+                let swing = swing * course.end.turn.abs();
                 let clear = level + normal.dot(body_vertex) - along - swing;
                 if clear > R::TOUCH || moving.keeps.contains(&contact) {
                     return;
                 }
-                let margin = self.margin(scene, contact, moving.shift);
+                let margin = self.margin(scene, contact, moving);
                 if moving.motion.stop_at(&margin, course) {
                     first = Some(contact);
                 }
@@ -199,8 +215,8 @@ impl<R: Real> Placed<R> {
 }
 
 /// A motion of the placed point and the body about it.
-pub(crate) struct Moving<'a, R> {
-    pub(crate) motion: &'a Motion<R>,
+pub(crate) struct Moving<'a, R, B> {
+    pub(crate) motion: &'a Motion<R, B>,
     /// How far the point moves at tau = 1.
     pub(crate) shift: Vec2<R>,
     /// The contacts that last; the first one is at the point.

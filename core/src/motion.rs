@@ -13,13 +13,16 @@
 
 use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::roots::{Found, Look, Slope, first_zero};
+use crate::roots::{Found, Look, Moment, Slope, first_zero};
 
+mod bend;
 mod jets;
+
+pub(crate) use bend::{Bend, Gliding, Unbent};
 
 /// The curve x -> (tau, ϑ), x >= 0, in units of D(0) / rate.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion<R> {
+pub(crate) struct Motion<R, B = Unbent> {
     /// ϑ = rate x
     rate: R,
     /// k
@@ -28,6 +31,8 @@ pub(crate) struct Motion<R> {
     hold: Vec2<R>,
     /// zp = (Yp, Xp)
     drive: Vec2<R>,
+    /// The second harmonic of H.
+    bend: B,
     /// Places are found to within this x; 0: as far as the digits go.
     tolerance: R,
 }
@@ -109,12 +114,18 @@ pub(crate) struct Course<R> {
     pub(crate) unsure: bool,
 }
 
-impl<R: Real> Motion<R> {
-    /// Balanced about the contact: rotational stiffness k, z0 and zp of the module's text, and the hand's turn dphi.
-    pub(crate) fn balanced(stiffness: R, hold: Vec2<R>, drive: Vec2<R>, dphi: R) -> Self {
+impl<R: Real, B: Bend<R>> Motion<R, B> {
+    /// Balanced about the contact: the moment with k and z0, zp of the module's text, and the hand's turn dphi.
+    pub(crate) fn balanced(moment: &Moment<R, B>, drive: Vec2<R>, dphi: R) -> Self {
+        let Moment {
+            stiffness,
+            hold,
+            bend,
+            ..
+        } = *moment;
         let start = stiffness * dphi + drive.y;
         // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
-        let largest = (stiffness + hold.reach()).max(drive.reach());
+        let largest = bend.bound(stiffness + hold.reach(), 1).max(drive.reach());
         let scale = start.abs().max(largest.halved().halved());
         if scale == R::ZERO {
             return Self::straight();
@@ -124,6 +135,7 @@ impl<R: Real> Motion<R> {
             stiffness: stiffness / scale,
             hold: hold.over(scale),
             drive: drive.over(scale),
+            bend: bend.over(scale),
             tolerance: R::ZERO,
         }
     }
@@ -148,6 +160,7 @@ impl<R: Real> Motion<R> {
             stiffness: R::ZERO,
             hold,
             drive: Vec2::ZERO,
+            bend: B::NONE,
             tolerance: R::ZERO,
         }
     }
@@ -155,11 +168,29 @@ impl<R: Real> Motion<R> {
     /// The same with its places found only to within a tolerance, in ϑ (rad) and in the way of a point that goes
     /// `shift` at tau = 1.
     pub(crate) fn to_within(self, tolerance: R, shift: R) -> Self {
-        let swiftest = (self.stiffness + self.hold.reach()) * shift;
+        let swiftest = self.whole() * shift;
         Self {
             tolerance: tolerance / swiftest.max(R::ONE),
             ..self
         }
+    }
+
+    /// The same with a foot that follows the turn.
+    pub(crate) fn with_foot(self, bend: B) -> Self {
+        Self {
+            bend: bend.given(),
+            ..self
+        }
+    }
+
+    /// How the foot follows the turn.
+    pub(crate) fn bend(&self) -> B {
+        self.bend
+    }
+
+    /// A bound of H' / D(0).
+    fn whole(&self) -> R {
+        self.bend.bound(self.stiffness + self.hold.reach(), 1)
     }
 
     /// The sign of the turn.
@@ -184,8 +215,15 @@ impl<R: Real> Motion<R> {
             turn,
             versine,
             sine,
-            h: x * self.stiffness + versine_x * self.hold.y + sine_x * self.hold.x,
-            h_slope: self.stiffness + cosine * self.hold.x + sine * self.hold.y,
+            h: self.bend.rises(
+                x * self.stiffness + versine_x * self.hold.y + sine_x * self.hold.x,
+                sine_x,
+                (cosine, sine),
+            ),
+            h_slope: self.bend.slope(
+                self.stiffness + cosine * self.hold.x + sine * self.hold.y,
+                (cosine, sine),
+            ),
             d: R::ONE - (sine_x * self.drive.x + versine_x * self.drive.y),
             d_slope: -(cosine * self.drive.x + sine * self.drive.y),
         }
@@ -194,8 +232,9 @@ impl<R: Real> Motion<R> {
     /// Second derivatives of H/rate and D/rate.
     fn second(&self, p: &Place<R>) -> (R, R) {
         let cosine = R::ONE - p.versine;
+        let first = cosine * self.hold.y - p.sine * self.hold.x;
         (
-            self.rate * (cosine * self.hold.y - p.sine * self.hold.x),
+            self.rate * self.bend.second(first, (cosine, p.sine)),
             self.rate * (p.sine * self.drive.x - cosine * self.drive.y),
         )
     }
@@ -203,7 +242,7 @@ impl<R: Real> Motion<R> {
     /// To tau = 1, or to the fold before it, where ϑ would have to jump.
     pub(crate) fn course(&self) -> Course<R> {
         let (z0, zp) = (self.hold.reach(), self.drive.reach());
-        let whole = self.stiffness + z0;
+        let whole = self.whole();
         let rate = self.rate.abs();
         let least = if whole > R::ZERO {
             R::ONE / whole
@@ -213,13 +252,14 @@ impl<R: Real> Motion<R> {
         let end = |p: &Place<R>| Slope {
             value: p.d - p.h,
             slope: p.d_slope - p.h_slope,
-            curvature: rate * (z0 + zp),
+            curvature: rate * (self.bend.bound(z0, 2) + zp),
             rounding: R::EPSILON,
         };
         let fold = |p: &Place<R>, window: R| {
             let (h2, d2) = self.second(p);
             let d_most = p.d.abs() + window * zp;
-            let curved = z0 * (rate * d_most + zp) + zp * (whole + rate * d_most);
+            let bent = self.bend.bound(z0, 3);
+            let curved = bent * (rate * d_most + zp) + zp * (whole + rate * d_most);
             Slope {
                 value: p.h_slope * p.d - p.h * p.d_slope,
                 slope: h2 * p.d - p.h * d2,
@@ -227,7 +267,7 @@ impl<R: Real> Motion<R> {
                 rounding: R::rounding(whole),
             }
         };
-        let found = if self.stiffness > z0 + zp {
+        let found = if self.stiffness > self.bend.bound(z0 + zp, 1) {
             // kappa < 1 all the way: no fold.
             match first_zero((R::HUGE, self.tolerance), |x| Look::far([end(&self.at(x))])) {
                 Found::Zero { x, .. } => Found::Zero { x, which: 1 },
@@ -283,7 +323,8 @@ impl<R: Real> Motion<R> {
         let swing = margin.turning.reach();
         let d_most = R::ONE + limit.x * zp;
         let value = margin.start.abs() + swing * (limit.turn.abs().min(R::TWO));
-        rate * (swing * (rate * d_most + zp.doubled()) + value * zp + margin.along.abs() * z0)
+        let bent = self.bend.bound(z0, 2);
+        rate * (swing * (rate * d_most + zp.doubled()) + value * zp + margin.along.abs() * bent)
     }
 
     /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
@@ -323,7 +364,7 @@ impl<R: Real> Motion<R> {
     pub(crate) fn course_to(&self, x: R) -> Course<R> {
         Course {
             end: self.at(x),
-            reach: x * (self.stiffness + self.hold.reach()),
+            reach: x * self.whole(),
             folds: false,
             unsure: false,
         }

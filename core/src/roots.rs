@@ -1,6 +1,8 @@
 //! The first zero of functions that start positive, guaranteed (STATICS 3.2): from the value, the slope and a bound
 //! of the curvature follows a step that never passes a zero and converges quadratically at a simple one.
 
+use crate::geometry::Vec2;
+use crate::motion::Bend;
 use crate::real::Real;
 
 /// Every search ends after this many steps. A simple zero takes 3 to 9; past the place of a double root, which the
@@ -135,22 +137,61 @@ pub(crate) struct Downhill<R> {
     pub(crate) unsure: bool,
 }
 
-/// The moment on a body that is pinned at a point: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
-/// present angle: z = conj(lever) load in x (dot) and y (cross).
+/// The moment on a body about a point that is pinned: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
+/// present angle; or about a foot that glides, which adds a second harmonic.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PinnedMoment<R> {
+pub(crate) struct Moment<R, B> {
     pub(crate) couple: R,
     pub(crate) stiffness: R,
-    pub(crate) dot: R,
-    pub(crate) cross: R,
+    /// z = conj(lever) load: dot and cross.
+    pub(crate) hold: Vec2<R>,
+    pub(crate) bend: B,
     /// To be found to within this (rad); 0: as far as the digits go.
     pub(crate) tolerance: R,
 }
 
-impl<R: Real> PinnedMoment<R> {
+impl<R: Real, B: Bend<R>> Moment<R, B> {
     /// The moment in the present position.
-    fn now(&self) -> R {
-        self.couple + self.cross
+    pub(crate) fn now(&self) -> R {
+        self.bend.moment(self.couple + self.hold.y)
+    }
+
+    /// -dM/dϑ: positive where the balance is stable.
+    pub(crate) fn stability(&self) -> R {
+        self.bend.stability(self.stiffness + self.hold.x)
+    }
+
+    /// A bound of |d²M/dϑ²|.
+    pub(crate) fn bent(&self) -> R {
+        self.bend.bound(self.hold.reach(), 2)
+    }
+
+    /// The number type carries the moments of the load.
+    pub(crate) fn is_carried(&self) -> bool {
+        self.bend.bound(self.hold.reach(), 1) + self.couple.abs() <= R::LOAD
+    }
+
+    /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
+    /// to this balance (the condition of Kantorovich).
+    pub(crate) fn polish(&self) -> R {
+        let (moment, stability) = (self.now(), self.stability());
+        let bend = (self.bent() * moment.abs()).doubled().doubled();
+        if stability <= R::ZERO || bend >= stability * stability {
+            return R::ZERO;
+        }
+        let per_stability = R::ONE / stability;
+        if per_stability < R::HUGE {
+            self.correction(per_stability)
+        } else {
+            // Too soft for a reciprocal in this number type.
+            moment / stability
+        }
+    }
+
+    /// The turn to balance, but for the third order in it, from 1 over the stability.
+    pub(crate) fn correction(&self, per_stability: R) -> R {
+        let turn = self.now() * per_stability;
+        turn - (turn * turn).halved() * (self.bend.bow(self.hold.y) * per_stability)
     }
 
     /// The first stable balance downhill in energy: the first zero of the moment in the direction of its sign.
@@ -161,8 +202,8 @@ impl<R: Real> PinnedMoment<R> {
 
     /// The same from a fold, where moment and slope are zero and the moment grows with the curvature ahead.
     pub(crate) fn over_fold(&self, direction: R) -> Downhill<R> {
-        let size = self.dot.hypot(self.cross);
-        let ahead = -direction * self.cross;
+        let size = self.bend.bound(self.hold.length(), 3);
+        let ahead = -direction * self.bend.bow(self.hold.y);
         let clear = if size > R::ZERO && ahead > R::ZERO {
             (R::ONE + R::HALF) * ahead / size
         } else {
@@ -175,7 +216,7 @@ impl<R: Real> PinnedMoment<R> {
 
     /// In units of the largest of moment, load and stiffness.
     fn scaled(&self) -> Self {
-        let load = self.dot.abs() + self.cross.abs();
+        let load = self.bend.bound(self.hold.reach(), 1);
         let unit = load.max(self.now().abs()).max(self.stiffness);
         if unit == R::ZERO {
             return *self;
@@ -183,8 +224,8 @@ impl<R: Real> PinnedMoment<R> {
         Self {
             couple: self.couple / unit,
             stiffness: self.stiffness / unit,
-            dot: self.dot / unit,
-            cross: self.cross / unit,
+            hold: self.hold.over(unit),
+            bend: self.bend.over(unit),
             tolerance: self.tolerance,
         }
     }
@@ -194,8 +235,9 @@ impl<R: Real> PinnedMoment<R> {
     }
 
     fn search_from(&self, direction: R, start: R) -> Downhill<R> {
-        let size = self.dot.abs() + self.cross.abs();
+        let size = self.bend.bound(self.hold.reach(), 1);
         let rounding = R::rounding(size + self.couple.abs());
+        let bent = self.bent();
         let moment = self.now().abs();
         // Before this angle the springs' couple alone outweighs the load.
         let certain = if self.stiffness > R::ZERO {
@@ -210,13 +252,16 @@ impl<R: Real> PinnedMoment<R> {
             let (half_sin, half_cos) = turn.halved().sin_cos();
             let versine = (half_sin * half_sin).doubled();
             let (sin, cos) = ((half_sin * half_cos).doubled(), R::ONE - versine);
-            let value = self.now() - self.stiffness * turn - versine * self.cross - sin * self.dot;
-            let slope = -(self.stiffness + cos * self.dot + sin * self.cross);
+            let first =
+                self.now() - self.stiffness * turn - versine * self.hold.y - sin * self.hold.x;
+            let value = self.bend.falls(first, sin, (cos, sin));
+            let first = self.stiffness + cos * self.hold.x + sin * self.hold.y;
+            let slope = -self.bend.slope(first, (cos, sin));
             snapped |= slope > R::ZERO && value * direction > rounding;
             Look::far([Slope {
                 value: value * direction,
                 slope,
-                curvature: size,
+                curvature: bent,
                 rounding,
             }])
         });
@@ -236,6 +281,7 @@ impl<R: Real> PinnedMoment<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::Unbent;
 
     /// STATICS 11: where u + kappa sin u = delta lands beyond its fold.
     #[test]
@@ -246,11 +292,11 @@ mod tests {
             (2.0, 2.094_395_102_4, 3.826_445_910_0, 5.387_598_242_9),
             (5.0, 1.772_154_247_6, 6.671_133_733_2, 6.347_880_979_4_f64),
         ] {
-            let moment = PinnedMoment {
+            let moment = Moment {
                 couple: delta - fold,
                 stiffness: 1.0,
-                dot: kappa * libm::cos(fold),
-                cross: -kappa * libm::sin(fold),
+                hold: Vec2::new(kappa * libm::cos(fold), -kappa * libm::sin(fold)),
+                bend: Unbent,
                 tolerance: 0.0,
             };
             let found = moment.over_fold(1.0);

@@ -212,6 +212,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let placed = contact.placed(&self.scene);
         let pull = (grip.hand - placed.point).reach();
         let lever = (grip.holding_point - placed.body_point).reach();
+        // The balance of a contact that glides is one in the square of its lever.
+        let pull = if M::FRICTION { pull } else { pull.max(lever) };
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
             && turn <= R::from_int(MAX_TURN).min(R::HUGE.halved())
@@ -295,8 +297,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.by_jump(state, to, log);
     }
 
-    /// Friction without a jump between sticking and sliding.
+    /// Friction without a jump between sticking and sliding. On a single surface without friction nothing slides: it glides.
     fn slides_continuously(&self, state: &ContactState<R>) -> bool {
+        if !M::FRICTION && S < 2 {
+            return false;
+        }
         let contacts = state.contacts();
         contacts
             .iter()

@@ -7,6 +7,8 @@
 //! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
 //! * `slide`: hand frozen, slides to the end of the slip;
 //! * `reactions`: the forces of the contacts at rest.
+//!
+//! Without friction one vertex or edge on one surface glides: the verbs are the same ones with the foot in balance.
 
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
@@ -20,6 +22,7 @@ mod bracing;
 mod corner;
 mod edge;
 mod free;
+mod glide;
 mod leg;
 mod locked;
 mod single_vertex;
@@ -166,7 +169,8 @@ impl<R: Real> ContactState<R> {
     pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
         match self {
             Self::Free(s) => s.follow(scene, from, to),
-            Self::SingleVertex(s) => s.follow(scene, from, to),
+            Self::SingleVertex(s) if W::FRICTION => s.follow(scene, from, to),
+            Self::SingleVertex(s) => s.glide_on(scene, from, to),
             Self::Edge(s) if W::EDGES => s.follow(scene, to),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),
@@ -182,7 +186,8 @@ impl<R: Real> ContactState<R> {
     ) -> Moved<R> {
         match self {
             Self::Free(s) => s.advance(scene, from, to),
-            Self::SingleVertex(s) => s.advance(scene, from, to),
+            Self::SingleVertex(s) if W::FRICTION => s.advance(scene, from, to),
+            Self::SingleVertex(s) => s.glide_along(scene, from, to),
             Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
             Self::TwoVertex(s) if W::SURFACES => s.advance(scene, from, to),
             Self::Corner(s) if W::SURFACES => s.advance(scene, from, to),
@@ -199,7 +204,8 @@ impl<R: Real> ContactState<R> {
     ) -> Moved<R> {
         match self {
             Self::Free(s) => s.relax(scene, grip),
-            Self::SingleVertex(s) => s.relax(scene, grip, how.sliding),
+            Self::SingleVertex(s) if W::FRICTION => s.relax(scene, grip, how.sliding),
+            Self::SingleVertex(s) => s.glide_down(scene, grip),
             Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
             Self::TwoVertex(s) if W::SURFACES => s.relax(scene, grip, how),
             Self::Corner(s) if W::SURFACES => s.relax(scene, grip),
@@ -216,7 +222,8 @@ impl<R: Real> ContactState<R> {
         direction: R,
     ) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) => s.snap(scene, grip, direction),
+            Self::SingleVertex(s) if W::FRICTION => s.snap(scene, grip, direction),
+            Self::SingleVertex(s) => s.glide_over(scene, grip, direction),
             Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
         }
@@ -225,8 +232,8 @@ impl<R: Real> ContactState<R> {
     /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
     pub(crate) fn slide<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) => s.slide(scene, grip, sign),
-            Self::Edge(s) if W::EDGES => s.slide(scene, grip, sign),
+            Self::SingleVertex(s) if W::FRICTION => s.slide(scene, grip, sign),
+            Self::Edge(s) if W::EDGES && W::FRICTION => s.slide(scene, grip, sign),
             Self::TwoVertex(s) if W::SURFACES => s.slide(scene, grip),
             _ => absent(),
         }

@@ -168,7 +168,7 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
     /// where a trammel stops, a reaction may have fallen below zero.
     fn after_slip(&self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
         log.transitions.add(slip_arm(state));
-        if let ContactState::SingleVertex(single) = state {
+        if let (true, ContactState::SingleVertex(single)) = (W::FRICTION, state) {
             let stance = single.pivot.stance(self.scene, self.grip);
             let within = (stance.tolerance * stance.stability()).doubled();
             // The foot, too, is rounded, as a coordinate.

@@ -15,7 +15,7 @@ pub use expect::{budget, close};
 pub use laws::judge;
 pub use number::Number;
 pub use random::Scenario;
-pub use run::{Frame, Run};
+pub use run::{Frame, Run, RunOf};
 pub use setup::Setup;
 
 use stiction_core::Evolution;

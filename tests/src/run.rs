@@ -3,7 +3,8 @@
 use crate::number::Number;
 use crate::setup::{SURFACES, Setup, VERTICES};
 use stiction_core::{
-    Angle, Contact, Event, Evolution, Hand, Output, Solver, State, StateKind, Status, Transitions,
+    Angle, Contact, Event, Evolution, Full, Hand, Model, Output, Solver, State, StateKind, Status,
+    Transitions,
 };
 
 /// One answer of the solver, in f64; see [`Output`].
@@ -37,8 +38,8 @@ pub struct Frame {
 
 impl Frame {
     /// From the output of a number type.
-    pub fn new<R: Number>(
-        solver: &TestSolver<R>,
+    pub fn new<R: Number, const V: usize, const S: usize, M: Model>(
+        solver: &Solver<R, V, S, M>,
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
@@ -86,10 +87,13 @@ impl Frame {
 /// A solver of any scene of the tests.
 pub type TestSolver<R> = Solver<R, VERTICES, SURFACES>;
 
+/// A run of a solver of any scene of the tests.
+pub type Run<R> = RunOf<R, VERTICES, SURFACES, Full>;
+
 /// A solver with its state and its last answer.
-pub struct Run<R: Number> {
+pub struct RunOf<R: Number, const V: usize, const S: usize, M: Model> {
     /// The solver.
-    pub solver: TestSolver<R>,
+    pub solver: Solver<R, V, S, M>,
     /// Its state after [`Self::frame`].
     pub state: State<R>,
     /// The last answer.
@@ -105,7 +109,7 @@ pub struct Onset {
     pub before: Frame,
 }
 
-impl<R: Number> Run<R> {
+impl<R: Number, const V: usize, const S: usize, M: Model> RunOf<R, V, S, M> {
     /// Starts a scene with the hand at x, y (m), phi (rad).
     ///
     /// # Panics
@@ -119,7 +123,7 @@ impl<R: Number> Run<R> {
     /// If the scene is refused.
     pub fn start_with(setup: &Setup, evolution: Evolution, hand: Hand<R::Si>) -> Self {
         let scene = setup
-            .scene::<R>()
+            .scene_of::<R, V, S, M>()
             .unwrap_or_else(|e| panic!("{}: {e}: {setup:?}", R::NAME));
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(hand);

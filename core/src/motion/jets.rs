@@ -1,10 +1,10 @@
 //! A motion's turn and slide as quantities with their bounds, for the events of a trammel.
 
-use super::{Motion, Place};
+use super::{Bend, Motion, Place};
 use crate::jet::Jet;
 use crate::real::Real;
 
-impl<R: Real> Motion<R> {
+impl<R: Real, B: Bend<R>> Motion<R, B> {
     /// cos ϑ and sin ϑ.
     pub(crate) fn rotation_jets(&self, p: &Place<R>) -> (Jet<R>, Jet<R>) {
         let rate = self.rate.abs();

@@ -103,15 +103,16 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
-    pub(crate) fn advance(
+    pub(crate) fn advance<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
         let stance = self.pivot.stance(scene, from);
         let way = from.way_to(to);
-        let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
+        let moment = stance.pinned::<W::Bend>();
+        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Balanced);
         leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
             leg.stop_at(
@@ -123,25 +124,30 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
-    pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.pivot.stance(scene, grip).pinned().downhill();
-        self.turn_by(scene, grip, &downhill)
+    pub(crate) fn relax<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
+        let moment = self.pivot.stance(scene, grip).pinned::<W::Bend>();
+        self.turn_by(scene, grip, &moment.downhill())
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
-    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
-        let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
-        self.turn_by(scene, grip, &downhill)
+    pub(crate) fn snap<W: World<R>>(
+        &mut self,
+        scene: &W,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
+        let moment = self.pivot.stance(scene, grip).pinned::<W::Bend>();
+        self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
-    fn turn_by(
+    fn turn_by<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         let keeps = self.contacts();
-        let mut moved = Leg::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        let mut moved = Leg::<R, W::Bend>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
         if moved.trigger == Trigger::Balanced {
             moved.trigger = self.test(scene, grip);
         }

@@ -28,6 +28,22 @@ struct Reaction<R> {
     friction: Margin<R>,
 }
 
+impl<R: Real> Reaction<R> {
+    /// A vertex is, or both are, pulled off.
+    fn opens(&self, sliding: Option<R>) -> Option<Trigger<R>> {
+        let [first, second] = self.parts;
+        match (
+            first.start < -first.rounding,
+            second.start < -second.rounding,
+        ) {
+            (true, true) => Some(Trigger::Clear),
+            (true, false) => Some(keep(1, sliding)),
+            (false, true) => Some(keep(0, sliding)),
+            (false, false) => None,
+        }
+    }
+}
+
 impl<R: Real> Edge<R> {
     pub(crate) fn contacts(&self) -> Pairs {
         let first = self.pivot.contact;
@@ -61,26 +77,53 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// A calm frame: it stays. All is linear on the way, so that its end decides.
-    pub(crate) fn follow(&self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        let stance = self.pivot.stance(scene, to);
+    /// A calm frame: it stays, or without friction glides. All is linear on the way, so that its end decides.
+    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, to: &Grip<R>) -> bool {
+        let mut pivot = self.pivot;
+        if !W::FRICTION {
+            pivot.glide(scene, to);
+        }
+        let stance = pivot.stance(scene, to);
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
         let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
         let second = -stance.moment() / span;
         let slack = stance.rounding() / span.abs();
-        stance.is_carried()
+        let follows = stance.is_carried()
             && second > slack
             && normal - second > slack
-            && (surface.friction).is_within(normal, friction, slack)
+            && if W::FRICTION {
+                (surface.friction).is_within(normal, friction, slack)
+            } else {
+                Self::is_apart(scene, &pivot)
+            };
+        if follows {
+            self.pivot = pivot;
+        }
+        follows
+    }
+
+    /// No vertex touches another surface.
+    fn is_apart<W: World<R>>(scene: &W, pivot: &Pivot<R>) -> bool {
+        let own = pivot.contact.surface;
+        let apart = |pair: &Pair| pair.surface == own;
+        !W::SURFACES || (pivot.placed(scene).touching(scene, R::TOUCH).iter()).all(apart)
     }
 
     /// Stays as the hand moves, to the first of friction limit and N_i = 0.
-    pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
+    pub(crate) fn advance<W: World<R>>(
+        &mut self,
+        scene: &W,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        if !W::FRICTION {
+            return self.glide_along(scene, from, to);
+        }
         let stance = self.pivot.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
-        let mut leg = Leg::whole(Motion::straight(), Trigger::Balanced);
+        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
         for sign in [R::ONE, -R::ONE] {
             let holds = friction.holds(reaction.normal, reaction.friction, sign);
@@ -92,28 +135,59 @@ impl<R: Real> Edge<R> {
         leg.moved()
     }
 
+    /// Without friction it glides as the hand moves, to the first of touch and N_i = 0.
+    fn glide_along(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
+        let stance = self.pivot.stance(scene, from);
+        let surface = self.pivot.surface(scene);
+        let way = from.way_to(to);
+        let reaction = self.reaction(scene, &stance, &way.pressing(&surface));
+        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
+        let shift = surface.tangent * surface.tangent.dot(way.hand);
+        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
+        for (part, other) in reaction.parts.iter().zip([1, 0]) {
+            leg.stop_at(part, keep(other, None));
+        }
+        self.pivot.glide(scene, &from.lerp(to, leg.part()));
+        leg.moved()
+    }
+
+    /// Without friction it glides to balance, the energy falling by itself, or to a touch; then N_i are put to the test.
+    fn glide_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        let stance = self.pivot.stance(scene, grip);
+        let tangent = self.pivot.surface(scene).tangent;
+        let slide = tangent.dot(stance.force);
+        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
+        leg.stop_at_touch(scene, &stance.placed, (tangent * slide, &self.contacts()));
+        let mut moved = leg.moved();
+        if moved.trigger == Trigger::Balanced {
+            self.pivot.glide(scene, grip);
+            let stance = self.pivot.stance(scene, grip);
+            let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+            moved.trigger = reaction.opens(None).unwrap_or(Trigger::Balanced);
+        } else {
+            self.pivot = self.pivot.moved(slide * moved.part, R::ZERO);
+        }
+        moved
+    }
+
     /// Puts the edge to the test as it lies.
-    pub(crate) fn relax(
-        &self,
-        scene: &impl World<R>,
+    pub(crate) fn relax<W: World<R>>(
+        &mut self,
+        scene: &W,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
+        if !W::FRICTION {
+            return self.glide_down(scene, grip);
+        }
         Moved::by(self.test(scene, grip, sliding))
     }
 
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>, sliding: Option<R>) -> Trigger<R> {
         let stance = self.pivot.stance(scene, grip);
         let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
-        let [first, second] = reaction.parts;
-        match (
-            first.start < -first.rounding,
-            second.start < -second.rounding,
-        ) {
-            (true, true) => return Trigger::Clear,
-            (true, false) => return keep(1, sliding),
-            (false, true) => return keep(0, sliding),
-            (false, false) => {}
+        if let Some(opens) = reaction.opens(sliding) {
+            return opens;
         }
         let (normal, friction) = (reaction.normal.start, reaction.friction.start);
         let rounding = stance.rounding();
@@ -137,7 +211,7 @@ impl<R: Real> Edge<R> {
         let farthest = stance.force.reach() + stance.lever.reach().doubled();
         let shift = surface.tangent * (sign * farthest);
         let reaction = self.reaction(scene, &stance, &Way::slide(shift));
-        let mut leg = Leg::whole(Motion::straight(), Trigger::Stopped);
+        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Stopped);
         let drives = surface
             .friction
             .drives(reaction.normal, reaction.friction, sign);

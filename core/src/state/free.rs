@@ -6,7 +6,7 @@ use crate::calm::Calm;
 use crate::coupling::{Grip, Stance, Way};
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::Motion;
+use crate::motion::{Bend, Motion};
 use crate::real::Real;
 use crate::scene::World;
 
@@ -29,13 +29,13 @@ impl<R: Real> Free<R> {
     }
 
     /// A calm frame: it hangs at the hand, clear of all surfaces.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
         let way = Way::turn(from.way_to(to).turn);
         let pose = Self::hanging(scene, to, self.pose.orientation);
         let stance = Self { pose }.stance(scene, to);
         let (orientation, reach) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), way.turn.abs())
-        } else if let Some(calm) = Calm::turn(scene, &stance, to, &way) {
+        } else if let Some(calm) = Self::calm(scene, &stance, to, &way) {
             (calm.orientation, calm.reach)
         } else {
             return false;
@@ -49,6 +49,20 @@ impl<R: Real> Free<R> {
             self.pose = pose;
         }
         follows
+    }
+
+    /// The weight turns it a little.
+    fn calm<W: World<R>>(
+        scene: &W,
+        stance: &Stance<R>,
+        to: &Grip<R>,
+        way: &Way<R>,
+    ) -> Option<Calm<R>> {
+        let pinned = |stance: &Stance<R>| stance.pinned::<W::Bend>();
+        let drive = stance.lever.conj_mul(way.hand);
+        Calm::turn(&pinned(stance), drive, stance.placed.orientation, |o| {
+            pinned(&stance.turned(scene, o, to))
+        })
     }
 
     /// The body without weight has the angle of the hand.
@@ -66,15 +80,17 @@ impl<R: Real> Free<R> {
     }
 
     /// Along the hand's way, turning in balance with the weight.
-    pub(crate) fn advance(
+    pub(crate) fn advance<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let way = from.way_to(to);
-        let leg = Leg::balanced(&stance, &Way::turn(way.turn), Trigger::Balanced);
+        let moment = stance.pinned::<W::Bend>();
+        let turns = Way::turn(way.turn);
+        let leg = Leg::balanced(&moment, (stance.lever, &turns), Trigger::Balanced);
         let moved = self.sweep(scene, &stance, leg, way.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the way.
@@ -84,12 +100,13 @@ impl<R: Real> Free<R> {
     }
 
     /// The pose in balance at a grip, the angle corrected from near it.
-    fn balance(scene: &impl World<R>, grip: &Grip<R>, near: Orientation<R>) -> Self {
+    fn balance<W: World<R>>(scene: &W, grip: &Grip<R>, near: Orientation<R>) -> Self {
         let orientation = if Self::turns_with_hand(scene) {
             Orientation::new(grip.angle)
         } else {
             let pose = Self::hanging(scene, grip, near);
-            near.plus(Self { pose }.stance(scene, grip).polish())
+            let stance = Self { pose }.stance(scene, grip);
+            near.plus(stance.pinned::<W::Bend>().polish())
         };
         Self {
             pose: Self::hanging(scene, grip, orientation),
@@ -99,8 +116,8 @@ impl<R: Real> Free<R> {
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
-    pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned().downhill();
+    pub(crate) fn relax<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
+        let downhill = self.stance(scene, grip).pinned::<W::Bend>().downhill();
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
         let mut moved = self.straight(scene, grip, downhill.turn, R::ONE);
@@ -125,9 +142,9 @@ impl<R: Real> Free<R> {
     }
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
-    fn straight(&mut self, scene: &impl World<R>, grip: &Grip<R>, turn: R, shift: R) -> Moved<R> {
+    fn straight<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, turn: R, shift: R) -> Moved<R> {
         let stance = self.stance(scene, grip);
-        let leg = Leg::whole(Motion::turning(turn), Trigger::Balanced);
+        let leg: Leg<R, W::Bend> = Leg::whole(Motion::turning(turn), Trigger::Balanced);
         self.sweep(scene, &stance, leg, stance.force * shift)
     }
 
@@ -136,7 +153,7 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         stance: &Stance<R>,
-        mut leg: Leg<R>,
+        mut leg: Leg<R, impl Bend<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
         leg.stop_at_touch(scene, &stance.placed, (shift, &[]));

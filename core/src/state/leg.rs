@@ -2,25 +2,25 @@
 //! shortens it to the first event.
 
 use super::{Moved, Pair, Trigger};
-use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::coupling::{Grip, Pivot, Way};
 use crate::detect::{Moving, Placed};
 use crate::geometry::Vec2;
-use crate::motion::{Course, Margin, Motion};
+use crate::motion::{Bend, Course, Margin, Motion, Unbent};
 use crate::real::Real;
-use crate::roots::Downhill;
+use crate::roots::{Downhill, Moment};
 use crate::scene::World;
 
 /// The curve, its course so far, the trigger at its end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Leg<R> {
-    motion: Motion<R>,
+pub(super) struct Leg<R, B = Unbent> {
+    motion: Motion<R, B>,
     course: Course<R>,
     trigger: Trigger<R>,
 }
 
-impl<R: Real> Leg<R> {
+impl<R: Real, B: Bend<R>> Leg<R, B> {
     /// The whole of a curve whose end is x = 1.
-    pub(super) fn whole(motion: Motion<R>, trigger: Trigger<R>) -> Self {
+    pub(super) fn whole(motion: Motion<R, B>, trigger: Trigger<R>) -> Self {
         Self {
             motion,
             course: motion.course_to(R::ONE),
@@ -29,10 +29,14 @@ impl<R: Real> Leg<R> {
     }
 
     /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.
-    pub(super) fn balanced(stance: &Stance<R>, way: &Way<R>, trigger: Trigger<R>) -> Self {
-        let drive = stance.lever.conj_mul(way.hand);
-        let motion = Motion::balanced(stance.stiffness, stance.hold, drive, way.turn)
-            .to_within(stance.tolerance, way.hand.reach());
+    pub(super) fn balanced(
+        moment: &Moment<R, B>,
+        (lever, way): (Vec2<R>, &Way<R>),
+        trigger: Trigger<R>,
+    ) -> Self {
+        let drive = lever.conj_mul(way.hand);
+        let motion =
+            Motion::balanced(moment, drive, way.turn).to_within(moment.tolerance, way.hand.reach());
         let course = motion.course();
         let trigger = if course.folds {
             Trigger::Fold(motion.direction())
@@ -98,8 +102,8 @@ impl<R: Real> Leg<R> {
         *pivot = pivot.moved(R::ZERO, self.turn());
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
-            let stance = pivot.stance(scene, to);
-            *pivot = pivot.moved(R::ZERO, stance.polish());
+            let moment = pivot.stance(scene, to).pinned::<B>();
+            *pivot = pivot.moved(R::ZERO, moment.polish());
         }
         moved
     }

@@ -9,7 +9,7 @@ use crate::detect::Placed;
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::list::gather;
-use crate::motion::Margin;
+use crate::motion::{Margin, Unbent};
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::{Surface, World};
@@ -19,7 +19,7 @@ use crate::scene::{Surface, World};
 pub(crate) struct SingleVertex<R> {
     pub(crate) pivot: Pivot<R>,
     /// By so much the body can turn about the pivot before another vertex can touch (rad); 0: not known.
-    room: R,
+    pub(super) room: R,
 }
 
 /// Normal reaction and friction on a way of the hand.
@@ -50,7 +50,12 @@ impl<R: Real> SingleVertex<R> {
     /// A calm frame: it sticks and turns.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
         let stance = self.pivot.stance(scene, to);
-        let Some(calm) = Calm::turn(scene, &stance, to, &from.way_to(to)) else {
+        let drive = stance.lever.conj_mul(from.way_to(to).hand);
+        let pinned = |stance: &Stance<R>| stance.pinned::<Unbent>();
+        let calm = Calm::turn(&pinned(&stance), drive, stance.placed.orientation, |o| {
+            pinned(&stance.turned(scene, o, to))
+        });
+        let Some(calm) = calm else {
             return false;
         };
         let surface = self.pivot.surface(scene);
@@ -89,7 +94,8 @@ impl<R: Real> SingleVertex<R> {
         let stance = self.pivot.stance(scene, from);
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
-        let mut leg = Leg::balanced(&stance, &way, Trigger::Balanced);
+        let moment = stance.pinned::<Unbent>();
+        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Balanced);
         leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
         for sign in [R::ONE, -R::ONE] {
@@ -110,7 +116,7 @@ impl<R: Real> SingleVertex<R> {
     ) -> Moved<R> {
         let begin = self.clone();
         let stance = self.pivot.stance(scene, grip);
-        let mut moved = self.turn_by(scene, grip, &stance.pinned().downhill());
+        let mut moved = self.turn_by(scene, grip, &stance.pinned::<Unbent>().downhill());
         let Some(sign) = sliding else {
             return moved;
         };
@@ -140,8 +146,8 @@ impl<R: Real> SingleVertex<R> {
 
     /// The same from a fold of the branch, on in the direction of the sign.
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
-        let downhill = self.pivot.stance(scene, grip).pinned().over_fold(direction);
-        self.turn_by(scene, grip, &downhill)
+        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
+        self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
     fn turn_by(
@@ -152,7 +158,7 @@ impl<R: Real> SingleVertex<R> {
     ) -> Moved<R> {
         self.room = R::ZERO;
         let keeps = self.contacts();
-        let mut moved = Leg::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        let mut moved = Leg::<R>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
         if moved.trigger == Trigger::Balanced {
             moved.trigger = self.test(scene, grip);
         }
@@ -187,7 +193,8 @@ impl<R: Real> SingleVertex<R> {
         let farthest = stance.force.reach() + stance.lever.reach().doubled();
         let shift = surface.tangent * (sign * farthest);
         let way = Way::slide(shift);
-        let mut leg = Leg::balanced(&stance, &way, Trigger::Stopped);
+        let moment = stance.pinned::<Unbent>();
+        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Stopped);
         let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
         let drives = surface.friction.drives(normal, friction, sign);
         leg.stop_at(&drives, Trigger::Stopped);

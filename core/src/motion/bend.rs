@@ -1,0 +1,167 @@
+//! The second harmonic of a moment: what a foot that glides without friction adds to the balance of a pinned one
+//! (STATICS 3.5). With friction a foot does not give way while the body turns, and there is none: by type, so that nothing
+//! of it is compiled.
+
+use crate::geometry::Vec2;
+use crate::real::Real;
+use core::fmt::Debug;
+
+/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one, and how the foot moves with it.
+/// Every verb adds its share to that of the first harmonic.
+pub trait Bend<R: Real>: Copy + Debug + PartialEq {
+    /// A foot that stays.
+    const NONE: Self;
+
+    /// Of a foot that glides, the lever being (along, off) the surface.
+    fn gliding(lever: (R, R)) -> Self;
+    /// The foot alone: the turn is given, not balanced.
+    fn given(self) -> Self;
+    /// The moment at ϑ = 0.
+    fn moment(self, first: R) -> R;
+    /// -dM/dϑ at ϑ = 0.
+    fn stability(self, first: R) -> R;
+    /// -d²M/dϑ² at ϑ = 0.
+    fn bow(self, first: R) -> R;
+    /// By how much the moment falls, `times` sin ϑ; `first` less that.
+    fn falls(self, first: R, times: R, turn: (R, R)) -> R;
+    /// The same, `first` and that.
+    fn rises(self, first: R, times: R, turn: (R, R)) -> R;
+    /// Its derivative by ϑ = (cos ϑ, sin ϑ).
+    fn slope(self, first: R, turn: (R, R)) -> R;
+    /// Its second derivative.
+    fn second(self, first: R, turn: (R, R)) -> R;
+    /// A bound of the derivative of an order, from that of the first harmonic.
+    fn bound(self, first: R, order: u8) -> R;
+    /// In other units of moment.
+    fn over(self, unit: R) -> Self;
+    /// (u, v) of a margin, of which the foot's way along its surface is the part `share`.
+    fn follows(self, turning: (R, R), share: R) -> (R, R);
+    /// How far a point swings per turn, the foot with it.
+    fn swing(self, first: R) -> R;
+}
+
+/// The foot stays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unbent;
+
+impl<R: Real> Bend<R> for Unbent {
+    const NONE: Self = Self;
+
+    fn gliding(_: (R, R)) -> Self {
+        Self
+    }
+    fn given(self) -> Self {
+        Self
+    }
+    fn moment(self, first: R) -> R {
+        first
+    }
+    fn stability(self, first: R) -> R {
+        first
+    }
+    fn bow(self, first: R) -> R {
+        first
+    }
+    fn falls(self, first: R, _: R, _: (R, R)) -> R {
+        first
+    }
+    fn rises(self, first: R, _: R, _: (R, R)) -> R {
+        first
+    }
+    fn slope(self, first: R, _: (R, R)) -> R {
+        first
+    }
+    fn second(self, first: R, _: (R, R)) -> R {
+        first
+    }
+    fn bound(self, first: R, _: u8) -> R {
+        first
+    }
+    fn over(self, _: R) -> Self {
+        Self
+    }
+    fn follows(self, turning: (R, R), _: R) -> (R, R) {
+        turning
+    }
+    fn swing(self, first: R) -> R {
+        first
+    }
+}
+
+/// The foot glides.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gliding<R> {
+    /// (Q, P)
+    second: Vec2<R>,
+    /// The lever along the surface and off it.
+    lever: Vec2<R>,
+}
+
+impl<R: Real> Gliding<R> {
+    /// (1 - cos 2ϑ) P + sin 2ϑ Q over 2 sin ϑ.
+    fn rise(self, (cosine, sine): (R, R)) -> R {
+        R::sum_of_products(sine, self.second.y, cosine, self.second.x)
+    }
+}
+
+impl<R: Real> Bend<R> for Gliding<R> {
+    const NONE: Self = Self {
+        second: Vec2::ZERO,
+        lever: Vec2::ZERO,
+    };
+
+    fn gliding((along, off): (R, R)) -> Self {
+        Self {
+            second: Vec2::new(
+                R::difference_of_products(along, along, off, off).halved(),
+                -(along * off),
+            ),
+            lever: Vec2::new(along, off),
+        }
+    }
+    fn given(self) -> Self {
+        Self {
+            second: Vec2::ZERO,
+            ..self
+        }
+    }
+    fn moment(self, first: R) -> R {
+        first + self.second.y
+    }
+    fn stability(self, first: R) -> R {
+        first + self.second.x.doubled()
+    }
+    fn bow(self, first: R) -> R {
+        first + self.second.y.doubled().doubled()
+    }
+    fn falls(self, first: R, times: R, turn: (R, R)) -> R {
+        first - (times * self.rise(turn)).doubled()
+    }
+    fn rises(self, first: R, times: R, turn: (R, R)) -> R {
+        first + (times * self.rise(turn)).doubled()
+    }
+    fn slope(self, first: R, (cosine, sine): (R, R)) -> R {
+        let across = R::difference_of_products(cosine, self.second.y, sine, self.second.x);
+        first + (self.second.x + (sine * across).doubled()).doubled()
+    }
+    fn second(self, first: R, turn: (R, R)) -> R {
+        let (_, sine) = turn;
+        let level = self.second.y - (sine * self.rise(turn)).doubled();
+        first + level.doubled().doubled()
+    }
+    fn bound(self, first: R, order: u8) -> R {
+        first + (0..order).fold(self.second.reach(), |bound, _| bound.doubled())
+    }
+    fn over(self, unit: R) -> Self {
+        Self {
+            second: self.second.over(unit),
+            ..self
+        }
+    }
+    fn follows(self, (u, v): (R, R), share: R) -> (R, R) {
+        (u - share * self.lever.x, v + share * self.lever.y)
+    }
+    fn swing(self, first: R) -> R {
+        first + self.lever.reach()
+    }
+}
