@@ -109,7 +109,7 @@ impl<R: Real> Placed<R> {
                 Some(vertex) if self.on == Some(index) => {
                     let neighbours = scene.neighbours(vertex).into_iter();
                     // A point has none but itself.
-                    let others = neighbours.filter(|&i| W::FRICTION || i != vertex);
+                    let others = neighbours.filter(|&i| !W::GLIDES || i != vertex);
                     others.for_each(&mut visit);
                 }
                 _ => scene.vertex_indices().for_each(&mut visit),
@@ -126,31 +126,20 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The gap on a motion on which the point moves by `shift`·tau, and as the turn lets its foot glide.
-    fn margin<W: World<R>, B: Bend<R>>(
-        &self,
-        scene: &W,
-        contact: Pair,
-        moving: &Moving<'_, R, B>,
-    ) -> Margin<R> {
+    /// The gap on a motion on which the point moves by `shift`·tau.
+    fn margin(&self, scene: &impl World<R>, contact: Pair, shift: Vec2<R>) -> Margin<R> {
         let surface = scene.surface(contact.surface);
         let arm = self.arm(scene, contact.vertex);
         let (start, rounding) = self.gap_at(scene, contact, arm);
-        let mut turning = (surface.normal.dot(arm), surface.normal.dot(arm.turned()));
-        let along = match self.on {
-            Some(own) if own == contact.surface => R::ZERO,
-            on => {
-                if let (false, Some(own)) = (W::FRICTION, on) {
-                    let share = surface.normal.dot(scene.surface(own).tangent);
-                    turning = moving.motion.bend().follows(turning, share);
-                }
-                surface.normal.dot(moving.shift)
-            }
+        let along = if self.on == Some(contact.surface) {
+            R::ZERO
+        } else {
+            surface.normal.dot(shift)
         };
         Margin {
             start,
             along,
-            turning: Vec2::new(turning.0, turning.1),
+            turning: Vec2::new(surface.normal.dot(arm), surface.normal.dot(arm.turned())),
             rounding,
         }
     }
@@ -164,8 +153,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R, B>,
     ) -> Option<Pair> {
         let mut first = None;
-        let bend = moving.motion.bend();
-        let radius = bend.swing(self.radius(scene, None));
+        let radius = self.radius(scene, None);
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let own = self.on == Some(index);
@@ -187,13 +175,12 @@ impl<R: Real> Placed<R> {
                     surface: index,
                 };
                 let body_vertex = scene.vertex(vertex);
-                let swing = bend.swing((body_vertex - self.body_point).reach());
-                let swing = swing * course.end.turn.abs();
+                let swing = (body_vertex - self.body_point).reach() * course.end.turn.abs();
                 let clear = level + normal.dot(body_vertex) - along - swing;
                 if clear > R::TOUCH || moving.keeps.contains(&contact) {
                     return;
                 }
-                let margin = self.margin(scene, contact, moving);
+                let margin = self.margin(scene, contact, moving.shift);
                 if moving.motion.stop_at(&margin, course) {
                     first = Some(contact);
                 }

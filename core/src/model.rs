@@ -4,7 +4,7 @@
 
 /// The parts of the solver that a scene may need besides its geometry.
 pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static {
-    /// Friction: sticking and slipping. Without it every mu is 0, and contacts glide.
+    /// Friction: sticking and slipping. Without it every mu is 0, and on a single surface contacts glide.
     const FRICTION: bool;
     /// The body's weight. Without it W is 0.
     const WEIGHT: bool;
@@ -14,13 +14,8 @@ pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts<const FRICTION: bool, const WEIGHT: bool>;
 
-impl<const WEIGHT: bool> Model for Parts<true, WEIGHT> {
-    const FRICTION: bool = true;
-    const WEIGHT: bool = WEIGHT;
-}
-
-impl<const WEIGHT: bool> Model for Parts<false, WEIGHT> {
-    const FRICTION: bool = false;
+impl<const FRICTION: bool, const WEIGHT: bool> Model for Parts<FRICTION, WEIGHT> {
+    const FRICTION: bool = FRICTION;
     const WEIGHT: bool = WEIGHT;
 }
 
@@ -33,21 +28,7 @@ pub type Frictionless = Parts<false, true>;
 /// Neither friction nor weight.
 pub type Bare = Parts<false, false>;
 
-pub(crate) mod sealed {
-    use super::Parts;
-    use crate::motion::{Bend, Gliding, Unbent};
-    use crate::real::Real;
-
-    pub trait Sealed {
-        /// What a foot on a surface adds to the balance of moments.
-        type Bend<R: Real>: Bend<R>;
-    }
-
-    impl<const WEIGHT: bool> Sealed for Parts<true, WEIGHT> {
-        type Bend<R: Real> = Unbent;
-    }
-
-    impl<const WEIGHT: bool> Sealed for Parts<false, WEIGHT> {
-        type Bend<R: Real> = Gliding<R>;
-    }
+mod sealed {
+    pub trait Sealed {}
+    impl<const FRICTION: bool, const WEIGHT: bool> Sealed for super::Parts<FRICTION, WEIGHT> {}
 }

@@ -175,19 +175,6 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         }
     }
 
-    /// The same with a foot that follows the turn.
-    pub(crate) fn with_foot(self, bend: B) -> Self {
-        Self {
-            bend: bend.given(),
-            ..self
-        }
-    }
-
-    /// How the foot follows the turn.
-    pub(crate) fn bend(&self) -> B {
-        self.bend
-    }
-
     /// A bound of H' / D(0).
     fn whole(&self) -> R {
         self.bend.bound(self.stiffness + self.hold.reach(), 1)
@@ -267,8 +254,8 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
                 rounding: R::rounding(whole),
             }
         };
-        let found = if self.stiffness > self.bend.bound(z0 + zp, 1) {
-            // kappa < 1 all the way: no fold.
+        let found = if !B::GLIDES && self.stiffness > z0 + zp {
+            // kappa < 1 all the way: no fold. (Frames of a foot that glides are hardly ever so.)
             match first_zero((R::HUGE, self.tolerance), |x| Look::far([end(&self.at(x))])) {
                 Found::Zero { x, .. } => Found::Zero { x, which: 1 },
                 other => other,

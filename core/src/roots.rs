@@ -166,6 +166,31 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
         self.bend.bound(self.hold.reach(), 2)
     }
 
+    /// By how much the moment of a soft grip must be multiplied for its stability to have a reciprocal in this number type.
+    pub(crate) fn softness(&self) -> R {
+        const DOUBLINGS: u8 = 24;
+        let mut times = R::ONE;
+        let mut firm = self.stability() * R::HUGE;
+        for _ in 0..DOUBLINGS {
+            if firm <= R::ZERO || firm >= R::from_int(16) {
+                break;
+            }
+            (firm, times) = (firm.doubled(), times.doubled());
+        }
+        times
+    }
+
+    /// The moment `k` times as large.
+    pub(crate) fn times(self, k: R) -> Self {
+        Self {
+            couple: self.couple * k,
+            stiffness: self.stiffness * k,
+            hold: self.hold * k,
+            bend: self.bend.times(k),
+            tolerance: self.tolerance,
+        }
+    }
+
     /// The number type carries the moments of the load.
     pub(crate) fn is_carried(&self) -> bool {
         self.bend.bound(self.hold.reach(), 1) + self.couple.abs() <= R::LOAD

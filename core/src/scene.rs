@@ -5,9 +5,7 @@ use crate::body::Body;
 use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
-use crate::model::sealed::Sealed;
 use crate::model::{Full, Model};
-use crate::motion::Bend;
 use crate::real::Real;
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -113,10 +111,10 @@ pub(crate) trait World<R: Real> {
     const EDGES: bool;
     /// More than one surface: it can touch two at once.
     const SURFACES: bool;
-    /// Some surface may have friction. On one without, a contact glides: its foot is where the tangential forces balance.
-    const FRICTION: bool;
-    /// What a foot on a surface adds to the balance of moments.
-    type Bend: Bend<R>;
+    /// Two contacts at once are possible.
+    const SEVERAL: bool = Self::EDGES || Self::SURFACES;
+    /// The only surface is without friction. A contact on it glides: its foot is where the tangential forces balance.
+    const GLIDES: bool;
 
     /// Vertices, body frame, counter-clockwise.
     fn vertices(&self) -> &[Vec2<R>];
@@ -158,8 +156,7 @@ pub(crate) trait World<R: Real> {
 impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
     const EDGES: bool = V > 1;
     const SURFACES: bool = S > 1;
-    const FRICTION: bool = M::FRICTION;
-    type Bend = <M as Sealed>::Bend<R>;
+    const GLIDES: bool = !M::FRICTION && S <= 1;
 
     fn vertices(&self) -> &[Vec2<R>] {
         self.body.vertices()

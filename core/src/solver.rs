@@ -213,7 +213,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let pull = (grip.hand - placed.point).reach();
         let lever = (grip.holding_point - placed.body_point).reach();
         // The balance of a contact that glides is one in the square of its lever.
-        let pull = if M::FRICTION { pull } else { pull.max(lever) };
+        let pull = if self.glides() { pull.max(lever) } else { pull };
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
             && turn <= R::from_int(MAX_TURN).min(R::HUGE.halved())
@@ -297,9 +297,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.by_jump(state, to, log);
     }
 
+    /// Contacts glide.
+    const fn glides(&self) -> bool {
+        <Scene<R, V, S, M> as World<R>>::GLIDES
+    }
+
     /// Friction without a jump between sticking and sliding. On a single surface without friction nothing slides: it glides.
     fn slides_continuously(&self, state: &ContactState<R>) -> bool {
-        if !M::FRICTION && S < 2 {
+        if self.glides() {
             return false;
         }
         let contacts = state.contacts();

@@ -8,11 +8,12 @@
 //! * `slide`: hand frozen, slides to the end of the slip;
 //! * `reactions`: the forces of the contacts at rest.
 //!
-//! Without friction one vertex or edge on one surface glides: the verbs are the same ones with the foot in balance.
+//! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
 
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::Pose;
+use crate::motion::{Gliding, Unbent};
 use crate::output::{MAX_CONTACTS, StateKind};
 use crate::real::Real;
 use crate::scene::World;
@@ -168,8 +169,9 @@ impl<R: Real> ContactState<R> {
 
     pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
         match self {
-            Self::Free(s) => s.follow(scene, from, to),
-            Self::SingleVertex(s) if W::FRICTION => s.follow(scene, from, to),
+            Self::Free(s) if W::GLIDES => s.follow::<Gliding<R>>(scene, from, to),
+            Self::Free(s) => s.follow::<Unbent>(scene, from, to),
+            Self::SingleVertex(s) if !W::GLIDES => s.follow(scene, from, to),
             Self::SingleVertex(s) => s.glide_on(scene, from, to),
             Self::Edge(s) if W::EDGES => s.follow(scene, to),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
@@ -185,8 +187,9 @@ impl<R: Real> ContactState<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         match self {
-            Self::Free(s) => s.advance(scene, from, to),
-            Self::SingleVertex(s) if W::FRICTION => s.advance(scene, from, to),
+            Self::Free(s) if W::GLIDES => s.advance::<Gliding<R>>(scene, from, to),
+            Self::Free(s) => s.advance::<Unbent>(scene, from, to),
+            Self::SingleVertex(s) if !W::GLIDES => s.advance(scene, from, to),
             Self::SingleVertex(s) => s.glide_along(scene, from, to),
             Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
             Self::TwoVertex(s) if W::SURFACES => s.advance(scene, from, to),
@@ -203,8 +206,9 @@ impl<R: Real> ContactState<R> {
         how: Relax<R>,
     ) -> Moved<R> {
         match self {
-            Self::Free(s) => s.relax(scene, grip),
-            Self::SingleVertex(s) if W::FRICTION => s.relax(scene, grip, how.sliding),
+            Self::Free(s) if W::GLIDES => s.relax::<Gliding<R>>(scene, grip),
+            Self::Free(s) => s.relax::<Unbent>(scene, grip),
+            Self::SingleVertex(s) if !W::GLIDES => s.relax(scene, grip, how.sliding),
             Self::SingleVertex(s) => s.glide_down(scene, grip),
             Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
             Self::TwoVertex(s) if W::SURFACES => s.relax(scene, grip, how),
@@ -222,7 +226,7 @@ impl<R: Real> ContactState<R> {
         direction: R,
     ) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) if W::FRICTION => s.snap(scene, grip, direction),
+            Self::SingleVertex(s) if !W::GLIDES => s.snap(scene, grip, direction),
             Self::SingleVertex(s) => s.glide_over(scene, grip, direction),
             Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
@@ -232,8 +236,8 @@ impl<R: Real> ContactState<R> {
     /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
     pub(crate) fn slide<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) if W::FRICTION => s.slide(scene, grip, sign),
-            Self::Edge(s) if W::EDGES && W::FRICTION => s.slide(scene, grip, sign),
+            Self::SingleVertex(s) if !W::GLIDES => s.slide(scene, grip, sign),
+            Self::Edge(s) if W::EDGES && !W::GLIDES => s.slide(scene, grip, sign),
             Self::TwoVertex(s) if W::SURFACES => s.slide(scene, grip),
             _ => absent(),
         }
@@ -252,6 +256,9 @@ impl<R: Real> ContactState<R> {
 
     /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.
     pub(crate) fn seated<W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[Pair]) -> Self {
+        if !W::SEVERAL {
+            return Self::SingleVertex(SingleVertex::new(pivot));
+        }
         let pivot = seat(scene, pivot, others);
         match *others {
             [other] if W::SURFACES && other.vertex == pivot.contact.vertex => {

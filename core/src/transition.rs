@@ -139,7 +139,9 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
                 self.touch(state, pair, log);
                 Next::Relax(None)
             }
-            Trigger::Keep { contacts, sliding } => self.keep(state, contacts, sliding, log),
+            Trigger::Keep { contacts, sliding } if W::SEVERAL => {
+                self.keep(state, contacts, sliding, log)
+            }
             Trigger::Clear => {
                 log.transitions.add(clear_arm(state));
                 log.event(Event::Lift);
@@ -147,7 +149,7 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
                 *state = ContactState::Free(Free { pose });
                 Next::Relax(None)
             }
-            Trigger::Undriven => self.undriven(state, log),
+            Trigger::Keep { .. } | Trigger::Undriven => self.undriven(state, log),
         }
     }
 
@@ -168,7 +170,7 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
     /// where a trammel stops, a reaction may have fallen below zero.
     fn after_slip(&self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
         log.transitions.add(slip_arm(state));
-        if let (true, ContactState::SingleVertex(single)) = (W::FRICTION, state) {
+        if let (false, ContactState::SingleVertex(single)) = (W::GLIDES, state) {
             let stance = single.pivot.stance(self.scene, self.grip);
             let within = (stance.tolerance * stance.stability()).doubled();
             // The foot, too, is rounded, as a coordinate.
@@ -189,6 +191,12 @@ impl<R: Real, W: World<R>> At<'_, R, W> {
     fn touch(&self, state: &mut ContactState<R>, pair: Pair, log: &mut Log<R>) {
         let before = state.kind();
         let pivot = self.pivot_of(state, state.contacts().first().copied().unwrap_or(pair));
+        if !W::SEVERAL {
+            *state = ContactState::seated(self.scene, pivot, &[]);
+            log.transitions.add(Transition::FreeTouches);
+            log.event(Event::Touch);
+            return;
+        }
         let touching = pivot.placed(self.scene).touching(self.scene, R::TOUCH);
         let mut all = Pairs::new();
         let old = state.contacts();

@@ -6,16 +6,15 @@ use crate::geometry::Vec2;
 use crate::real::Real;
 use core::fmt::Debug;
 
-/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one, and how the foot moves with it.
-/// Every verb adds its share to that of the first harmonic.
-pub trait Bend<R: Real>: Copy + Debug + PartialEq {
+/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of the first harmonic.
+pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
+    /// The foot may glide.
+    const GLIDES: bool;
     /// A foot that stays.
     const NONE: Self;
 
     /// Of a foot that glides, the lever being (along, off) the surface.
     fn gliding(lever: (R, R)) -> Self;
-    /// The foot alone: the turn is given, not balanced.
-    fn given(self) -> Self;
     /// The moment at ϑ = 0.
     fn moment(self, first: R) -> R;
     /// -dM/dϑ at ϑ = 0.
@@ -34,23 +33,19 @@ pub trait Bend<R: Real>: Copy + Debug + PartialEq {
     fn bound(self, first: R, order: u8) -> R;
     /// In other units of moment.
     fn over(self, unit: R) -> Self;
-    /// (u, v) of a margin, of which the foot's way along its surface is the part `share`.
-    fn follows(self, turning: (R, R), share: R) -> (R, R);
-    /// How far a point swings per turn, the foot with it.
-    fn swing(self, first: R) -> R;
+    /// The same `k` times as large.
+    fn times(self, k: R) -> Self;
 }
 
 /// The foot stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Unbent;
+pub(crate) struct Unbent;
 
 impl<R: Real> Bend<R> for Unbent {
+    const GLIDES: bool = false;
     const NONE: Self = Self;
 
     fn gliding(_: (R, R)) -> Self {
-        Self
-    }
-    fn given(self) -> Self {
         Self
     }
     fn moment(self, first: R) -> R {
@@ -80,21 +75,16 @@ impl<R: Real> Bend<R> for Unbent {
     fn over(self, _: R) -> Self {
         Self
     }
-    fn follows(self, turning: (R, R), _: R) -> (R, R) {
-        turning
-    }
-    fn swing(self, first: R) -> R {
-        first
+    fn times(self, _: R) -> Self {
+        Self
     }
 }
 
 /// The foot glides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gliding<R> {
+pub(crate) struct Gliding<R> {
     /// (Q, P)
     second: Vec2<R>,
-    /// The lever along the surface and off it.
-    lever: Vec2<R>,
 }
 
 impl<R: Real> Gliding<R> {
@@ -105,10 +95,8 @@ impl<R: Real> Gliding<R> {
 }
 
 impl<R: Real> Bend<R> for Gliding<R> {
-    const NONE: Self = Self {
-        second: Vec2::ZERO,
-        lever: Vec2::ZERO,
-    };
+    const GLIDES: bool = true;
+    const NONE: Self = Self { second: Vec2::ZERO };
 
     fn gliding((along, off): (R, R)) -> Self {
         Self {
@@ -116,13 +104,6 @@ impl<R: Real> Bend<R> for Gliding<R> {
                 R::difference_of_products(along, along, off, off).halved(),
                 -(along * off),
             ),
-            lever: Vec2::new(along, off),
-        }
-    }
-    fn given(self) -> Self {
-        Self {
-            second: Vec2::ZERO,
-            ..self
         }
     }
     fn moment(self, first: R) -> R {
@@ -155,13 +136,11 @@ impl<R: Real> Bend<R> for Gliding<R> {
     fn over(self, unit: R) -> Self {
         Self {
             second: self.second.over(unit),
-            ..self
         }
     }
-    fn follows(self, (u, v): (R, R), share: R) -> (R, R) {
-        (u - share * self.lever.x, v + share * self.lever.y)
-    }
-    fn swing(self, first: R) -> R {
-        first + self.lever.reach()
+    fn times(self, k: R) -> Self {
+        Self {
+            second: self.second * k,
+        }
     }
 }

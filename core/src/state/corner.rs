@@ -7,6 +7,7 @@ use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
 use crate::list::gather;
+use crate::motion::Unbent;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::World;
@@ -103,15 +104,15 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
-    pub(crate) fn advance<W: World<R>>(
+    pub(crate) fn advance(
         &mut self,
-        scene: &W,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
         let stance = self.pivot.stance(scene, from);
         let way = from.way_to(to);
-        let moment = stance.pinned::<W::Bend>();
+        let moment = stance.pinned::<Unbent>();
         let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Balanced);
         leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
@@ -124,30 +125,25 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
-    pub(crate) fn relax<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let moment = self.pivot.stance(scene, grip).pinned::<W::Bend>();
+    pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
         self.turn_by(scene, grip, &moment.downhill())
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
-    pub(crate) fn snap<W: World<R>>(
-        &mut self,
-        scene: &W,
-        grip: &Grip<R>,
-        direction: R,
-    ) -> Moved<R> {
-        let moment = self.pivot.stance(scene, grip).pinned::<W::Bend>();
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
+        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
-    fn turn_by<W: World<R>>(
+    fn turn_by(
         &mut self,
-        scene: &W,
+        scene: &impl World<R>,
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         let keeps = self.contacts();
-        let mut moved = Leg::<R, W::Bend>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        let mut moved = Leg::<R>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
         if moved.trigger == Trigger::Balanced {
             moved.trigger = self.test(scene, grip);
         }

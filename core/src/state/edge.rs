@@ -7,7 +7,7 @@ use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::list::gather;
-use crate::motion::{Margin, Motion};
+use crate::motion::{Gliding, Margin, Motion};
 use crate::real::Real;
 use crate::scene::{Surface, World};
 
@@ -80,7 +80,7 @@ impl<R: Real> Edge<R> {
     /// A calm frame: it stays, or without friction glides. All is linear on the way, so that its end decides.
     pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, to: &Grip<R>) -> bool {
         let mut pivot = self.pivot;
-        if !W::FRICTION {
+        if W::GLIDES {
             pivot.glide(scene, to);
         }
         let stance = pivot.stance(scene, to);
@@ -93,22 +93,11 @@ impl<R: Real> Edge<R> {
         let follows = stance.is_carried()
             && second > slack
             && normal - second > slack
-            && if W::FRICTION {
-                (surface.friction).is_within(normal, friction, slack)
-            } else {
-                Self::is_apart(scene, &pivot)
-            };
+            && (W::GLIDES || (surface.friction).is_within(normal, friction, slack));
         if follows {
             self.pivot = pivot;
         }
         follows
-    }
-
-    /// No vertex touches another surface.
-    fn is_apart<W: World<R>>(scene: &W, pivot: &Pivot<R>) -> bool {
-        let own = pivot.contact.surface;
-        let apart = |pair: &Pair| pair.surface == own;
-        !W::SURFACES || (pivot.placed(scene).touching(scene, R::TOUCH).iter()).all(apart)
     }
 
     /// Stays as the hand moves, to the first of friction limit and N_i = 0.
@@ -118,7 +107,7 @@ impl<R: Real> Edge<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        if !W::FRICTION {
+        if W::GLIDES {
             return self.glide_along(scene, from, to);
         }
         let stance = self.pivot.stance(scene, from);
@@ -135,15 +124,12 @@ impl<R: Real> Edge<R> {
         leg.moved()
     }
 
-    /// Without friction it glides as the hand moves, to the first of touch and N_i = 0.
+    /// Without friction it glides as the hand moves, to the first N_i = 0.
     fn glide_along(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let stance = self.pivot.stance(scene, from);
-        let surface = self.pivot.surface(scene);
-        let way = from.way_to(to);
-        let reaction = self.reaction(scene, &stance, &way.pressing(&surface));
-        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
-        let shift = surface.tangent * surface.tangent.dot(way.hand);
-        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
+        let way = from.way_to(to).pressing(&self.pivot.surface(scene));
+        let reaction = self.reaction(scene, &stance, &way);
+        let mut leg = Leg::<R, Gliding<R>>::whole(Motion::straight(), Trigger::Balanced);
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             leg.stop_at(part, keep(other, None));
         }
@@ -151,23 +137,12 @@ impl<R: Real> Edge<R> {
         leg.moved()
     }
 
-    /// Without friction it glides to balance, the energy falling by itself, or to a touch; then N_i are put to the test.
+    /// Without friction it glides to balance, the energy falling by itself; then N_i are put to the test.
     fn glide_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        self.pivot.glide(scene, grip);
         let stance = self.pivot.stance(scene, grip);
-        let tangent = self.pivot.surface(scene).tangent;
-        let slide = tangent.dot(stance.force);
-        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
-        leg.stop_at_touch(scene, &stance.placed, (tangent * slide, &self.contacts()));
-        let mut moved = leg.moved();
-        if moved.trigger == Trigger::Balanced {
-            self.pivot.glide(scene, grip);
-            let stance = self.pivot.stance(scene, grip);
-            let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
-            moved.trigger = reaction.opens(None).unwrap_or(Trigger::Balanced);
-        } else {
-            self.pivot = self.pivot.moved(slide * moved.part, R::ZERO);
-        }
-        moved
+        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        Moved::by(reaction.opens(None).unwrap_or(Trigger::Balanced))
     }
 
     /// Puts the edge to the test as it lies.
@@ -177,7 +152,7 @@ impl<R: Real> Edge<R> {
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
-        if !W::FRICTION {
+        if W::GLIDES {
             return self.glide_down(scene, grip);
         }
         Moved::by(self.test(scene, grip, sliding))

@@ -29,13 +29,18 @@ impl<R: Real> Free<R> {
     }
 
     /// A calm frame: it hangs at the hand, clear of all surfaces.
-    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
+    pub(crate) fn follow<B: Bend<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> bool {
         let way = Way::turn(from.way_to(to).turn);
         let pose = Self::hanging(scene, to, self.pose.orientation);
         let stance = Self { pose }.stance(scene, to);
         let (orientation, reach) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), way.turn.abs())
-        } else if let Some(calm) = Self::calm(scene, &stance, to, &way) {
+        } else if let Some(calm) = Self::calm::<B>(scene, &stance, to, &way) {
             (calm.orientation, calm.reach)
         } else {
             return false;
@@ -52,13 +57,13 @@ impl<R: Real> Free<R> {
     }
 
     /// The weight turns it a little.
-    fn calm<W: World<R>>(
-        scene: &W,
+    fn calm<B: Bend<R>>(
+        scene: &impl World<R>,
         stance: &Stance<R>,
         to: &Grip<R>,
         way: &Way<R>,
     ) -> Option<Calm<R>> {
-        let pinned = |stance: &Stance<R>| stance.pinned::<W::Bend>();
+        let pinned = |stance: &Stance<R>| stance.pinned::<B>();
         let drive = stance.lever.conj_mul(way.hand);
         Calm::turn(&pinned(stance), drive, stance.placed.orientation, |o| {
             pinned(&stance.turned(scene, o, to))
@@ -80,33 +85,33 @@ impl<R: Real> Free<R> {
     }
 
     /// Along the hand's way, turning in balance with the weight.
-    pub(crate) fn advance<W: World<R>>(
+    pub(crate) fn advance<B: Bend<R>>(
         &mut self,
-        scene: &W,
+        scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let way = from.way_to(to);
-        let moment = stance.pinned::<W::Bend>();
+        let moment = stance.pinned::<B>();
         let turns = Way::turn(way.turn);
         let leg = Leg::balanced(&moment, (stance.lever, &turns), Trigger::Balanced);
         let moved = self.sweep(scene, &stance, leg, way.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the way.
-            *self = Self::balance(scene, to, self.pose.orientation);
+            *self = Self::balance::<B>(scene, to, self.pose.orientation);
         }
         moved
     }
 
     /// The pose in balance at a grip, the angle corrected from near it.
-    fn balance<W: World<R>>(scene: &W, grip: &Grip<R>, near: Orientation<R>) -> Self {
+    fn balance<B: Bend<R>>(scene: &impl World<R>, grip: &Grip<R>, near: Orientation<R>) -> Self {
         let orientation = if Self::turns_with_hand(scene) {
             Orientation::new(grip.angle)
         } else {
             let pose = Self::hanging(scene, grip, near);
             let stance = Self { pose }.stance(scene, grip);
-            near.plus(stance.pinned::<W::Bend>().polish())
+            near.plus(stance.pinned::<B>().polish())
         };
         Self {
             pose: Self::hanging(scene, grip, orientation),
@@ -116,20 +121,20 @@ impl<R: Real> Free<R> {
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
-    pub(crate) fn relax<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned::<W::Bend>().downhill();
+    pub(crate) fn relax<B: Bend<R>>(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        let downhill = self.stance(scene, grip).pinned::<B>().downhill();
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
-        let mut moved = self.straight(scene, grip, downhill.turn, R::ONE);
+        let mut moved = self.straight::<B>(scene, grip, downhill.turn, R::ONE);
         if moved.trigger != Trigger::Balanced && begin.has_just_opened(scene) {
             *self = begin;
-            moved = self.straight(scene, grip, R::ZERO, R::ONE);
+            moved = self.straight::<B>(scene, grip, R::ZERO, R::ONE);
             if moved.trigger == Trigger::Balanced {
-                moved = self.straight(scene, grip, downhill.turn, R::ZERO);
+                moved = self.straight::<B>(scene, grip, downhill.turn, R::ZERO);
             }
         }
         if moved.trigger == Trigger::Balanced {
-            *self = Self::balance(scene, grip, near);
+            *self = Self::balance::<B>(scene, grip, near);
         }
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
@@ -142,9 +147,15 @@ impl<R: Real> Free<R> {
     }
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
-    fn straight<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, turn: R, shift: R) -> Moved<R> {
+    fn straight<B: Bend<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        turn: R,
+        shift: R,
+    ) -> Moved<R> {
         let stance = self.stance(scene, grip);
-        let leg: Leg<R, W::Bend> = Leg::whole(Motion::turning(turn), Trigger::Balanced);
+        let leg: Leg<R, B> = Leg::whole(Motion::turning(turn), Trigger::Balanced);
         self.sweep(scene, &stance, leg, stance.force * shift)
     }
 

@@ -1,0 +1,151 @@
+//! Without friction a vertex glides: its foot is where the tangential forces balance, and the angle has a second harmonic in
+//! its moment (STATICS 3.5). Known answers, found here by slow bisections, and the laws in random scenes.
+
+use stiction_core::{Bare, Event, Evolution, Fixed, Frictionless, StateKind, Status};
+use stiction_tests::laws::{assert_lawful, worst};
+use stiction_tests::random::scenarios;
+use stiction_tests::run::polyline;
+use stiction_tests::setup::VERTICES;
+use stiction_tests::{EVOLUTIONS, Number, RunOf, Setup, budget, close, judge, test_each};
+
+test_each!(
+    cases::foot_is_below_the_hand,
+    cases::glide_folds_by_its_second_harmonic,
+);
+
+/// From the contact to the grip (m); k_h is 1.
+const LEVER: f64 = 0.3;
+
+/// A point tool held above its tip, on a smooth floor.
+fn tool(rotation: f64) -> Setup {
+    Setup::point()
+        .at([0.0, 0.05, 0.0])
+        .held_at([0.0, LEVER])
+        .springs(1.0, rotation)
+        .floor([0.0, 0.0])
+}
+
+/// k (phi - theta) - N (lever x n) for a hand at a height, with N = -n·(p - lever).
+fn moment(rotation: f64, [_, height, phi]: [f64; 3], theta: f64) -> f64 {
+    let normal = LEVER * theta.cos() - height;
+    rotation * (phi - theta) + normal * LEVER * theta.sin()
+}
+
+/// The place between `low` and `high` where a function changes its sign.
+fn bisect(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let rises = f(high) > 0.0;
+    assert!(
+        (f(low) > 0.0) != rises,
+        "no change between {low} and {high}"
+    );
+    for _ in 0..200 {
+        let middle = (low + high) / 2.0;
+        if (f(middle) > 0.0) == rises {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    low
+}
+
+mod cases {
+    use super::*;
+
+    pub(super) fn foot_is_below_the_hand<R: Number>(evolution: Evolution) {
+        const ROTATION: f64 = 0.2;
+        let setup = tool(ROTATION);
+        let keyframes = [
+            [0.0, 0.35, 0.0],
+            [0.02, 0.15, 0.1],
+            [1.2, 0.1, 0.6],
+            [-0.4, 0.2, -0.8],
+        ];
+        let mut run = RunOf::<R, 1, 1, Bare>::start(&setup, evolution, keyframes[0]);
+        for hand in polyline(&keyframes, 40) {
+            let frame = run.step(hand);
+            assert_lawful::<R>(&setup, std::slice::from_ref(frame));
+            if frame.state == StateKind::NonContact {
+                continue;
+            }
+            // k > N lever: one balance.
+            let theta = bisect(-2.0, 2.0, |theta| -moment(ROTATION, hand, theta));
+            close("theta", frame.pose[2], theta, R::ANALYTIC);
+            close(
+                "foot",
+                frame.pose[0],
+                hand[0] + LEVER * theta.sin(),
+                R::ANALYTIC,
+            );
+            close(
+                "N",
+                frame.normal(),
+                LEVER * theta.cos() - hand[1],
+                R::ANALYTIC,
+            );
+        }
+        assert_eq!(run.frame.state, StateKind::SingleVertex);
+        assert_eq!((run.frame.slips, run.frame.status), (0, Status::Ok));
+    }
+
+    /// Pressed down by a soft grip the tool leans to one side; turned to the other one it falls over.
+    pub(super) fn glide_folds_by_its_second_harmonic<R: Number>(evolution: Evolution) {
+        const ROTATION: f64 = 0.02;
+        const HEIGHT: f64 = 0.2;
+        // phi of the balance at theta, and its derivative with the second harmonic.
+        let phi =
+            |theta: f64| theta - (LEVER * theta.cos() - HEIGHT) * LEVER * theta.sin() / ROTATION;
+        let slope = |theta: f64| {
+            let second = LEVER * LEVER * (2.0 * theta).cos();
+            1.0 - (second - HEIGHT * LEVER * theta.cos()) / ROTATION
+        };
+        let fold = bisect(-0.6, 0.0, slope);
+        let lands = bisect(0.3, 0.8, |theta| phi(theta) - phi(fold));
+        let setup = tool(ROTATION);
+        let begin = [0.0, 0.35, -0.3];
+        let mut run = RunOf::<R, 1, 1, Frictionless>::start(&setup, evolution, begin);
+        run.lead([0.0, HEIGHT, -0.3], 20);
+        let leans = bisect(-0.8, -0.3, |theta| phi(theta) + 0.3);
+        close("leans", run.frame.pose[2], leans, R::ANALYTIC);
+        let end = [0.1, HEIGHT, 0.3];
+        let onset = run.onset(end, |frame| frame.saw(Event::Snap));
+        close("phi", onset.hand[2], phi(fold), R::ANALYTIC);
+        // A double root.
+        close("fold", onset.before.pose[2], fold, R::ANALYTIC.sqrt());
+        close("lands", run.frame.pose[2], lands, R::ANALYTIC);
+        let foot = run.frame.hand[0] + LEVER * lands.sin();
+        close("foot", run.frame.pose[0], foot, R::ANALYTIC);
+        assert_eq!(run.frame.state, StateKind::SingleVertex);
+    }
+}
+
+/// Random scenes of one surface without friction: the laws in every frame, and a motion is always found.
+fn survey<R: Number>(evolution: Evolution) {
+    for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
+        let mut setup = scenario.setup.clone();
+        setup.surfaces.truncate(1);
+        for surface in &mut setup.surfaces {
+            (surface.friction_static, surface.friction_dynamic) = (0.0, 0.0);
+        }
+        let hands = scenario.hands(50);
+        let mut run = RunOf::<R, VERTICES, 1, Frictionless>::start(&setup, evolution, hands[0]);
+        for (k, &hand) in hands.iter().enumerate() {
+            let frame = run.step(hand);
+            let gravest = worst(judge::<R>(&setup, frame));
+            assert!(
+                gravest.holds() && frame.status == Status::Ok && frame.slips == 0,
+                "{} {evolution:?}, scene {i}, frame {k}: {gravest:?} {frame:?}",
+                R::NAME
+            );
+        }
+    }
+}
+
+#[test]
+fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
+    for evolution in EVOLUTIONS {
+        survey::<f64>(evolution);
+        survey::<f32>(evolution);
+        survey::<Fixed>(evolution);
+    }
+}
