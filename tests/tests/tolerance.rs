@@ -27,7 +27,7 @@ fn beside<R: Number>(
     let scene = || scenario.setup.scene::<R>().expect("a sound scene");
     let exact = Solver::new(scene(), evolution);
     let loose = Solver::new(scene(), evolution).with_tolerance(R::si(tolerance));
-    let frame = |state: &State<R>, output| Frame::new::<R>(&exact, state, &output);
+    let frame = |state: &State<R>, output| Frame::new(&exact, state, &output);
     let hands = scenario.hands(100);
     let (mut state, output) = loose.start(planar::<R>(hands[0]));
     let mut last = frame(&state, output);
