@@ -6,7 +6,8 @@ use crate::geometry::Vec2;
 use crate::real::Real;
 use core::fmt::Debug;
 
-/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of the first harmonic.
+/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of
+/// the first harmonic; `turn` is (cos ϑ, sin ϑ).
 pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
     /// The foot may glide.
     const GLIDES: bool;
@@ -21,15 +22,15 @@ pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
     fn stability(self, first: R) -> R;
     /// -d²M/dϑ² at ϑ = 0.
     fn bow(self, first: R) -> R;
-    /// By how much the moment falls, `times` sin ϑ; `first` less that.
+    /// `first` less the fall of the moment to ϑ, with `times` for one of the two factors sin ϑ of that.
     fn falls(self, first: R, times: R, turn: (R, R)) -> R;
-    /// The same, `first` and that.
+    /// `first` and that fall.
     fn rises(self, first: R, times: R, turn: (R, R)) -> R;
-    /// Its derivative by ϑ = (cos ϑ, sin ϑ).
+    /// Its derivative by ϑ.
     fn slope(self, first: R, turn: (R, R)) -> R;
     /// Its second derivative.
     fn second(self, first: R, turn: (R, R)) -> R;
-    /// A bound of the derivative of an order, from that of the first harmonic.
+    /// A bound of its derivative of an order, from that of the first harmonic; of order 0, half of how far it falls.
     fn bound(self, first: R, order: u8) -> R;
     /// In other units of moment.
     fn over(self, unit: R) -> Self;
