@@ -15,6 +15,10 @@ pub(crate) struct Calm<R> {
     pub(crate) orientation: Orientation<R>,
     /// No turn on the way is larger (rad).
     pub(crate) reach: R,
+    /// At least 1 over the stability anywhere on the way.
+    per_least: R,
+    /// At most |z| over the stability anywhere on the way.
+    bend: R,
 }
 
 /// Corrections of the angle before a frame is not called calm.
@@ -53,9 +57,15 @@ impl<R: Real> Calm<R> {
             return None;
         }
         let reach = step.doubled();
+        let calm = |orientation| Self {
+            orientation,
+            reach,
+            per_least,
+            bend,
+        };
         let mut orientation = stance.placed.orientation;
         if reach <= stance.tolerance {
-            return Some(Self { orientation, reach });
+            return Some(calm(orientation));
         }
         let mut turn = stance.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
@@ -64,7 +74,7 @@ impl<R: Real> Calm<R> {
             let bent = bend * turn.abs();
             let left = (bent * (bent + turn.abs()) * turn.abs()).halved();
             if left <= R::EPSILON.max(stance.tolerance) {
-                return Some(Self { orientation, reach });
+                return Some(calm(orientation));
             }
             let placed = Placed {
                 orientation,
@@ -74,5 +84,13 @@ impl<R: Real> Calm<R> {
             turn = stance.correction(R::ONE / stance.stability());
         }
         None
+    }
+
+    /// By half of this times its lever a point strays at most from the straight line between the ends of its way: a bound
+    /// of ϑ'² + |ϑ''| in tau.
+    pub(crate) fn bow(&self, stance: &Stance<R>, way: &Way<R>) -> R {
+        let drive = stance.lever.conj_mul(way.hand).reach() * self.per_least;
+        let rate = drive + stance.stiffness * way.turn.abs() * self.per_least;
+        rate * (rate + self.bend * rate + drive.doubled())
     }
 }
