@@ -2,6 +2,7 @@
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
+use crate::coupling::{Stance, Way};
 use crate::geometry::{Orientation, Vec2};
 use crate::motion::Bend;
 use crate::real::Real;
@@ -14,6 +15,10 @@ pub(crate) struct Calm<R> {
     pub(crate) orientation: Orientation<R>,
     /// No turn on the way is larger (rad).
     pub(crate) reach: R,
+    /// At least 1 over the stability anywhere on the way.
+    per_least: R,
+    /// At most |z| over the stability anywhere on the way.
+    bend: R,
 }
 
 /// Corrections of the angle before a frame is not called calm.
@@ -49,8 +54,14 @@ impl<R: Real> Calm<R> {
             return None;
         }
         let reach = step.doubled();
+        let calm = |orientation| Self {
+            orientation,
+            reach,
+            per_least,
+            bend,
+        };
         if reach <= moment.tolerance {
-            return Some(Self { orientation, reach });
+            return Some(calm(orientation));
         }
         let mut turn = moment.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
@@ -59,11 +70,19 @@ impl<R: Real> Calm<R> {
             let bent = bend * turn.abs();
             let left = (bent * (bent + turn.abs()) * turn.abs()).halved();
             if left <= R::EPSILON.max(moment.tolerance) {
-                return Some(Self { orientation, reach });
+                return Some(calm(orientation));
             }
             let moment = then(orientation);
             turn = moment.correction(R::ONE / moment.stability());
         }
         None
+    }
+
+    /// By half of this times its lever a point strays at most from the straight line between the ends of its way: a bound
+    /// of ϑ'² + |ϑ''| in tau.
+    pub(crate) fn bow(&self, stance: &Stance<R>, way: &Way<R>) -> R {
+        let drive = stance.lever.conj_mul(way.hand).reach() * self.per_least;
+        let rate = drive + stance.stiffness * way.turn.abs() * self.per_least;
+        rate * (rate + self.bend * rate + drive.doubled())
     }
 }

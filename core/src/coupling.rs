@@ -130,7 +130,7 @@ impl<R: Real> Pivot<R> {
         Stance::new(scene, self.placed(scene), grip)
     }
 
-    /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E9).
+    /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E10).
     pub(crate) fn glide(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
         let arm = grip.holding_point - scene.vertex(self.contact.vertex);
         let lever = self.orientation.rotation().apply(arm);
@@ -243,7 +243,7 @@ impl<R: Real> Stance<R> {
         }
     }
 
-    /// The same where the point glides along a surface without friction (E9): wherever its foot is now, in balance along
+    /// The same where the point glides along a surface without friction (E10): wherever its foot is now, in balance along
     /// the tangent.
     pub(crate) fn gliding<B: Bend<R>>(
         &self,

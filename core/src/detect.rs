@@ -61,15 +61,28 @@ impl<R: Real> Placed<R> {
             .0
     }
 
+    /// The height of the point above a surface, and the surface's normal in the body frame: the gap of a vertex is
+    /// height + normal·(vertex - body point).
+    fn above(&self, scene: &impl World<R>, index: u8) -> (R, Vec2<R>) {
+        let surface = scene.surface(index);
+        let height = if self.on == Some(index) {
+            R::ZERO
+        } else {
+            surface.normal.dot(self.point) - surface.offset
+        };
+        (height, self.orientation.rotation().undo(surface.normal))
+    }
+
     /// All contacts whose gap is below `tolerance`, in the order of surfaces and vertices.
     pub(crate) fn touching(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
+            let (height, normal) = self.above(scene, surface);
             for vertex in scene.vertex_indices() {
-                let contact = Pair { vertex, surface };
-                if self.gap(scene, contact) <= tolerance {
+                let gap = height + normal.dot(scene.vertex(vertex) - self.body_point);
+                if gap <= tolerance {
                     // Contacts beyond the capacity are redundant in the plane.
-                    let _ = list.push(contact);
+                    let _ = list.push(Pair { vertex, surface });
                 }
             }
         }
@@ -156,27 +169,19 @@ impl<R: Real> Placed<R> {
         let radius = self.radius(scene, None);
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
-            let own = self.on == Some(index);
-            let level = if own {
-                R::ZERO
-            } else {
-                surface.normal.dot(self.point) - surface.offset
-            };
+            let (height, normal) = self.above(scene, index);
             let along = surface.normal.dot(moving.shift).abs() * course.reach;
-            if level - along > radius.doubled() {
+            if height - along > radius.doubled() {
                 continue;
             }
-            // The normal in the body frame: level + normal·(vertex - point) is the gap.
-            let normal = self.orientation.rotation().undo(surface.normal);
-            let level = level - normal.dot(self.body_point);
             let mut visit = |vertex: u8| {
                 let contact = Pair {
                     vertex,
                     surface: index,
                 };
-                let body_vertex = scene.vertex(vertex);
-                let swing = (body_vertex - self.body_point).reach() * course.end.turn.abs();
-                let clear = level + normal.dot(body_vertex) - along - swing;
+                let arm = scene.vertex(vertex) - self.body_point;
+                let swing = arm.reach() * course.end.turn.abs();
+                let clear = height + normal.dot(arm) - along - swing;
                 if clear > R::TOUCH || moving.keeps.contains(&contact) {
                     return;
                 }
@@ -185,7 +190,7 @@ impl<R: Real> Placed<R> {
                     first = Some(contact);
                 }
             };
-            if !own {
+            if self.on != Some(index) {
                 scene.vertex_indices().for_each(&mut visit);
             } else if let [pivot, others @ ..] = moving.keeps
                 && others.iter().all(|other| other.surface != index)

@@ -2,7 +2,7 @@
 //! |T| = mu_d N. Written with the angle of friction lambda = atan mu, so that mu from 0 to infinity is regular
 //! (STATICS 10).
 
-use crate::geometry::unit;
+use crate::geometry::{Vec2, unit};
 use crate::motion::Margin;
 use crate::real::Real;
 
@@ -72,6 +72,12 @@ impl<R: Real> Coulomb<R> {
     /// Positive while the contact slides on along sign·t: (E3) is its zero.
     pub(crate) fn drives(&self, normal: Margin<R>, friction: Margin<R>, sign: R) -> Margin<R> {
         normal.combine(-self.sliding.sin, friction, -self.sliding.cos * sign)
+    }
+
+    /// The direction q in which a force on the body drives a contact on along ±t: q·F is positive while it slides, (E3) its
+    /// zero.
+    pub(crate) fn drive(&self, normal: Vec2<R>, along: Vec2<R>) -> Vec2<R> {
+        normal * self.sliding.sin + along * self.sliding.cos
     }
 
     /// True if a reaction lies inside the static cone by more than `slack`.

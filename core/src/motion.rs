@@ -99,6 +99,16 @@ impl<R: Real> Margin<R> {
         }
     }
 
+    /// A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero is
+    /// taken where the margin is overdrawn by this, beyond doubt.
+    fn credit(&self) -> R {
+        if self.start <= self.rounding {
+            self.rounding.doubled()
+        } else {
+            R::ZERO
+        }
+    }
+
     fn at(&self, p: &Place<R>) -> R {
         self.start - self.turning.x * p.versine + self.turning.y * p.sine
     }
@@ -287,19 +297,11 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let cosine = R::ONE - p.versine;
         let e = margin.at(p);
         let turning = margin.turning.y * cosine - margin.turning.x * p.sine;
-        let rounding = margin.rounding;
-        // A contact that has just opened, or a force that is just at its limit, may leave it along a tangent: its zero
-        // is taken where the margin is overdrawn beyond doubt.
-        let credit = if margin.start <= margin.rounding {
-            rounding.doubled()
-        } else {
-            R::ZERO
-        };
         Slope {
-            value: e * p.d + margin.along * p.h + credit,
+            value: e * p.d + margin.along * p.h + margin.credit(),
             slope: self.rate * turning * p.d + e * p.d_slope + margin.along * p.h_slope,
             curvature,
-            rounding,
+            rounding: margin.rounding,
         }
     }
 
@@ -322,17 +324,11 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         if margin.start - fall > margin.rounding {
             return false;
         }
-        let margin = &margin.scaled();
-        // It lies above its chord but for the sagitta of its curvature.
-        let curvature = self.curvature(margin, &limit);
-        let end = margin.at(&limit) * limit.d + margin.along * limit.h;
-        let sagitta = (curvature * limit.x * limit.x).halved().halved().halved();
-        if margin.start > margin.rounding && margin.start.min(end) > sagitta {
-            return false;
-        }
-        let found = first_zero((limit.x, self.tolerance), |x| {
-            Look::far([self.slope(margin, &self.at(x), curvature)])
-        });
+        let found = if self.rate == R::ZERO {
+            self.linear_zero(margin, &limit)
+        } else {
+            self.curved_zero(margin, &limit)
+        };
         let (x, unsure) = match found {
             Found::Nothing { .. } => return false,
             Found::Zero { x, .. } => (x, false),
@@ -345,6 +341,35 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             unsure: course.unsure || unsure,
         };
         true
+    }
+
+    /// The zero of a margin where the body does not turn: E·D is linear.
+    fn linear_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
+        let fall = margin.start * self.drive.x - margin.along * (self.stiffness + self.hold.x);
+        let start = margin.start + margin.credit();
+        if fall > R::ZERO && start < limit.x * fall {
+            Found::Zero {
+                x: (start / fall).max(R::ZERO),
+                which: 0,
+            }
+        } else {
+            Found::Nothing { x: limit.x }
+        }
+    }
+
+    /// The first zero of a margin before a place.
+    fn curved_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
+        let margin = &margin.scaled();
+        // It lies above its chord but for the sagitta of its curvature.
+        let curvature = self.curvature(margin, limit);
+        let end = margin.at(limit) * limit.d + margin.along * limit.h;
+        let sagitta = (curvature * limit.x * limit.x).halved().halved().halved();
+        if margin.start > margin.rounding && margin.start.min(end) > sagitta {
+            return Found::Nothing { x: limit.x };
+        }
+        first_zero((limit.x, self.tolerance), |x| {
+            Look::far([self.slope(margin, &self.at(x), curvature)])
+        })
     }
 
     /// The course of a motion whose end is known: x from 0 to `x`.

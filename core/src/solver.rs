@@ -239,8 +239,13 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if to == state.grip {
             return true;
         }
-        if state.contact.follow(&self.scene, &state.grip, &to) {
-            rests(&state.contact, log);
+        let jumps = self.evolution == Evolution::Frame;
+        if let Some(trigger) = (state.contact).follow(&self.scene, (&state.grip, &to), jumps) {
+            if trigger == Trigger::Balanced {
+                rests(&state.contact, log);
+            } else {
+                settle(&self.scene, &to, &mut state.contact, Some(trigger), log);
+            }
         } else if !self.carries(&state.contact, &to) {
             return false;
         } else {
@@ -256,7 +261,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// Event by event along the straight way of the hand (STATICS 7).
     fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let mut idle = 0_i32;
-        for _ in 0..MAX_EVENTS_ON_PATH {
+        let is_exact = self.scene.tolerance == R::ZERO;
+        for event in 0..MAX_EVENTS_ON_PATH {
+            // What a tolerance would leave here might begin other slips in the next frame.
+            let way = (&state.grip, to);
+            if event > 0 && is_exact && state.contact.follow(&self.scene, way, false).is_some() {
+                rests(&state.contact, log);
+                return;
+            }
             let moved = state.contact.advance(&self.scene, &state.grip, to);
             if moved.trigger == Trigger::Balanced && !moved.unsure {
                 settle(

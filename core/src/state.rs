@@ -2,7 +2,8 @@
 //! a file of its own with the same verbs in the same order:
 //!
 //! * `contacts`, `pose`: what touches, and where the body is;
-//! * `follow`: a calm frame, in which certainly nothing happens: goes with the hand, or says no and has not moved;
+//! * `follow`: a calm frame, in which certainly nothing happens before its end: goes with the hand, or says nothing and has
+//!   not moved;
 //! * `advance`: follows the hand on a straight way, in balance, to the first event (path evolution);
 //! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
 //! * `slide`: hand frozen, slides to the end of the slip;
@@ -26,6 +27,7 @@ mod free;
 mod glide;
 mod leg;
 mod locked;
+mod short_slip;
 mod single_vertex;
 mod trammel;
 mod two_vertex;
@@ -106,6 +108,8 @@ pub(crate) struct Moved<R> {
     pub(crate) snapped: bool,
     /// A search hit its bound.
     pub(crate) unsure: bool,
+    /// A slip ended that began out of balance of moments, when another contact opened: it goes on with a turn.
+    pub(crate) unbalanced: bool,
 }
 
 impl<R: Real> Moved<R> {
@@ -116,6 +120,7 @@ impl<R: Real> Moved<R> {
             slip: R::ZERO,
             snapped: false,
             unsure: false,
+            unbalanced: false,
         }
     }
 }
@@ -167,17 +172,24 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
-    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, from: &Grip<R>, to: &Grip<R>) -> bool {
-        match self {
+    /// `Balanced`, or, if the hand `jumps` (what is on its way does not count), how friction gives way at the end.
+    pub(crate) fn follow<W: World<R>>(
+        &mut self,
+        scene: &W,
+        (from, to): (&Grip<R>, &Grip<R>),
+        jumps: bool,
+    ) -> Option<Trigger<R>> {
+        let follows = match self {
             Self::Free(s) if W::GLIDES => s.follow::<Gliding<R>>(scene, from, to),
             Self::Free(s) => s.follow::<Unbent>(scene, from, to),
-            Self::SingleVertex(s) if !W::GLIDES => s.follow(scene, from, to),
-            Self::SingleVertex(s) => s.glide_on(scene, from, to),
+            Self::SingleVertex(s) if W::GLIDES => s.glide_on(scene, from, to),
+            Self::SingleVertex(s) => return s.follow(scene, (from, to), jumps),
             Self::Edge(s) if W::EDGES => s.follow(scene, to),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),
             _ => false,
-        }
+        };
+        follows.then_some(Trigger::Balanced)
     }
 
     pub(crate) fn advance<W: World<R>>(
@@ -294,14 +306,17 @@ pub(crate) fn seat<R: Real>(
     let least = R::ONE / R::from_int(64);
     let tangent = pivot.surface(scene).tangent;
     for _ in 0..SWEEPS {
-        let mut worst = R::ZERO;
+        let mut is_seated = true;
         for &other in others {
             let placed = pivot.placed(scene);
             let gap = placed.gap(scene, other);
+            if gap.abs() <= R::EPSILON {
+                continue;
+            }
+            is_seated = false;
             let normal = scene.surface(other.surface).normal;
             let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
             let by_shift = normal.dot(tangent);
-            worst = worst.max(gap.abs());
             pivot = if others.len() == 1 && by_turn.abs() > least {
                 pivot.moved(R::ZERO, -gap / by_turn)
             } else {
@@ -313,7 +328,7 @@ pub(crate) fn seat<R: Real>(
                 }
             };
         }
-        if worst <= R::EPSILON {
+        if is_seated {
             break;
         }
     }

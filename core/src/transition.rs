@@ -36,11 +36,10 @@ pub(crate) fn settle<R: Real>(
     trigger: Option<Trigger<R>>,
     log: &mut Log<R>,
 ) {
-    let at = At { scene, grip };
     log.ambiguous = false;
     let mut attempts = Attempts::default();
     let mut next = match trigger {
-        Some(trigger) => at.apply(state, (trigger, R::ZERO), log),
+        Some(trigger) => apply(scene, state, (trigger, R::ZERO), log),
         None => Next::Relax(None),
     };
     for _ in 0..MAX_TRANSITIONS {
@@ -55,9 +54,11 @@ pub(crate) fn settle<R: Real>(
         };
         record(state, &moved, &next, log);
         next = match (moved.trigger, next) {
-            // Not at the end of the slip, but at the bound of the search.
-            (Trigger::Stopped, Next::Slide(sign)) if moved.unsure => Next::Relax(Some(sign)),
-            (trigger, _) => at.apply(state, (trigger, moved.slip), log),
+            // Not at the end of the slip, but at the bound of the search, or not in balance.
+            (Trigger::Stopped, Next::Slide(sign)) if moved.unsure || moved.unbalanced => {
+                Next::Relax(Some(sign))
+            }
+            (trigger, _) => apply(scene, state, (trigger, moved.slip), log),
         };
     }
     stays(log);
@@ -109,144 +110,139 @@ fn stays<R: Real>(log: &mut Log<R>) {
     log.ambiguous = true;
 }
 
-/// A scene with the hand frozen.
-struct At<'a, R: Real, W> {
-    scene: &'a W,
-    grip: &'a Grip<R>,
+/// The table: the state after a trigger and what it does next.
+fn apply<R: Real, W: World<R>>(
+    scene: &W,
+    state: &mut ContactState<R>,
+    (trigger, slip): (Trigger<R>, R),
+    log: &mut Log<R>,
+) -> Next<R> {
+    match trigger {
+        Trigger::Balanced => {
+            rests(state, log);
+            Next::Rest
+        }
+        Trigger::Stopped => after_slip(state, slip, log),
+        Trigger::Slide(sign) => Next::Slide(sign),
+        Trigger::Fold(direction) => {
+            log.transitions.add(fold_arm(state));
+            log.event(Event::Snap);
+            Next::Snap(direction)
+        }
+        Trigger::Touch(pair) => {
+            touch(scene, state, pair, log);
+            Next::Relax(None)
+        }
+        Trigger::Keep { contacts, sliding } if W::SEVERAL => {
+            keep(scene, state, contacts, sliding, log)
+        }
+        Trigger::Clear => {
+            log.transitions.add(clear_arm(state));
+            log.event(Event::Lift);
+            let pose = state.pose(scene);
+            *state = ContactState::Free(Free { pose });
+            Next::Relax(None)
+        }
+        Trigger::Keep { .. } | Trigger::Undriven => undriven(scene, state, log),
+    }
 }
 
-impl<R: Real, W: World<R>> At<'_, R, W> {
-    /// The table: the state after a trigger and what it does next.
-    fn apply(
-        &self,
-        state: &mut ContactState<R>,
-        (trigger, slip): (Trigger<R>, R),
-        log: &mut Log<R>,
-    ) -> Next<R> {
-        match trigger {
-            Trigger::Balanced => {
-                rests(state, log);
-                Next::Rest
-            }
-            Trigger::Stopped => self.after_slip(state, slip, log),
-            Trigger::Slide(sign) => Next::Slide(sign),
-            Trigger::Fold(direction) => {
-                log.transitions.add(fold_arm(state));
-                log.event(Event::Snap);
-                Next::Snap(direction)
-            }
-            Trigger::Touch(pair) => {
-                self.touch(state, pair, log);
-                Next::Relax(None)
-            }
-            Trigger::Keep { contacts, sliding } if W::SEVERAL => {
-                self.keep(state, contacts, sliding, log)
-            }
-            Trigger::Clear => {
-                log.transitions.add(clear_arm(state));
-                log.event(Event::Lift);
-                let pose = state.pose(self.scene);
-                *state = ContactState::Free(Free { pose });
-                Next::Relax(None)
-            }
-            Trigger::Keep { .. } | Trigger::Undriven => self.undriven(state, log),
+/// No motion of these contacts is consistent: others that were let go are taken back, to try the next one.
+fn undriven<R: Real>(
+    scene: &impl World<R>,
+    state: &mut ContactState<R>,
+    log: &mut Log<R>,
+) -> Next<R> {
+    let contacts = state.contacts();
+    let touching = state.placed(scene).touching(scene, R::TOUCH);
+    let dropped = touching.iter().find(|pair| !contacts.contains(pair));
+    if let Some(&pair) = dropped {
+        touch(scene, state, pair, log);
+        return Next::Relax(None);
+    }
+    stays(log);
+    Next::Rest
+}
+
+/// The end of a slip; where a trammel stops, a reaction may have fallen below zero.
+fn after_slip<R: Real>(state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
+    log.transitions.add(slip_arm(state));
+    log.slip(slip);
+    match state {
+        ContactState::TwoVertex(_) => Next::Relax(None),
+        _ => Next::Rest,
+    }
+}
+
+/// A vertex reaches a surface; all that close together are taken together.
+fn touch<R: Real, W: World<R>>(
+    scene: &W,
+    state: &mut ContactState<R>,
+    pair: Pair,
+    log: &mut Log<R>,
+) {
+    let before = state.kind();
+    let pivot = pivot_of(
+        scene,
+        state,
+        state.contacts().first().copied().unwrap_or(pair),
+    );
+    if !W::SEVERAL {
+        *state = ContactState::seated(scene, pivot, &[]);
+        log.transitions.add(Transition::FreeTouches);
+        log.event(Event::Touch);
+        return;
+    }
+    let touching = pivot.placed(scene).touching(scene, R::TOUCH);
+    let mut all = Pairs::new();
+    let old = state.contacts();
+    for &contact in old.iter().chain(&[pair]).chain(&touching) {
+        if !all.contains(&contact) {
+            // Contacts beyond the capacity are redundant in the plane.
+            let _ = all.push(contact);
         }
     }
+    let others = all.get(1..).unwrap_or_default();
+    *state = ContactState::seated(scene, pivot, others);
+    let (arm, event) = touch_arm(before, state.kind());
+    log.transitions.add(arm);
+    log.event(event);
+}
 
-    /// No motion of these contacts is consistent: others that were let go are taken back, to try the next one.
-    fn undriven(&self, state: &mut ContactState<R>, log: &mut Log<R>) -> Next<R> {
-        let contacts = state.contacts();
-        let touching = state.placed(self.scene).touching(self.scene, R::TOUCH);
-        let dropped = touching.iter().find(|pair| !contacts.contains(pair));
-        if let Some(&pair) = dropped {
-            self.touch(state, pair, log);
-            return Next::Relax(None);
-        }
-        stays(log);
-        Next::Rest
-    }
+/// Only one or two contacts last.
+fn keep<R: Real>(
+    scene: &impl World<R>,
+    state: &mut ContactState<R>,
+    lasting: [usize; 2],
+    sliding: Option<R>,
+    log: &mut Log<R>,
+) -> Next<R> {
+    let contacts = state.contacts();
+    let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
+    let pivot = pivot_of(scene, state, first);
+    let before = state.kind();
+    *state = if first == second {
+        ContactState::seated(scene, pivot, &[])
+    } else {
+        ContactState::seated(scene, pivot, &[second])
+    };
+    let (arm, event) = keep_arm(before, state.kind(), sliding.is_some());
+    log.transitions.add(arm);
+    log.event(event);
+    Next::Relax(sliding)
+}
 
-    /// The end of a slip. One that began out of balance of moments, when another contact opened, goes on with a turn;
-    /// where a trammel stops, a reaction may have fallen below zero.
-    fn after_slip(&self, state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
-        log.transitions.add(slip_arm(state));
-        if let (false, ContactState::SingleVertex(single)) = (W::GLIDES, state) {
-            let stance = single.pivot.stance(self.scene, self.grip);
-            let within = (stance.tolerance * stance.stability()).doubled();
-            // The foot, too, is rounded, as a coordinate.
-            let place = R::rounding(stance.placed.point.reach());
-            let rounding = R::from_int(16) * (stance.rounding() + place);
-            if stance.moment().abs() > rounding.max(within) {
-                return Next::Relax(Some(slip.sign()));
-            }
-        }
-        log.slip(slip);
-        match state {
-            ContactState::TwoVertex(_) => Next::Relax(None),
-            _ => Next::Rest,
-        }
-    }
-
-    /// A vertex reaches a surface; all that close together are taken together.
-    fn touch(&self, state: &mut ContactState<R>, pair: Pair, log: &mut Log<R>) {
-        let before = state.kind();
-        let pivot = self.pivot_of(state, state.contacts().first().copied().unwrap_or(pair));
-        if !W::SEVERAL {
-            *state = ContactState::seated(self.scene, pivot, &[]);
-            log.transitions.add(Transition::FreeTouches);
-            log.event(Event::Touch);
-            return;
-        }
-        let touching = pivot.placed(self.scene).touching(self.scene, R::TOUCH);
-        let mut all = Pairs::new();
-        let old = state.contacts();
-        for &contact in old.iter().chain(&[pair]).chain(&touching) {
-            if !all.contains(&contact) {
-                // Contacts beyond the capacity are redundant in the plane.
-                let _ = all.push(contact);
-            }
-        }
-        let others = all.get(1..).unwrap_or_default();
-        *state = ContactState::seated(self.scene, pivot, others);
-        let (arm, event) = touch_arm(before, state.kind());
-        log.transitions.add(arm);
-        log.event(event);
-    }
-
-    /// Only one or two contacts last.
-    fn keep(
-        &self,
-        state: &mut ContactState<R>,
-        lasting: [usize; 2],
-        sliding: Option<R>,
-        log: &mut Log<R>,
-    ) -> Next<R> {
-        let contacts = state.contacts();
-        let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
-        let pivot = self.pivot_of(state, first);
-        let before = state.kind();
-        *state = if first == second {
-            ContactState::seated(self.scene, pivot, &[])
-        } else {
-            ContactState::seated(self.scene, pivot, &[second])
-        };
-        let (arm, event) = keep_arm(before, state.kind(), sliding.is_some());
-        log.transitions.add(arm);
-        log.event(event);
-        Next::Relax(sliding)
-    }
-
-    /// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
-    fn pivot_of(&self, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
-        match state.carrier() {
-            Ok(pivot) if pivot.contact == pair => *pivot,
-            _ => Pivot::at(self.scene, &state.pose(self.scene), pair),
-        }
+/// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
+fn pivot_of<R: Real>(scene: &impl World<R>, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
+    match state.carrier() {
+        Ok(pivot) if pivot.contact == pair => *pivot,
+        _ => Pivot::at(scene, &state.pose(scene), pair),
     }
 }
 
 /// At rest in a state.
 pub(crate) fn rests<R: Real>(state: &ContactState<R>, log: &mut Log<R>) {
+    log.ambiguous = false;
     log.transitions.add(match state {
         ContactState::Free(_) => Transition::FreeMoves,
         ContactState::SingleVertex(_) => Transition::VertexSticks,

@@ -1,5 +1,5 @@
 //! Without friction a vertex glides: its foot is where the tangential forces balance, and the angle has a second harmonic in
-//! its moment (STATICS 3.5). Known answers, found here by slow bisections, and the laws in random scenes.
+//! its moment (STATICS 3.6). Known answers, found here by slow bisections, and the laws in random scenes.
 
 use stiction_core::{Bare, Event, Evolution, Fixed, Frictionless, StateKind, Status};
 use stiction_tests::laws::{assert_lawful, worst};

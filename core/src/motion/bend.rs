@@ -1,5 +1,5 @@
 //! The second harmonic of a moment: what a foot that glides without friction adds to the balance of a pinned one
-//! (STATICS 3.5). With friction a foot does not give way while the body turns, and there is none: by type, so that nothing
+//! (STATICS 3.6). With friction a foot does not give way while the body turns, and there is none: by type, so that nothing
 //! of it is compiled.
 
 use crate::geometry::Vec2;

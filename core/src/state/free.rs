@@ -8,6 +8,7 @@ use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::motion::{Bend, Motion};
 use crate::real::Real;
+use crate::roots::Downhill;
 use crate::scene::World;
 
 /// The memory: the pose itself.
@@ -17,15 +18,19 @@ pub(crate) struct Free<R> {
 }
 
 impl<R: Real> Free<R> {
-    fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
+    /// The body placed by its holding point.
+    fn placed(&self, grip: &Grip<R>) -> Placed<R> {
         let orientation = self.pose.orientation;
-        let placed = Placed {
+        Placed {
             point: self.pose.position + orientation.rotation().apply(grip.holding_point),
             body_point: grip.holding_point,
             orientation,
             on: None,
-        };
-        Stance::new(scene, placed, grip)
+        }
+    }
+
+    fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
+        Stance::new(scene, self.placed(grip), grip)
     }
 
     /// A calm frame: it hangs at the hand, clear of all surfaces.
@@ -35,23 +40,23 @@ impl<R: Real> Free<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> bool {
-        let way = Way::turn(from.way_to(to).turn);
-        let pose = Self::hanging(scene, to, self.pose.orientation);
-        let stance = Self { pose }.stance(scene, to);
+        let turn = to.angle.minus(from.angle);
         let (orientation, reach) = if Self::turns_with_hand(scene) {
-            (Orientation::new(to.angle), way.turn.abs())
-        } else if let Some(calm) = Self::calm::<B>(scene, &stance, to, &way) {
-            (calm.orientation, calm.reach)
+            (Orientation::new(to.angle), turn.abs())
         } else {
-            return false;
+            let pose = Self::hanging(scene, to, self.pose.orientation);
+            let stance = Self { pose }.stance(scene, to);
+            match Self::calm::<B>(scene, &stance, to, &Way::turn(turn)) {
+                Some(calm) => (calm.orientation, calm.reach),
+                None => return false,
+            }
         };
-        let pose = Self::hanging(scene, to, orientation);
-        let follows = Self { pose }
-            .stance(scene, to)
-            .placed
-            .is_clear(scene, None, reach);
+        let after = Self {
+            pose: Self::hanging(scene, to, orientation),
+        };
+        let follows = after.placed(to).is_clear(scene, None, reach);
         if follows {
-            self.pose = pose;
+            *self = after;
         }
         follows
     }
@@ -96,7 +101,7 @@ impl<R: Real> Free<R> {
         let moment = stance.pinned::<B>();
         let turns = Way::turn(way.turn);
         let leg = Leg::balanced(&moment, (stance.lever, &turns), Trigger::Balanced);
-        let moved = self.sweep(scene, &stance, leg, way.hand);
+        let moved = self.sweep(scene, &stance.placed, leg, way.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the way.
             *self = Self::balance::<B>(scene, to, self.pose.orientation);
@@ -122,7 +127,7 @@ impl<R: Real> Free<R> {
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
     pub(crate) fn relax<B: Bend<R>>(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.stance(scene, grip).pinned::<B>().downhill();
+        let downhill = self.downhill::<B>(scene, grip);
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
         let mut moved = self.straight::<B>(scene, grip, downhill.turn, R::ONE);
@@ -141,6 +146,19 @@ impl<R: Real> Free<R> {
         moved
     }
 
+    /// The turn to balance.
+    fn downhill<B: Bend<R>>(&self, scene: &impl World<R>, grip: &Grip<R>) -> Downhill<R> {
+        if Self::turns_with_hand(scene) {
+            Downhill {
+                turn: grip.angle.minus(self.pose.orientation.angle()),
+                snapped: false,
+                unsure: false,
+            }
+        } else {
+            self.stance(scene, grip).pinned::<B>().downhill()
+        }
+    }
+
     /// A vertex is still at a surface.
     fn has_just_opened(&self, scene: &impl World<R>) -> bool {
         !Placed::at(&self.pose).touching(scene, R::TOUCH).is_empty()
@@ -154,26 +172,27 @@ impl<R: Real> Free<R> {
         turn: R,
         shift: R,
     ) -> Moved<R> {
-        let stance = self.stance(scene, grip);
+        let placed = self.placed(grip);
+        let way = grip.hand + scene.weight() - placed.point;
         let leg: Leg<R, B> = Leg::whole(Motion::turning(turn), Trigger::Balanced);
-        self.sweep(scene, &stance, leg, stance.force * shift)
+        self.sweep(scene, &placed, leg, way * shift)
     }
 
     /// Goes a leg on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
     fn sweep(
         &mut self,
         scene: &impl World<R>,
-        stance: &Stance<R>,
+        placed: &Placed<R>,
         mut leg: Leg<R, impl Bend<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
-        leg.stop_at_touch(scene, &stance.placed, (shift, &[]));
-        let placed = Placed {
-            point: stance.placed.point + shift * leg.part(),
-            orientation: self.pose.orientation.plus(leg.turn()),
-            ..stance.placed
+        leg.stop_at_touch(scene, placed, (shift, &[]));
+        let end = Placed {
+            point: placed.point + shift * leg.part(),
+            orientation: placed.orientation.plus(leg.turn()),
+            ..*placed
         };
-        self.pose = placed.pose();
+        self.pose = end.pose();
         leg.moved()
     }
 }

@@ -1,4 +1,4 @@
-//! One vertex on a surface without friction (STATICS 3.5): it glides. Its foot is where the tangential forces balance, so
+//! One vertex on a surface without friction (STATICS 3.6): it glides. Its foot is where the tangential forces balance, so
 //! that the angle alone moves as if free, with a second harmonic in its moment; there is no stick, no slip and no test of
 //! friction.
 
@@ -40,18 +40,12 @@ impl<R: Real> SingleVertex<R> {
         if normal <= stray {
             return false;
         }
-        let mut pivot = self.pivot;
-        pivot.orientation = calm.orientation;
-        pivot.glide(scene, to);
-        // No point of the body is farther from the foot than one body size, so that no gap shrinks by more than the turn.
-        let mut room = self.room - calm.reach;
-        if W::SEVERAL && room <= R::ZERO {
-            room = (pivot.placed(scene)).room(scene, Some(pivot.contact.vertex));
-            if room <= (calm.reach * calm.reach).halved() {
-                return false;
-            }
+        // The foot's way closes no gap to the surface that it is on. A point touches nothing else.
+        if W::SEVERAL && !self.has_room(scene, calm.orientation, calm.reach) {
+            return false;
         }
-        *self = Self { pivot, room };
+        self.pivot.orientation = calm.orientation;
+        self.pivot.glide(scene, to);
         true
     }
 

@@ -2,12 +2,12 @@
 //! branch; it slips along the surface with the moment balanced at every place.
 
 use super::leg::Leg;
+use super::short_slip::ShortSlip;
 use super::{Moved, Pairs, Reactions, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
-use crate::detect::Placed;
 use crate::friction::Verdict;
-use crate::geometry::Vec2;
+use crate::geometry::{Orientation, Vec2};
 use crate::list::gather;
 use crate::motion::{Margin, Unbent};
 use crate::real::Real;
@@ -47,40 +47,90 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A calm frame: it sticks and turns.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> bool {
+    /// A calm frame: it sticks and turns. If the hand `jumps`, its end alone decides.
+    pub(crate) fn follow(
+        &mut self,
+        scene: &impl World<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+        jumps: bool,
+    ) -> Option<Trigger<R>> {
         let stance = self.pivot.stance(scene, to);
-        let drive = stance.lever.conj_mul(from.way_to(to).hand);
-        let pinned = |stance: &Stance<R>| stance.pinned::<Unbent>();
-        let calm = Calm::turn(&pinned(&stance), drive, stance.placed.orientation, |o| {
-            pinned(&stance.turned(scene, o, to))
-        });
-        let Some(calm) = calm else {
-            return false;
+        let way = from.way_to(to);
+        let calm = Self::calm(scene, &stance, to, &way)?;
+        let orientation = calm.orientation;
+        // The reaction strays by the turn from the straight line to where the hand alone would take it ...
+        let trigger = if self.holds(scene, &stance, calm.reach) {
+            Trigger::Balanced
+        } else {
+            // ... and by much less from the one to where it ends.
+            let end = stance.turned(scene, orientation, to);
+            if jumps {
+                self.test(scene, &end)
+            } else if self.holds(scene, &end, calm.bow(&stance, &way).halved()) {
+                Trigger::Balanced
+            } else {
+                return None;
+            }
         };
+        self.has_room(scene, orientation, calm.reach).then(|| {
+            self.pivot.orientation = orientation;
+            trigger
+        })
+    }
+
+    /// A short turn about the pivot.
+    fn calm(
+        scene: &impl World<R>,
+        stance: &Stance<R>,
+        to: &Grip<R>,
+        way: &Way<R>,
+    ) -> Option<Calm<R>> {
+        let pinned = |stance: &Stance<R>| stance.pinned::<Unbent>();
+        let drive = stance.lever.conj_mul(way.hand);
+        Calm::turn(&pinned(stance), drive, stance.placed.orientation, |o| {
+            pinned(&stance.turned(scene, o, to))
+        })
+    }
+
+    /// True if the reaction stays within the static cone though the lever strays by a part of its length.
+    fn holds(&self, scene: &impl World<R>, stance: &Stance<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
-        // The reaction strays by the turn from the straight line to where the hand alone would take it.
-        let stray = stance.lever.reach() * calm.reach + stance.rounding();
-        if !surface.friction.is_within(normal, friction, stray) {
-            return false;
-        }
+        let slack = stance.lever.reach() * stray + stance.rounding();
+        (surface.friction).is_within(normal, friction, slack)
+    }
+
+    /// True if no other vertex can reach a surface on a turn by at most `reach` that ends at `orientation`.
+    pub(super) fn has_room(
+        &mut self,
+        scene: &impl World<R>,
+        orientation: Orientation<R>,
+        reach: R,
+    ) -> bool {
         // No point of the body is farther from the pivot than one body size, so that no gap shrinks by more than the turn.
-        let mut room = self.room - calm.reach;
+        let mut room = self.room - reach;
         if room <= R::ZERO {
-            let placed = Placed {
-                orientation: calm.orientation,
-                ..stance.placed
+            let end = Pivot {
+                orientation,
+                ..self.pivot
             };
-            room = placed.room(scene, Some(self.pivot.contact.vertex));
-            if room <= (calm.reach * calm.reach).halved() {
+            room = end.placed(scene).room(scene, Some(end.contact.vertex));
+            if room <= (reach * reach).halved() {
                 return false;
             }
         }
         self.room = room;
-        self.pivot.orientation = calm.orientation;
         true
+    }
+
+    /// The same of any motion from here.
+    fn has_room_now(&mut self, scene: &impl World<R>, reach: R) -> bool {
+        if self.room <= reach {
+            let vertex = self.pivot.contact.vertex;
+            self.room = self.pivot.placed(scene).room(scene, Some(vertex));
+        }
+        self.room > reach
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -115,8 +165,7 @@ impl<R: Real> SingleVertex<R> {
         sliding: Option<R>,
     ) -> Moved<R> {
         let begin = self.clone();
-        let stance = self.pivot.stance(scene, grip);
-        let mut moved = self.turn_by(scene, grip, &stance.pinned::<Unbent>().downhill());
+        let mut moved = self.turn_down(scene, grip);
         let Some(sign) = sliding else {
             return moved;
         };
@@ -131,6 +180,18 @@ impl<R: Real> SingleVertex<R> {
             moved.trigger = Trigger::Slide(sign);
         }
         moved
+    }
+
+    /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
+    fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        let stance = self.pivot.stance(scene, grip);
+        if let Some(calm) = Self::calm(scene, &stance, grip, &Way::turn(R::ZERO))
+            && self.has_room(scene, calm.orientation, calm.reach)
+        {
+            self.pivot.orientation = calm.orientation;
+            return Moved::by(self.test(scene, &self.pivot.stance(scene, grip)));
+        }
+        self.turn_by(scene, grip, &stance.pinned::<Unbent>().downhill())
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
@@ -160,14 +221,13 @@ impl<R: Real> SingleVertex<R> {
         let keeps = self.contacts();
         let mut moved = Leg::<R>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
         if moved.trigger == Trigger::Balanced {
-            moved.trigger = self.test(scene, grip);
+            moved.trigger = self.test(scene, &self.pivot.stance(scene, grip));
         }
         moved
     }
 
     /// Friction at rest.
-    fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
-        let stance = self.pivot.stance(scene, grip);
+    fn test(&self, scene: &impl World<R>, stance: &Stance<R>) -> Trigger<R> {
         let surface = self.pivot.surface(scene);
         let normal = -surface.normal.dot(stance.force);
         let friction = -surface.tangent.dot(stance.force);
@@ -182,8 +242,19 @@ impl<R: Real> SingleVertex<R> {
     /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
     /// (E3), touch, lift-off, fold.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
-        self.room = R::ZERO;
         let mut stance = self.pivot.stance(scene, grip);
+        let placed = (&self.pivot, &stance);
+        if let Some(slip) = ShortSlip::find(scene, placed, grip, sign)
+            && self.has_room_now(scene, slip.reach)
+        {
+            self.room = self.room - slip.reach;
+            self.pivot = self.pivot.moved(slip.slide, slip.turn);
+            return Moved {
+                slip: slip.slide,
+                ..Moved::by(Trigger::Stopped)
+            };
+        }
+        self.room = R::ZERO;
         let surface = self.pivot.surface(scene);
         if surface.friction.is_continuous() {
             // Where it stops it must also stick.
@@ -202,10 +273,21 @@ impl<R: Real> SingleVertex<R> {
         leg.stop_at(&normal, Trigger::Clear);
         let slip = sign * farthest * leg.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);
+        let moved = leg.turn_with_hand(scene, &mut self.pivot, grip);
         Moved {
             slip,
-            ..leg.turn_with_hand(scene, &mut self.pivot, grip)
+            unbalanced: !self.is_balanced(&self.pivot.stance(scene, grip)),
+            ..moved
         }
+    }
+
+    /// True if the moment of the load is rounding, or within the tolerance.
+    fn is_balanced(&self, stance: &Stance<R>) -> bool {
+        let within = (stance.tolerance * stance.stability()).doubled();
+        // The foot, too, is rounded, as a coordinate.
+        let place = R::rounding(stance.placed.point.reach());
+        let rounding = R::from_int(16) * (stance.rounding() + place);
+        stance.moment().abs() <= rounding.max(within)
     }
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {

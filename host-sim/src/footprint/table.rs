@@ -11,7 +11,7 @@ use crate::model::SceneModel;
 /// What the columns mean.
 pub(super) const LEGEND: &str = "\
 Smallest model of the scene / full model (Full, room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
-scene, built for little flash (opt-level s) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
+scene, built for little flash (opt-level z) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
 went. Instructions: of a frame, counted in QEMU along the scene's own path of the hand; stack and instructions are those of
 the build for speed.
 ";

@@ -1,0 +1,129 @@
+//! The short slip (STATICS 3.5): the vertex slides a little way and the body turns a little with it, in balance all the way,
+//! to (E3). That nothing else ends it is certain from its beginning alone, which is why an ordinary slip needs no search.
+
+use crate::coupling::{Grip, Pivot, Stance};
+use crate::geometry::Vec2;
+use crate::real::Real;
+use crate::scene::World;
+
+/// A slip to (E3) on which nothing else happens.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ShortSlip<R> {
+    /// Along t.
+    pub(super) slide: R,
+    pub(super) turn: R,
+    /// No point of the body moves farther towards a surface.
+    pub(super) reach: R,
+}
+
+/// Newton's steps before a slip is not called short.
+const MAX_CORRECTIONS: usize = 4;
+
+/// What a place of the slip lacks: the balance of moments and (E3), by Newton's step.
+struct Step<R> {
+    /// |lever| / s: at most by so much the body turns while it slides by 1.
+    arm: R,
+    /// |z| / s
+    bend: R,
+    /// M / s
+    lack: R,
+    /// The turn that goes with a slide by 1 along the way.
+    lean: R,
+    /// So much the excess of the drive falls while the vertex slides by 1.
+    decay: R,
+    /// q·F, less what goes with the turn `lack`.
+    excess: R,
+}
+
+impl<R: Real> Step<R> {
+    /// `along`: the way of the vertex; `drive`: q. Nothing where it is not stable or the drive hardly falls.
+    fn at(stance: &Stance<R>, along: Vec2<R>, drive: Vec2<R>) -> Option<Self> {
+        let stability = stance.stability();
+        if stability <= R::ZERO {
+            return None;
+        }
+        let per_stability = R::ONE / stability;
+        if per_stability >= R::HUGE {
+            return None;
+        }
+        let lack = stance.moment() * per_stability;
+        let lean = along.cross(stance.lever) * per_stability;
+        // dE/dtheta = -bite
+        let bite = drive.dot(stance.lever.turned());
+        let decay = drive.dot(along) + bite * lean;
+        (decay > R::HALF.halved()).then(|| Self {
+            arm: stance.lever.reach() * per_stability,
+            bend: stance.hold.reach() * per_stability,
+            lack,
+            lean,
+            decay,
+            excess: drive.dot(stance.force) - bite * lack,
+        })
+    }
+
+    /// The slide along the way and the turn.
+    fn correction(&self) -> (R, R) {
+        let slide = self.excess / self.decay;
+        (slide, self.lack + self.lean * slide)
+    }
+}
+
+impl<R: Real> ShortSlip<R> {
+    /// Of a vertex in balance that breaks away along sign·t, `stance` its load. Nothing where something else may happen (E9);
+    /// touches are left to the caller.
+    pub(super) fn find(
+        scene: &impl World<R>,
+        (pivot, stance): (&Pivot<R>, &Stance<R>),
+        grip: &Grip<R>,
+        sign: R,
+    ) -> Option<Self> {
+        let surface = pivot.surface(scene);
+        let along = surface.tangent * sign;
+        let drive = surface.friction.drive(surface.normal, along);
+        let normal = |stance: &Stance<R>| -surface.normal.dot(stance.force);
+        let begin = Step::at(stance, along, drive)?;
+        let (guess, _) = begin.correction();
+        if guess < R::ZERO || begin.lack.abs() > R::MICRO {
+            return None;
+        }
+        // If it ends within these, the stability falls by less than a seventh on it.
+        let farthest = guess + guess.halved().halved();
+        let swing = begin.arm * farthest;
+        let widest = swing + swing.halved().halved();
+        let lever = stance.lever.reach();
+        let bend = begin.bend + R::from_int(3);
+        // The decay changes by less than this; so does dN by the slide.
+        let curved = (lever * begin.arm * swing * bend).doubled();
+        let sixteenth = R::ONE / R::from_int(16);
+        let is_short = stance.is_carried()
+            && swing <= sixteenth
+            && begin.bend * swing <= sixteenth
+            && curved <= begin.decay.min(R::ONE);
+        if !is_short {
+            return None;
+        }
+        let sagitta = curved * farthest + stance.rounding();
+        if normal(stance) <= sagitta {
+            return None;
+        }
+        let (mut slide, mut turn) = (guess, begin.lean * guess);
+        for _ in 0..MAX_CORRECTIONS {
+            let stance = pivot.moved(sign * slide, turn).stance(scene, grip);
+            let (slide_on, turn_on) = Step::at(&stance, along, drive)?.correction();
+            slide = slide + slide_on;
+            turn = turn + turn_on;
+            let size = slide_on.abs() + turn_on.abs();
+            let left = size * size * (bend + begin.arm) * (R::ONE + lever) * (R::ONE + begin.arm);
+            if left.doubled() <= R::EPSILON {
+                let ends_within = slide >= R::ZERO && slide <= farthest && turn.abs() <= widest;
+                let presses = normal(&stance) > sagitta + lever * size;
+                return (ends_within && presses).then_some(Self {
+                    slide: sign * slide,
+                    turn,
+                    reach: widest + farthest,
+                });
+            }
+        }
+        None
+    }
+}
