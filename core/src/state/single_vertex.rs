@@ -3,7 +3,7 @@
 
 use super::leg::Leg;
 use super::short_slip::ShortSlip;
-use super::{Moved, Pairs, Reactions, Trigger};
+use super::{Moved, Pairs, Reactions, Terms, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::detect::Placed;
@@ -48,14 +48,15 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A calm frame: it sticks and turns. If the hand `jumps`, its end alone decides.
+    /// A calm frame: it sticks and turns. If the hand jumps, its end alone decides.
     pub(crate) fn follow(
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
-        jumps: bool,
+        terms: Terms<R>,
     ) -> Option<Trigger<R>> {
-        let stance = self.pivot.stance(scene, to);
+        let mut stance = self.pivot.stance(scene, to);
+        stance.tolerance = terms.tolerance;
         let way = from.way_to(to);
         let calm = Calm::turn(scene, &stance, to, &way)?;
         let orientation = calm.orientation;
@@ -69,7 +70,7 @@ impl<R: Real> SingleVertex<R> {
                 ..stance.placed
             };
             let end = Stance::new(scene, placed, to);
-            if jumps {
+            if terms.jumps {
                 self.test(scene, &end)
             } else if self.holds(scene, &end, calm.bow(&stance, &way).halved()) {
                 Trigger::Balanced
