@@ -8,7 +8,7 @@ use crate::model::{Full, Model};
 use crate::output::{Event, Log, Output, Status};
 use crate::real::Real;
 use crate::scene::{Scene, World};
-use crate::state::{ContactState, Free, Trigger};
+use crate::state::{ContactState, Free, Terms, Trigger};
 use crate::transition::{rests, settle};
 
 mod answer;
@@ -239,8 +239,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if to == state.grip {
             return true;
         }
-        let jumps = self.evolution == Evolution::Frame;
-        if let Some(trigger) = (state.contact).follow(&self.scene, (&state.grip, &to), jumps) {
+        let terms = Terms {
+            jumps: self.evolution == Evolution::Frame,
+            tolerance: self.scene.tolerance,
+        };
+        if let Some(trigger) = (state.contact).follow(&self.scene, (&state.grip, &to), terms) {
             if trigger == Trigger::Balanced {
                 rests(&state.contact, log);
             } else {
@@ -261,11 +264,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// Event by event along the straight way of the hand (STATICS 7).
     fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let mut idle = 0_i32;
-        let is_exact = self.scene.tolerance == R::ZERO;
+        // What a tolerance would leave after events might begin other slips in the next frame.
+        let terms = Terms {
+            jumps: false,
+            tolerance: R::ZERO,
+        };
         for event in 0..MAX_EVENTS_ON_PATH {
-            // What a tolerance would leave here might begin other slips in the next frame.
             let way = (&state.grip, to);
-            if event > 0 && is_exact && state.contact.follow(&self.scene, way, false).is_some() {
+            if event > 0 && state.contact.follow(&self.scene, way, terms).is_some() {
                 rests(&state.contact, log);
                 return;
             }

@@ -96,6 +96,15 @@ pub(crate) struct Relax<R> {
     pub(crate) attempt: usize,
 }
 
+/// On what terms a calm frame is followed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Terms<R> {
+    /// The hand jumps: what is on its way does not count.
+    pub(crate) jumps: bool,
+    /// The balance is found to within this angle (rad); 0: as far as the digits go.
+    pub(crate) tolerance: R,
+}
+
 /// The outcome of a verb, which has moved the state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved<R> {
@@ -172,18 +181,20 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
-    /// `Balanced`, or, if the hand `jumps` (what is on its way does not count), how friction gives way at the end.
+    /// `Balanced`, or, if the hand jumps, how friction gives way at the end.
     pub(crate) fn follow<W: World<R>>(
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
-        jumps: bool,
+        terms: Terms<R>,
     ) -> Option<Trigger<R>> {
         let follows = match self {
-            Self::Free(s) if W::GLIDES => s.follow::<Gliding<R>>(scene, from, to),
-            Self::Free(s) => s.follow::<Unbent>(scene, from, to),
-            Self::SingleVertex(s) if W::GLIDES => s.glide_on(scene, from, to),
-            Self::SingleVertex(s) => return s.follow(scene, (from, to), jumps),
+            Self::Free(s) if W::GLIDES => {
+                s.follow::<Gliding<R>>(scene, (from, to), terms.tolerance)
+            }
+            Self::Free(s) => s.follow::<Unbent>(scene, (from, to), terms.tolerance),
+            Self::SingleVertex(s) if W::GLIDES => s.glide_on(scene, (from, to), terms.tolerance),
+            Self::SingleVertex(s) => return s.follow(scene, (from, to), terms),
             Self::Edge(s) if W::EDGES => s.follow(scene, to),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),

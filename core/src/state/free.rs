@@ -37,15 +37,16 @@ impl<R: Real> Free<R> {
     pub(crate) fn follow<B: Bend<R>>(
         &mut self,
         scene: &impl World<R>,
-        from: &Grip<R>,
-        to: &Grip<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+        tolerance: R,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
         let (orientation, reach) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), turn.abs())
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
-            let stance = Self { pose }.stance(scene, to);
+            let mut stance = Self { pose }.stance(scene, to);
+            stance.tolerance = tolerance;
             match Self::calm::<B>(scene, &stance, to, &Way::turn(turn)) {
                 Some(calm) => (calm.orientation, calm.reach),
                 None => return false,

@@ -17,10 +17,11 @@ impl<R: Real> SingleVertex<R> {
     pub(crate) fn glide_on<W: World<R>>(
         &mut self,
         scene: &W,
-        from: &Grip<R>,
-        to: &Grip<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+        tolerance: R,
     ) -> bool {
-        let stance = self.pivot.stance(scene, to);
+        let mut stance = self.pivot.stance(scene, to);
+        stance.tolerance = tolerance;
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
         let gliding = |stance: &Stance<R>| stance.gliding::<Gliding<R>>(scene, &surface);

@@ -3,7 +3,7 @@
 
 use super::leg::Leg;
 use super::short_slip::ShortSlip;
-use super::{Moved, Pairs, Reactions, Trigger};
+use super::{Moved, Pairs, Reactions, Terms, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
@@ -47,14 +47,15 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A calm frame: it sticks and turns. If the hand `jumps`, its end alone decides.
+    /// A calm frame: it sticks and turns. If the hand jumps, its end alone decides.
     pub(crate) fn follow(
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
-        jumps: bool,
+        terms: Terms<R>,
     ) -> Option<Trigger<R>> {
-        let stance = self.pivot.stance(scene, to);
+        let mut stance = self.pivot.stance(scene, to);
+        stance.tolerance = terms.tolerance;
         let way = from.way_to(to);
         let calm = Self::calm(scene, &stance, to, &way)?;
         let orientation = calm.orientation;
@@ -64,7 +65,7 @@ impl<R: Real> SingleVertex<R> {
         } else {
             // ... and by much less from the one to where it ends.
             let end = stance.turned(scene, orientation, to);
-            if jumps {
+            if terms.jumps {
                 self.test(scene, &end)
             } else if self.holds(scene, &end, calm.bow(&stance, &way).halved()) {
                 Trigger::Balanced
