@@ -97,7 +97,7 @@ impl<R: Real> Placed<R> {
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
     /// are far, a lower bound.
-    pub(crate) fn room<W: World<R>>(&self, scene: &W, pivot: Option<u8>) -> R {
+    pub(crate) fn room(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         let radius = self.radius(scene, pivot);
         let mut least = R::HUGE;
         for index in scene.surface_indices() {
@@ -122,7 +122,7 @@ impl<R: Real> Placed<R> {
                 Some(vertex) if self.on == Some(index) => {
                     let neighbours = scene.neighbours(vertex).into_iter();
                     // A point has none but itself.
-                    let others = neighbours.filter(|&i| !W::GLIDES || i != vertex);
+                    let others = neighbours.filter(|&i| i != vertex);
                     others.for_each(&mut visit);
                 }
                 _ => scene.vertex_indices().for_each(&mut visit),
