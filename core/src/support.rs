@@ -60,8 +60,22 @@ impl<R: Real> Screw<R> {
 struct Edge<R> {
     screw: Screw<R>,
     contact: usize,
-    /// +1: friction along +t.
-    side: R,
+    /// Its part along t.
+    friction: R,
+    /// Of a force along t.
+    tangent: Screw<R>,
+}
+
+impl<R: Real> Edge<R> {
+    /// The direction along t in which the contact slides when the load crosses the facet of an inner normal: against the
+    /// friction; without friction the normal is the motion itself.
+    fn slides(&self, normal: Screw<R>) -> R {
+        if self.friction == R::ZERO {
+            normal.dot(self.tangent).sign()
+        } else {
+            -self.friction.sign()
+        }
+    }
 }
 
 /// The incipient motion at a facet.
@@ -101,15 +115,16 @@ impl<R: Real> Support<R> {
     }
 
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
-        for (k, (n, t)) in bearing.edges.iter().enumerate() {
-            let force = bearing.normal * *n + bearing.tangent * *t;
+        let screw = |force: Vec2<R>| Screw {
+            force,
+            moment: bearing.lever.cross(force),
+        };
+        for &(n, t) in &bearing.edges {
             let edge = Edge {
-                screw: Screw {
-                    force,
-                    moment: bearing.lever.cross(force),
-                },
+                screw: screw(bearing.normal * n + bearing.tangent * t),
                 contact: self.contacts,
-                side: if k == 0 { R::ONE } else { -R::ONE },
+                friction: t,
+                tangent: screw(bearing.tangent),
             };
             // At most MAX_CONTACTS bearings are added.
             let _ = self.edges.push(edge);
@@ -137,8 +152,32 @@ impl<R: Real> Support<R> {
                 }
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
                     if faces {
-                        visit(unit.scaled(sign), incipient(a, b));
+                        let normal = unit.scaled(sign);
+                        visit(normal, incipient(a, b, normal));
                     }
+                }
+                if inner && outer {
+                    self.each_end(unit, [a, b], visit);
+                }
+            }
+        }
+    }
+
+    /// A cone that lies in a plane, of two contacts without friction, ends at single edges, too: beyond one the other opens.
+    fn each_end(
+        &self,
+        plane: Screw<R>,
+        edges: [&Edge<R>; 2],
+        visit: &mut dyn FnMut(Screw<R>, Yield<R>),
+    ) {
+        for edge in edges {
+            let across = plane.cross(edge.screw);
+            let unit = across.over(across.size());
+            for normal in [unit, unit.scaled(-R::ONE)] {
+                let is_end = |other: &Edge<R>| normal.dot(other.screw) >= -Self::tolerance();
+                if self.edges.iter().all(is_end) {
+                    let contact = edge.contact;
+                    visit(normal, Yield::Pivot { contact });
                 }
             }
         }
@@ -294,14 +333,14 @@ fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
     }
 }
 
-/// What moves when two edges alone bear the load.
-fn incipient<R: Real>(a: &Edge<R>, b: &Edge<R>) -> Yield<R> {
+/// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
+fn incipient<R: Real>(a: &Edge<R>, b: &Edge<R>, normal: Screw<R>) -> Yield<R> {
     if a.contact == b.contact {
         Yield::Pivot { contact: a.contact }
     } else {
         Yield::Slide {
-            first: (a.contact, -a.side),
-            second: (b.contact, -b.side),
+            first: (a.contact, a.slides(normal)),
+            second: (b.contact, b.slides(normal)),
         }
     }
 }

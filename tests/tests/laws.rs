@@ -1,9 +1,9 @@
 //! Every law on every frame of random scenes and of the named ones, in every number type and both evolutions.
 
 use proptest::prelude::*;
-use stiction_core::{Evolution, Fixed};
+use stiction_core::{Evolution, Fixed, Status};
 use stiction_tests::laws::{assert_lawful, creep};
-use stiction_tests::random::{same_every_run, scenario};
+use stiction_tests::random::{same_every_run, scenario, scenarios};
 use stiction_tests::run::run;
 use stiction_tests::{EVOLUTIONS, Number, Scenario, budget, scenes};
 
@@ -26,6 +26,30 @@ fn named_scenes_obey_every_law() {
             lawful::<Fixed>(&scenario, evolution);
         }
     }
+}
+
+/// Without friction every edge of a cone is there twice, and two contacts bear loads of one plane alone.
+#[test]
+fn scenes_without_friction_obey_every_law() {
+    fn glides<R: Number>() {
+        let (mut frames, mut ambiguous) = (0, 0);
+        for mut scenario in scenarios(budget(100, 10), 8) {
+            for surface in &mut scenario.setup.surfaces {
+                (surface.friction_static, surface.friction_dynamic) = (0.0, 0.0);
+            }
+            for evolution in EVOLUTIONS {
+                let run = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
+                assert_lawful::<R>(&scenario.setup, &run);
+                frames += run.len();
+                ambiguous += run.iter().filter(|f| f.status == Status::Ambiguous).count();
+            }
+        }
+        println!("{}: {ambiguous} of {frames} frames ambiguous", R::NAME);
+        assert!(1000 * ambiguous <= frames);
+    }
+    glides::<f64>();
+    glides::<f32>();
+    glides::<Fixed>();
 }
 
 proptest! {

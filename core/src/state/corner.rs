@@ -41,8 +41,8 @@ impl<R: Real> Corner<R> {
         R::from_int(4) * R::EPSILON
     }
 
-    /// The edges of the two cones: contact, side and direction.
-    fn cone_edges(&self, scene: &impl World<R>) -> [(usize, R, Vec2<R>); 4] {
+    /// The edges of the two cones: contact and direction.
+    fn cone_edges(&self, scene: &impl World<R>) -> [(usize, Vec2<R>); 4] {
         let edge = |contact: usize, side: R| {
             let index = if contact == 0 {
                 self.pivot.contact.surface
@@ -51,7 +51,7 @@ impl<R: Real> Corner<R> {
             };
             let surface = scene.surface(index);
             let (n, t) = surface.friction.static_edge(side);
-            (contact, side, surface.normal * n + surface.tangent * t)
+            (contact, surface.normal * n + surface.tangent * t)
         };
         [
             edge(0, R::ONE),
@@ -65,15 +65,16 @@ impl<R: Real> Corner<R> {
     fn outer_edges(&self, scene: &impl World<R>) -> [Option<OuterEdge<R>>; 2] {
         let edges = self.cone_edges(scene);
         [R::ONE, -R::ONE].map(|turn| {
-            let outer = edges.iter().find(|(_, _, direction)| {
+            let outer = edges.iter().find(|(_, direction)| {
                 let inner = direction.turned() * turn;
                 edges
                     .iter()
-                    .all(|(_, _, other)| inner.dot(*other) >= -Self::parallel())
+                    .all(|(_, other)| inner.dot(*other) >= -Self::parallel())
             });
-            outer.map(|&(contact, side, direction)| OuterEdge {
+            // The edge with friction along +t is the clockwise one of its cone.
+            outer.map(|&(contact, direction)| OuterEdge {
                 contact,
-                sign: -side,
+                sign: -turn,
                 inner: direction.turned() * turn,
             })
         })
