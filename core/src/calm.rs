@@ -2,11 +2,12 @@
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
-use crate::coupling::{Stance, Way};
+use crate::coupling::{Grip, Stance, Way};
 use crate::geometry::{Orientation, Vec2};
 use crate::motion::Bend;
 use crate::real::Real;
 use crate::roots::Moment;
+use crate::scene::World;
 
 /// A turn that keeps the balance all the way, and how much anything can stray on it.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +26,20 @@ pub(crate) struct Calm<R> {
 const MAX_CORRECTIONS: usize = 4;
 
 impl<R: Real> Calm<R> {
+    /// About a pinned point, with the hand at the end `to` of its way: `stance` is the body's load there before it turns.
+    pub(crate) fn pinned<B: Bend<R>>(
+        scene: &impl World<R>,
+        stance: &Stance<R>,
+        to: &Grip<R>,
+        way: &Way<R>,
+    ) -> Option<Self> {
+        let drive = stance.lever.conj_mul(way.hand);
+        let moment = stance.pinned::<B>();
+        Self::turn(&moment, drive, stance.placed.orientation, |orientation| {
+            stance.turned(scene, orientation, to).pinned()
+        })
+    }
+
     /// With the hand at the end of its way: `moment` is that on the body in an orientation before it turns, balanced at the
     /// beginning, `drive` what the way adds to z, `then` the moment in another orientation. Nothing where the balance may
     /// fold or change much on the way (E8).

@@ -47,7 +47,7 @@ impl<R: Real> Free<R> {
             let pose = Self::hanging(scene, to, self.pose.orientation);
             let mut stance = Self { pose }.stance(scene, to);
             stance.tolerance = tolerance;
-            match Self::calm::<B>(scene, &stance, to, &Way::turn(turn)) {
+            match Calm::pinned::<B>(scene, &stance, to, &Way::turn(turn)) {
                 Some(calm) => (calm.orientation, calm.reach),
                 None => return false,
             }
@@ -60,20 +60,6 @@ impl<R: Real> Free<R> {
             *self = after;
         }
         follows
-    }
-
-    /// The weight turns it a little.
-    fn calm<B: Bend<R>>(
-        scene: &impl World<R>,
-        stance: &Stance<R>,
-        to: &Grip<R>,
-        way: &Way<R>,
-    ) -> Option<Calm<R>> {
-        let pinned = |stance: &Stance<R>| stance.pinned::<B>();
-        let drive = stance.lever.conj_mul(way.hand);
-        Calm::turn(&pinned(stance), drive, stance.placed.orientation, |o| {
-            pinned(&stance.turned(scene, o, to))
-        })
     }
 
     /// The body without weight has the angle of the hand.

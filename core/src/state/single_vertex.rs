@@ -57,7 +57,7 @@ impl<R: Real> SingleVertex<R> {
         let mut stance = self.pivot.stance(scene, to);
         stance.tolerance = terms.tolerance;
         let way = from.way_to(to);
-        let calm = Self::calm(scene, &stance, to, &way)?;
+        let calm = Calm::pinned::<Unbent>(scene, &stance, to, &way)?;
         let orientation = calm.orientation;
         // The reaction strays by the turn from the straight line to where the hand alone would take it ...
         let trigger = if self.holds(scene, &stance, calm.reach) {
@@ -76,20 +76,6 @@ impl<R: Real> SingleVertex<R> {
         self.has_room(scene, orientation, calm.reach).then(|| {
             self.pivot.orientation = orientation;
             trigger
-        })
-    }
-
-    /// A short turn about the pivot.
-    fn calm(
-        scene: &impl World<R>,
-        stance: &Stance<R>,
-        to: &Grip<R>,
-        way: &Way<R>,
-    ) -> Option<Calm<R>> {
-        let pinned = |stance: &Stance<R>| stance.pinned::<Unbent>();
-        let drive = stance.lever.conj_mul(way.hand);
-        Calm::turn(&pinned(stance), drive, stance.placed.orientation, |o| {
-            pinned(&stance.turned(scene, o, to))
         })
     }
 
@@ -186,7 +172,7 @@ impl<R: Real> SingleVertex<R> {
     /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
-        if let Some(calm) = Self::calm(scene, &stance, grip, &Way::turn(R::ZERO))
+        if let Some(calm) = Calm::pinned::<Unbent>(scene, &stance, grip, &Way::turn(R::ZERO))
             && self.has_room(scene, calm.orientation, calm.reach)
         {
             self.pivot.orientation = calm.orientation;
