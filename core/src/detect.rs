@@ -89,10 +89,10 @@ impl<R: Real> Placed<R> {
         list
     }
 
-    /// True if no vertex but the `pivot` at the point can have come to a surface on a way that ended here: it turned the body
-    /// by at most `reach`, and no gap was negative at its beginning. A gap lies above its chord but for the sagitta.
-    pub(crate) fn is_clear(&self, scene: &impl World<R>, pivot: Option<u8>, reach: R) -> bool {
-        self.room(scene, pivot) > (self.radius(scene, pivot) * reach * reach).halved()
+    /// True if no vertex can have come to a surface on a way that ended here: it turned the body by at most `reach`, and no
+    /// gap was negative at its beginning. A gap lies above its chord but for the sagitta.
+    pub(crate) fn is_clear(&self, scene: &impl World<R>, reach: R) -> bool {
+        self.room(scene, None) > (self.radius(scene, None) * reach * reach).halved()
     }
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all

@@ -41,6 +41,11 @@ impl<R: Real> Surface<R> {
         origin: Vec2::ZERO,
         friction: Coulomb::FRICTIONLESS,
     };
+
+    /// (N, T) of the contact that bears a force on the body.
+    pub(crate) fn reaction(&self, force: Vec2<R>) -> (R, R) {
+        (-self.normal.dot(force), -self.tangent.dot(force))
+    }
 }
 
 /// The size of 1 inside the solver, in SI units.

@@ -121,6 +121,15 @@ impl Setup {
         self.surface([-1.0, 0.0], -x, friction)
     }
 
+    /// The same without friction anywhere.
+    #[must_use]
+    pub fn smooth(mut self) -> Self {
+        for surface in &mut self.surfaces {
+            (surface.friction_static, surface.friction_dynamic) = (0.0, 0.0);
+        }
+        self
+    }
+
     /// G at the start: where the hand's position spring is at rest.
     pub fn grip(&self) -> [f64; 2] {
         self.world(self.start, self.holding_point.unwrap_or_default())

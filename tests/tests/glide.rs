@@ -122,11 +122,8 @@ mod cases {
 /// Random scenes of one surface without friction: the laws in every frame, and a motion is always found.
 fn survey<R: Number>(evolution: Evolution) {
     for (i, scenario) in scenarios(budget(1000, 30), 4).enumerate() {
-        let mut setup = scenario.setup.clone();
+        let mut setup = scenario.setup.clone().smooth();
         setup.surfaces.truncate(1);
-        for surface in &mut setup.surfaces {
-            (surface.friction_static, surface.friction_dynamic) = (0.0, 0.0);
-        }
         let hands = scenario.hands(50);
         let mut run = RunOf::<R, VERTICES, 1, Frictionless>::start(&setup, evolution, hands[0]);
         for (k, &hand) in hands.iter().enumerate() {

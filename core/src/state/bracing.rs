@@ -315,8 +315,7 @@ impl<R: Real> Bracing<R> {
 
     /// A slide of one contact, or of an edge, along sign·t.
     fn sliding(&self, stance: &Stance<R>, surface: &Surface<R>, sign: R) -> Option<Twist<R>> {
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         let rounding = stance.rounding();
         let driven =
             normal > R::ZERO && (surface.friction).is_driven(normal, friction, sign, rounding);

@@ -85,8 +85,7 @@ impl<R: Real> Edge<R> {
         }
         let stance = pivot.stance(scene, to);
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
         let second = -stance.moment() / span;
         let slack = stance.rounding() / span.abs();

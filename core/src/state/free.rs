@@ -55,7 +55,7 @@ impl<R: Real> Free<R> {
         let after = Self {
             pose: Self::hanging(scene, to, orientation),
         };
-        let follows = after.placed(to).is_clear(scene, None, reach);
+        let follows = after.placed(to).is_clear(scene, reach);
         if follows {
             *self = after;
         }

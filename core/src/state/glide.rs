@@ -9,7 +9,7 @@ use crate::coupling::{Grip, Stance, Way};
 use crate::geometry::Vec2;
 use crate::motion::{Gliding, Motion};
 use crate::real::Real;
-use crate::roots::Downhill;
+use crate::roots::{Downhill, Moment};
 use crate::scene::World;
 
 impl<R: Real> SingleVertex<R> {
@@ -83,11 +83,14 @@ impl<R: Real> SingleVertex<R> {
         moved
     }
 
+    /// The moment about the gliding foot, as a function of the angle.
+    fn gliding(&self, scene: &impl World<R>, stance: &Stance<R>) -> Moment<R, Gliding<R>> {
+        stance.gliding(scene, &self.pivot.surface(scene))
+    }
+
     /// Glides downhill at a frozen hand, to the first of balance, touch, lift-off.
     pub(crate) fn glide_down<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let surface = self.pivot.surface(scene);
-        let stance = self.pivot.stance(scene, grip);
-        let moment = stance.gliding::<Gliding<R>>(scene, &surface);
+        let moment = self.gliding(scene, &self.pivot.stance(scene, grip));
         self.glide_by(scene, grip, &moment.downhill())
     }
 
@@ -98,9 +101,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         direction: R,
     ) -> Moved<R> {
-        let surface = self.pivot.surface(scene);
-        let stance = self.pivot.stance(scene, grip);
-        let moment = stance.gliding::<Gliding<R>>(scene, &surface);
+        let moment = self.gliding(scene, &self.pivot.stance(scene, grip));
         self.glide_by(scene, grip, &moment.over_fold(direction))
     }
 
@@ -141,9 +142,8 @@ impl<R: Real> SingleVertex<R> {
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
     fn rest<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> bool {
-        let surface = self.pivot.surface(scene);
         let stance = self.pivot.stance(scene, grip);
-        let moment = stance.gliding::<Gliding<R>>(scene, &surface);
+        let moment = self.gliding(scene, &stance);
         let turn = moment.polish();
         self.pivot = self.pivot.moved(R::ZERO, turn);
         self.pivot.glide(scene, grip);

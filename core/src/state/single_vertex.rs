@@ -82,8 +82,7 @@ impl<R: Real> SingleVertex<R> {
     /// True if the reaction stays within the static cone though the lever strays by a part of its length.
     fn holds(&self, scene: &impl World<R>, stance: &Stance<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         let slack = stance.lever.reach() * stray + stance.rounding();
         (surface.friction).is_within(normal, friction, slack)
     }
@@ -184,8 +183,7 @@ impl<R: Real> SingleVertex<R> {
     /// True while the vertex slides on along sign·t, on a stable branch.
     fn is_driven(&self, scene: &impl World<R>, stance: &Stance<R>, sign: R) -> bool {
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         let rounding = stance.rounding();
         stance.stability() > R::ZERO
             && normal > rounding
@@ -216,8 +214,7 @@ impl<R: Real> SingleVertex<R> {
     /// Friction at rest.
     fn test(&self, scene: &impl World<R>, stance: &Stance<R>) -> Trigger<R> {
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         let rounding = stance.rounding();
         match surface.friction.judge(normal, friction, rounding) {
             Verdict::Sticks => Trigger::Balanced,
@@ -279,8 +276,7 @@ impl<R: Real> SingleVertex<R> {
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
         let surface = self.pivot.surface(scene);
-        let normal = -surface.normal.dot(stance.force);
-        let friction = -surface.tangent.dot(stance.force);
+        let (normal, friction) = surface.reaction(stance.force);
         gather([[normal.max(R::ZERO), friction]])
     }
 }
