@@ -117,7 +117,7 @@ pub(crate) struct Moved<R> {
     pub(crate) snapped: bool,
     /// A search hit its bound.
     pub(crate) unsure: bool,
-    /// A slip ended that began out of balance of moments, when another contact opened: it goes on with a turn.
+    /// A slip ended elsewhere than in balance: one that began out of balance, when another contact opened, or was blocked.
     pub(crate) unbalanced: bool,
 }
 

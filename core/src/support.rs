@@ -132,8 +132,9 @@ impl<R: Real> Support<R> {
         self.contacts = self.contacts.saturating_add(1);
     }
 
-    /// Visits the facets: inner normal of unit size and the incipient motion when the load crosses it.
-    fn each_facet(&self, visit: &mut dyn FnMut(Screw<R>, Yield<R>)) {
+    /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
+    /// incipient motion when the load crosses it.
+    fn each_facet(&self, visit: &mut dyn FnMut(Screw<R>, R, Yield<R>)) {
         for (i, a) in self.edges.iter().enumerate() {
             for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
                 let normal = a.screw.cross(b.screw);
@@ -153,11 +154,11 @@ impl<R: Real> Support<R> {
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
                     if faces {
                         let normal = unit.scaled(sign);
-                        visit(normal, incipient(a, b, normal));
+                        visit(normal, size.min(R::ONE), incipient(a, b, normal));
                     }
                 }
                 if inner && outer {
-                    self.each_end(unit, [a, b], visit);
+                    self.each_end((unit, size.min(R::ONE)), [a, b], visit);
                 }
             }
         }
@@ -166,9 +167,9 @@ impl<R: Real> Support<R> {
     /// A cone that lies in a plane, of two contacts without friction, ends at single edges, too: beyond one the other opens.
     fn each_end(
         &self,
-        plane: Screw<R>,
+        (plane, sharpness): (Screw<R>, R),
         edges: [&Edge<R>; 2],
-        visit: &mut dyn FnMut(Screw<R>, Yield<R>),
+        visit: &mut dyn FnMut(Screw<R>, R, Yield<R>),
     ) {
         for edge in edges {
             let across = plane.cross(edge.screw);
@@ -177,7 +178,7 @@ impl<R: Real> Support<R> {
                 let is_end = |other: &Edge<R>| normal.dot(other.screw) >= -Self::tolerance();
                 if self.edges.iter().all(is_end) {
                     let contact = edge.contact;
-                    visit(normal, Yield::Pivot { contact });
+                    visit(normal, sharpness, Yield::Pivot { contact });
                 }
             }
         }
@@ -186,10 +187,10 @@ impl<R: Real> Support<R> {
     /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
     pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
         let mut first = None;
-        self.each_facet(&mut |normal, _| {
+        self.each_facet(&mut |normal, sharpness, _| {
             // The reactions are the opposite of the load.
             let (start, end) = (-normal.dot(from), -normal.dot(to));
-            if end < -rounding {
+            if end * sharpness < -rounding {
                 let part = if start > R::ZERO {
                     start / (start - end)
                 } else {
@@ -209,7 +210,7 @@ impl<R: Real> Support<R> {
         allows: &dyn Fn(&Yield<R>) -> bool,
     ) -> Option<Yield<R>> {
         let mut most: Option<(R, Yield<R>)> = None;
-        self.each_facet(&mut |normal, mode| {
+        self.each_facet(&mut |normal, _, mode| {
             let excess = normal.dot(load);
             let is_most = most.is_none_or(|(largest, _)| excess > largest);
             if excess >= -rounding && is_most && allows(&mode) {

@@ -39,7 +39,7 @@ pub(crate) fn settle<R: Real>(
     log.ambiguous = false;
     let mut attempts = Attempts::default();
     let mut next = match trigger {
-        Some(trigger) => apply(scene, state, (trigger, R::ZERO), log),
+        Some(trigger) => apply(scene, state, &Moved::by(trigger), R::ZERO, log),
         None => Next::Relax(None),
     };
     for _ in 0..MAX_TRANSITIONS {
@@ -53,13 +53,11 @@ pub(crate) fn settle<R: Real>(
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
         record(state, &moved, &next, log);
-        next = match (moved.trigger, next) {
-            // Not at the end of the slip, but at the bound of the search, or not in balance.
-            (Trigger::Stopped, Next::Slide(sign)) if moved.unsure || moved.unbalanced => {
-                Next::Relax(Some(sign))
-            }
-            (trigger, _) => apply(scene, state, (trigger, moved.slip), log),
+        let sliding = match next {
+            Next::Slide(sign) => sign,
+            _ => R::ZERO,
         };
+        next = apply(scene, state, &moved, sliding, log);
     }
     stays(log);
 }
@@ -110,19 +108,28 @@ fn stays<R: Real>(log: &mut Log<R>) {
     log.ambiguous = true;
 }
 
-/// The table: the state after a trigger and what it does next.
+/// The table: the state after a verb, which slid along sliding·t, and what it does next.
 fn apply<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
-    (trigger, slip): (Trigger<R>, R),
+    moved: &Moved<R>,
+    sliding: R,
     log: &mut Log<R>,
 ) -> Next<R> {
-    match trigger {
+    match moved.trigger {
         Trigger::Balanced => {
             rests(state, log);
             Next::Rest
         }
-        Trigger::Stopped => after_slip(state, slip, log),
+        Trigger::Stopped => {
+            log.transitions.add(slip_arm(state));
+            log.slip(moved.slip);
+            if moved.unsure || moved.unbalanced {
+                Next::Relax(Some(sliding))
+            } else {
+                Next::Rest
+            }
+        }
         Trigger::Slide(sign) => Next::Slide(sign),
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
@@ -162,16 +169,6 @@ fn undriven<R: Real>(
     }
     stays(log);
     Next::Rest
-}
-
-/// The end of a slip; where a trammel stops, a reaction may have fallen below zero.
-fn after_slip<R: Real>(state: &ContactState<R>, slip: R, log: &mut Log<R>) -> Next<R> {
-    log.transitions.add(slip_arm(state));
-    log.slip(slip);
-    match state {
-        ContactState::TwoVertex(_) => Next::Relax(None),
-        _ => Next::Rest,
-    }
 }
 
 /// A vertex reaches a surface; all that close together are taken together.

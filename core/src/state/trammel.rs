@@ -179,7 +179,11 @@ impl<R: Real> Trammel<R> {
         });
         let found = self.quantities(&start, R::ONE);
         self.sense.resistance = found.resistance.value;
-        let rounding = (self.stance.rounding() * self.per_load).max(R::from_int(4) * R::EPSILON);
+        let [first, second] = self.sense.reactions;
+        // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
+        let facet = first.cross(second).hypot(self.arm.cross(second));
+        let resolved = R::rounding(facet).doubled().doubled();
+        let rounding = (self.stance.rounding() * self.per_load * facet).max(resolved);
         let [n1, n2] = found
             .normals
             .map(|n| n.value * self.sense.resistance.sign());

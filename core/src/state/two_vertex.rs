@@ -75,6 +75,7 @@ impl<R: Real> TwoVertex<R> {
             self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
             moved.unsure |= run.unsure;
+            moved.unbalanced = ending != Ending::Stopped || demand == Demand::AtTheEnd;
             moved.trigger = match ending {
                 Ending::Window | Ending::Reverses | Ending::Stopped => Trigger::Stopped,
                 Ending::Touches(pair) => Trigger::Touch(pair),
