@@ -268,9 +268,10 @@ impl<R: Real> SingleVertex<R> {
     /// True if the moment of the load is rounding, or within the tolerance.
     fn is_balanced(&self, stance: &Stance<R>) -> bool {
         let within = (stance.tolerance * stance.stability()).doubled();
-        // The foot, too, is rounded, as a coordinate.
+        // The foot, too, is rounded, as a coordinate, and so is the angle.
         let place = R::rounding(stance.placed.point.reach());
-        let rounding = R::from_int(16) * (stance.rounding() + place);
+        let angle = R::rounding(stance.stability()).doubled().doubled();
+        let rounding = (stance.rounding() + place + angle).doubled();
         stance.moment().abs() <= rounding.max(within)
     }
 
