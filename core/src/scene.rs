@@ -14,7 +14,7 @@ use heapless::Vec;
 mod check;
 mod description;
 
-use check::{check_model, check_numbers, check_vertices, surfaces};
+use check::{check_model, check_numbers, check_vertices, size_of_point, surfaces};
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// A checked surface, lengths / L.
@@ -217,7 +217,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
-        let length = check_vertices::<R::Si, V>(d.vertices)?;
+        let length = match check_vertices::<R::Si, V>(d.vertices)? {
+            length if length > R::Si::ZERO => length,
+            _ => size_of_point(d),
+        };
         let units = Units::new(length, d.stiffness_translation);
         let nd = |point| units.point_from_si::<R>(point);
         let [x, y, theta] = d.start;

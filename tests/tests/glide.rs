@@ -146,3 +146,34 @@ fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
         survey::<Fixed>(evolution);
     }
 }
+
+/// A point has no size; what the digits of fixed point are spent on follows from its springs: an angle (rad), known as
+/// exactly as it is where the grip is no softer than the lever asks for, and the place of the tip with it.
+#[test]
+fn fixed_point_carries_a_point_tool_with_a_short_lever() {
+    for (lever, rotation, angle) in [(0.005, 0.01, 1e-4), (0.02, 0.5, 2e-5)] {
+        let setup = Setup::point()
+            .held_at([0.0, lever])
+            .springs(500.0, rotation)
+            .floor([0.0, 0.0]);
+        let keyframes = [
+            [0.0, lever + 0.001, 0.0],
+            [0.01, lever - 0.003, 0.2],
+            [-0.02, lever - 0.002, -0.3],
+            [0.0, lever + 0.002, 0.0],
+        ];
+        let hands = polyline(&keyframes, 300);
+        for evolution in EVOLUTIONS {
+            let mut exact = RunOf::<f64, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
+            let mut fixed = RunOf::<Fixed, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
+            for &hand in &hands {
+                let (is, should) = (fixed.step(hand).pose, exact.step(hand).pose);
+                let place = lever * angle + 2e-7;
+                for (k, bound) in [place, place, angle].into_iter().enumerate() {
+                    let apart = (is[k] - should[k]).abs();
+                    assert!(apart <= bound, "{lever} m, {hand:?}: {is:?} {should:?}");
+                }
+            }
+        }
+    }
+}

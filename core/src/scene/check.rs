@@ -77,7 +77,7 @@ pub(super) fn check_model<F: Real, M: Model>(d: &Description<'_, F>) -> Checked<
     Ok(())
 }
 
-/// The vertices; gives L, the largest distance between two of them (1 m for a point).
+/// The vertices; gives the largest distance between two of them, 0 for a point.
 pub(super) fn check_vertices<F: Real, const V: usize>(
     vertices: &[[F; 2]],
 ) -> Result<F, SceneError<F>> {
@@ -109,13 +109,26 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
             length = length.max(distance);
         }
     }
-    if count == 1 {
-        return Ok(F::ONE);
-    }
     if count > 2 {
         check_convex(vertices, length)?;
     }
     Ok(length)
+}
+
+/// L of a point, which has no size: 1 m, but from r/4 to 8 r, where r² = d² + k_theta / k_h; d is the lever of the holding
+/// point. The stability of the balance, about r² / L², is then a number that every type carries, and so is 1 over it.
+pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
+    let springs = (d.stiffness_rotation / d.stiffness_translation).sqrt();
+    let levers = d.holding_point.iter().zip(d.vertices);
+    let radius = levers.fold(springs, |r, (g, v)| {
+        r.hypot((g[0] - v[0]).hypot(g[1] - v[1]))
+    });
+    if radius > F::ZERO {
+        let least = radius.halved().halved();
+        F::ONE.max(least).min(radius * F::from_int(8))
+    } else {
+        F::ONE
+    }
 }
 
 /// Every vertex lies to the left of every side, but for the two that the side joins.
