@@ -115,20 +115,25 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
     Ok(length)
 }
 
-/// L of a point, which has no size: 1 m, but from r/4 to 8 r, where r² = d² + k_theta / k_h; d is the lever of the holding
-/// point. The stability of the balance, about r² / L², is then a number that every type carries, and so is 1 over it.
+/// L of a point, which has no size: 1 m, or the nearest power of two from r/4 to 8 r, where r² = d² + k_theta / k_h and d is
+/// the lever of the holding point. The stability of the balance, about r² / L², is then a number that every type carries,
+/// and so is 1 over it.
 pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
-    let springs = (d.stiffness_rotation / d.stiffness_translation).sqrt();
-    let levers = d.holding_point.iter().zip(d.vertices);
-    let radius = levers.fold(springs, |r, (g, v)| {
-        r.hypot((g[0] - v[0]).hypot(g[1] - v[1]))
-    });
-    if radius > F::ZERO {
-        let least = radius.halved().halved();
-        F::ONE.max(least).min(radius * F::from_int(8))
-    } else {
-        F::ONE
+    let mut square = d.stiffness_rotation / d.stiffness_translation;
+    for (g, v) in d.holding_point.iter().zip(d.vertices) {
+        let lever = Vec2::new(g[0] - v[0], g[1] - v[1]);
+        square = square + lever.dot(lever);
     }
+    let mut size = F::ONE;
+    if square > F::ZERO && square.is_finite() {
+        while size * size > square * F::from_int(64) {
+            size = size.halved();
+        }
+        while size * size * F::from_int(16) < square {
+            size = size.doubled();
+        }
+    }
+    size
 }
 
 /// Every vertex lies to the left of every side, but for the two that the side joins.
