@@ -75,9 +75,9 @@ impl<'a> Events<'a> {
         let (slips, longest_slip) = (fields.u32(), fields.f32());
         let count = usize::from(fields.u8());
         fields.exactly(count)?;
-        let codes = (*fields).remaining();
         let known = |code: &u8| at(&EVENTS, *code).is_ok();
-        require(codes.iter().all(known), FaultKind::Value)?;
+        let mut ahead = *fields;
+        require(ahead.remaining().iter().all(known), FaultKind::Value)?;
         Ok(Self {
             slips,
             longest_slip,

@@ -30,34 +30,33 @@ pub struct List<'a, T> {
 #[derive(Clone, Copy)]
 enum Items<'a, T> {
     Given(&'a [T]),
-    /// A whole number of items.
-    Received(&'a [u8]),
+    Received { bytes: &'a [u8], count: usize },
 }
 
 impl<'a, T: Item> List<'a, T> {
-    /// The next `count` items of a payload.
+    /// The next `count` items of a payload, which has them.
     pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Self {
-        let bytes = count.saturating_mul(T::BYTES);
+        let bytes = fields.bytes(count.saturating_mul(T::BYTES));
         Self {
-            items: Items::Received(fields.bytes(bytes)),
+            items: Items::Received { bytes, count },
         }
     }
     /// How many items.
-    pub fn len(&self) -> usize {
+    pub const fn len(&self) -> usize {
         match self.items {
             Items::Given(items) => items.len(),
-            Items::Received(bytes) => bytes.len().checked_div(T::BYTES).unwrap_or(0),
+            Items::Received { count, .. } => count,
         }
     }
     /// No items.
-    pub fn is_empty(&self) -> bool {
+    pub const fn is_empty(&self) -> bool {
         self.len() == 0
     }
     /// The item of an index.
     pub fn get(&self, index: usize) -> Option<T> {
         match self.items {
             Items::Given(items) => items.get(index).copied(),
-            Items::Received(bytes) => {
+            Items::Received { bytes, .. } => {
                 let rest = bytes.get(index.saturating_mul(T::BYTES)..)?;
                 let one = rest.get(..T::BYTES)?;
                 Some(T::get(&mut Fields::new(one)))
