@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """A minimal client of a stiction board, written from core/FRAME.md with the standard library alone.
 
-    board_client.py /dev/ttyACM0 [BAUD]     a serial port (not on Windows)
-    board_client.py tcp:HOST:PORT           a socket; unix:PATH too
-        says hello, moves the hand in a circle for 5 s, prints what the board says
-    board_client.py --decode                lines of hex on standard input: prints the frames in them, as JSON
-    board_client.py --encode                the other way round
+    board_client.py ADDRESS [SECONDS [BAUD]]
+        says hello, moves the hand in a circle for 5 s, prints what the board says; the address is a serial port (not
+        on Windows), tcp:HOST:PORT or unix:PATH
+    board_client.py --decode                     lines of hex on standard input: prints the frames in them, as JSON
+    board_client.py --encode                     the other way round
 
 A message is a dictionary with the field names of FRAME.md; codes are numbers, lists are vertex_0, vertex_1, ...
 In JSON a float that is not finite is a string: "nan", "inf", "-inf".
@@ -227,7 +227,7 @@ def show(message):
     print("{time:10d} µs  {x:9.5f} {y:9.5f} m  {theta:9.5f} rad ".format(**message), STATES[message["state"]], *happened)
 
 
-def run(address, baud, seconds=5.0, rate=200.0):
+def run(address, seconds=5.0, baud="115200", rate=200.0):
     """Says hello, moves the hand in a circle, prints what comes back."""
     read, write, _open = connect(address, baud)
     decoder, begin, sequence = Decoder(), time.monotonic(), 0
@@ -253,8 +253,8 @@ def main(arguments):
     elif arguments == ["--encode"]:
         for line in sys.stdin:
             print(encode(json.loads(line)).hex(" "))
-    elif len(arguments) in (1, 2) and not arguments[0].startswith("-"):
-        run(arguments[0], arguments[1] if len(arguments) == 2 else "115200")
+    elif 1 <= len(arguments) <= 3 and not arguments[0].startswith("-"):
+        run(arguments[0], *map(float, arguments[1:2]), *arguments[2:])
     else:
         sys.exit(__doc__)
 

@@ -75,7 +75,7 @@ impl<'a> Events<'a> {
         let (slips, longest_slip) = (fields.u32(), fields.f32());
         let count = usize::from(fields.u8());
         fields.exactly(count)?;
-        let known = |code: &u8| at(&EVENTS, *code).is_ok();
+        let known = |code: &u8| at(&Event::ALL, *code).is_ok();
         let mut ahead = *fields;
         require(ahead.remaining().iter().all(known), FaultKind::Value)?;
         Ok(Self {
@@ -108,26 +108,13 @@ impl Item for Contact<f32> {
     }
 }
 
-/// The events in the order of their codes.
-const EVENTS: [Event; 9] = [
-    Event::Touch,
-    Event::Lift,
-    Event::Slip,
-    Event::Tip,
-    Event::Land,
-    Event::Snap,
-    Event::Jam,
-    Event::Grasp,
-    Event::Release,
-];
-
 impl Item for Event {
     const BYTES: usize = 1;
     fn put(&self, sink: &mut impl Sink) {
-        sink.byte(index_of(&EVENTS, self));
+        sink.byte(index_of(&Event::ALL, self));
     }
     /// The codes of a list are checked before it is made.
     fn get(fields: &mut Fields<'_>) -> Self {
-        fields.code(&EVENTS).unwrap_or(Self::Touch)
+        fields.code(&Event::ALL).unwrap_or(Self::Touch)
     }
 }

@@ -2,7 +2,6 @@
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, at, index_of};
-use super::report::STATUSES;
 use crate::geometry::Angle;
 use crate::output::{Event, Output, StateKind, Status};
 
@@ -138,7 +137,7 @@ impl Pose {
         sink.f32s(&self.position);
         sink.f32(self.rest);
         sink.f32(self.depth);
-        let status = index_of(&STATUSES, &self.status);
+        let status = index_of(&Status::ALL, &self.status);
         let held = if self.held { 1 << 3 } else { 0 };
         let off = if self.force_off { 1 << 4 } else { 0 };
         sink.byte(status | held | off | ((self.turns & 7) << 5));
@@ -156,7 +155,7 @@ impl Pose {
             turns: flags >> 5,
             depth,
             state: at(&StateKind::ALL, state)?,
-            status: at(&STATUSES, flags & 7)?,
+            status: at(&Status::ALL, flags & 7)?,
             held: flags & (1 << 3) != 0,
             force_off: flags & (1 << 4) != 0,
             events: EventSet { bits: events },

@@ -9,7 +9,6 @@ use super::info::Info;
 use super::message::Wire;
 use super::pose::Pose;
 use super::reply::Reply;
-use crate::output::Status;
 
 /// A message from the board. Poses, forces and events of one step carry the same time.
 ///
@@ -57,16 +56,6 @@ pub struct Pong {
     /// The time in its head (µs).
     pub time: u32,
 }
-
-/// The statuses in the order of their codes.
-pub(super) const STATUSES: [Status; 6] = [
-    Status::Ok,
-    Status::EventLimit,
-    Status::IterationLimit,
-    Status::Ambiguous,
-    Status::Saturated,
-    Status::HeldLast,
-];
 
 /// The contact state is added to it.
 const POSE: u8 = 0x80;

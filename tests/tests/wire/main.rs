@@ -8,6 +8,7 @@ mod other_client;
 mod random;
 mod round_trip;
 mod said;
+mod solver_bits;
 
 use stiction_core::frame::{Command, Decoder, Fault, Frame, Message, Report};
 

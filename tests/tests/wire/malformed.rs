@@ -234,3 +234,56 @@ fn faults_are_counted_apart_and_stay_at_their_greatest() {
     }
     assert_eq!(faults.total(), 28);
 }
+
+#[test]
+fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
+    let mut random = Random(15);
+    let (mut messages, mut faults) = (0, Faults::new());
+    for i in 0..200_000_u32 {
+        let code = if i % 2 == 0 {
+            1 + random.byte() % 8
+        } else {
+            0x80 + random.byte() % 0x16
+        };
+        // Mostly small bytes, so that counts and codes have a meaning often enough.
+        let length = [0, 1, 5, 16, 17, 19, 21, 29, 61, 67, random.below(80)][random.below(11)];
+        let byte = |random: &mut Random| {
+            if random.below(4) == 0 {
+                random.byte()
+            } else {
+                random.byte() % 3
+            }
+        };
+        let payload: Vec<u8> = (0..length).map(|_| byte(&mut random)).collect();
+        let bytes = [&[1, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
+        let wire = sealed(&bytes);
+        decoded(&wire, code < 0x80, |received| match received {
+            Err(fault) => faults.count(fault.kind),
+            Ok(frame) => {
+                messages += 1;
+                let (again, _) = bare(&frame);
+                // What has no meaning is ignored, and sent on as 0.
+                let ignored = match &frame {
+                    Either::Command(Frame {
+                        message: Command::Scene(s),
+                        ..
+                    }) => s.holding_point.is_none(),
+                    Either::Report(Frame {
+                        message: Report::Reply(_),
+                        ..
+                    }) => bytes[11..13] != [0, 0],
+                    _ => false,
+                };
+                assert!(again == bytes || ignored, "{bytes:?}");
+            }
+        });
+    }
+    println!("{messages} messages, {faults:?}");
+    assert!(messages > 5000);
+    let kinds = [FaultKind::UnknownType, FaultKind::Length, FaultKind::Value];
+    assert!(kinds.iter().all(|kind| faults.of(*kind) > 1000));
+    assert_eq!(
+        kinds.iter().map(|kind| faults.of(*kind)).sum::<u32>(),
+        faults.total()
+    );
+}

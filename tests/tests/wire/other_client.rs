@@ -4,15 +4,27 @@ use crate::examples::examples;
 use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, encoded};
-use std::io::Write;
+use std::io::{Read, Write};
+use std::net::TcpListener;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use stiction_core::frame::{
+    self, Decoder, EventSet, Frame, Info, Mode, NumberType, Pose, Report, Sequence, Stepping, Text,
+};
+use stiction_core::{Axis, Event, Evolution};
+
+/// The client, before its arguments.
+fn python() -> Command {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host-sim/examples/board_client.py");
+    let mut command = Command::new("python3");
+    command.arg("-B").arg(script);
+    command
+}
 
 /// What the client answers to these lines; `None` without a Python.
 fn client(option: &str, lines: Vec<String>) -> Option<Vec<String>> {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host-sim/examples/board_client.py");
-    let mut command = Command::new("python3");
-    command.arg("-B").arg(script).arg(option);
+    let mut command = python();
+    command.arg(option);
     let spawned = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
     let Ok(mut child) = spawned else {
         println!("skipped: no python3");
@@ -30,6 +42,104 @@ fn client(option: &str, lines: Vec<String>) -> Option<Vec<String>> {
 fn hex(bytes: &[u8]) -> String {
     let bytes = bytes.iter().map(|byte| format!("{byte:02x}"));
     bytes.collect::<Vec<_>>().join(" ")
+}
+
+const AXIS: Axis = Axis {
+    index: 0,
+    negative: false,
+};
+const INFO: Info<'_> = Info {
+    version: [0, 1, 0],
+    number: NumberType::F32,
+    vertices: 4,
+    surfaces: 1,
+    friction: true,
+    weight: true,
+    actuators: false,
+    longest_frame: 64,
+    fastest_tick: 1000,
+    stiffest: [f32::INFINITY; 2],
+    stiffness: [500.0, 0.5],
+    friction_now: [0.5, 0.3],
+    mode: Mode {
+        evolution: Evolution::Path,
+        stepping: Stepping::PerSample,
+        plane: [AXIS, Axis { index: 1, ..AXIS }],
+        events: false,
+        tick_rate: 1000,
+        pose_every: 1,
+        forces_every: 0,
+        health_every: 0,
+        tolerance: 0.0,
+    },
+    name: Text::new("a socket"),
+};
+
+/// A board behind a socket: it answers hello, and every sample with the pose of a free body, until the client goes. How many
+/// samples came, and how many frames were lost.
+fn board(listener: &TcpListener) -> (u32, u32) {
+    let (mut line, _) = listener.accept().expect("a client");
+    let (mut decoder, mut order) = (Decoder::<64>::new(), Sequence::new());
+    let (mut sequence, mut samples, mut lost) = (0_u8, 0, 0);
+    let mut bytes = [0; 256];
+    while let Ok(n @ 1..) = line.read(&mut bytes) {
+        for &byte in &bytes[..n] {
+            let Some(frame) = decoder.push::<frame::Command>(byte) else {
+                continue;
+            };
+            let frame = frame.expect("an undamaged frame");
+            lost += u32::from(order.lost_before(frame.sequence));
+            let message = match frame.message {
+                frame::Command::Hand(hand) => {
+                    samples += 1;
+                    let events = EventSet::of(if samples == 1 { &[Event::Touch] } else { &[] });
+                    let (position, sample) = (hand.position, frame.sequence);
+                    Report::Pose(Pose {
+                        position,
+                        events,
+                        sample,
+                        ..Pose::default()
+                    })
+                }
+                frame::Command::Hello => Report::Info(INFO),
+                other => panic!("{other:?}"),
+            };
+            // The client may have gone.
+            let _ = line.write_all(&encoded(&Frame {
+                sequence,
+                time: frame.time,
+                message,
+            }));
+            sequence = sequence.wrapping_add(1);
+        }
+    }
+    (samples, lost)
+}
+
+#[test]
+fn client_talks_with_a_board_behind_a_socket() {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = format!("tcp:{}", listener.local_addr().expect("bound"));
+    let mut command = python();
+    let spawned = command
+        .args([&address, "0.5"])
+        .stdout(Stdio::piped())
+        .spawn();
+    let Ok(child) = spawned else {
+        return;
+    };
+    let (samples, lost) = board(&listener);
+    let output = child.wait_with_output().expect("it ends");
+    let text = String::from_utf8(output.stdout).expect("text");
+    assert!(
+        output.status.success() && text.ends_with("faults: none\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("'name': 'a socket'") && text.contains("non-contact touch"),
+        "{text}"
+    );
+    assert!(samples > 20 && lost == 0, "{samples} samples, {lost} lost");
 }
 
 /// Frames and what they say: the examples, and random ones.

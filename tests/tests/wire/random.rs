@@ -108,26 +108,6 @@ impl Random {
     }
 }
 
-const EVENTS: [Event; 9] = [
-    Event::Touch,
-    Event::Lift,
-    Event::Slip,
-    Event::Tip,
-    Event::Land,
-    Event::Snap,
-    Event::Jam,
-    Event::Grasp,
-    Event::Release,
-];
-const STATUSES: [Status; 6] = [
-    Status::Ok,
-    Status::EventLimit,
-    Status::IterationLimit,
-    Status::Ambiguous,
-    Status::Saturated,
-    Status::HeldLast,
-];
-
 /// What the lists of a message point to.
 #[derive(Default)]
 pub(crate) struct Store {
@@ -152,7 +132,7 @@ impl Store {
             vertices: (0..v).map(|_| random.floats()).collect(),
             surfaces: (0..s).map(|_| surface(random.floats())).collect(),
             contacts: (0..c).map(|_| contact(random)).collect(),
-            events: (0..e).map(|_| random.one(&EVENTS)).collect(),
+            events: (0..e).map(|_| random.one(&Event::ALL)).collect(),
             text: (0..t)
                 .map(|_| char::from(b' ' + random.below(95) as u8))
                 .collect(),
@@ -266,7 +246,7 @@ impl Store {
 
 pub(crate) fn pose(random: &mut Random) -> Pose {
     let mut events = EventSet::default();
-    for event in EVENTS {
+    for event in Event::ALL {
         if random.flag() {
             events.insert(event);
         }
@@ -277,7 +257,7 @@ pub(crate) fn pose(random: &mut Random) -> Pose {
         turns: random.byte() & 7,
         depth: random.float(),
         state: random.one(&StateKind::ALL),
-        status: random.one(&STATUSES),
+        status: random.one(&Status::ALL),
         held: random.flag(),
         force_off: random.flag(),
         events,

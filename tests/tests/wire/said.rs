@@ -213,7 +213,7 @@ impl Said {
         self.int("held", pose.held)
             .int("force_off", pose.force_off)
             .int("turns", pose.turns);
-        let bits = (0..8).filter(|&bit| pose.events.contains(EVENTS[bit]));
+        let bits = (0..8).filter(|&bit| pose.events.contains(Event::ALL[bit]));
         self.int("events", bits.map(|bit| 1 << bit).sum::<i64>())
             .int("sample", pose.sample);
     }
@@ -240,7 +240,12 @@ impl Said {
     }
 
     fn events(&mut self, events: &Events<'_>) {
-        let code = |event: Event| EVENTS.iter().position(|e| *e == event).expect("one of all");
+        let code = |event: Event| {
+            Event::ALL
+                .iter()
+                .position(|e| *e == event)
+                .expect("one of all")
+        };
         let list: List<'_, Event> = events.list;
         self.int("slips", events.slips)
             .float("longest_slip", events.longest_slip);
@@ -269,18 +274,6 @@ impl Said {
         self.text("name", &info.name.to_string());
     }
 }
-
-const EVENTS: [Event; 9] = [
-    Event::Touch,
-    Event::Lift,
-    Event::Slip,
-    Event::Tip,
-    Event::Land,
-    Event::Snap,
-    Event::Jam,
-    Event::Grasp,
-    Event::Release,
-];
 
 fn status(status: Status) -> i64 {
     let names = [
