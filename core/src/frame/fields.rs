@@ -78,16 +78,14 @@ impl<'a> Fields<'a> {
 
 /// Where fields are put.
 pub trait Sink {
-    /// The next byte.
-    fn byte(&mut self, byte: u8);
+    /// The next bytes as they are.
+    fn put(&mut self, bytes: &[u8]);
     /// What is to be sent cannot be.
     fn refuse(&mut self);
 
-    /// Some bytes as they are.
-    fn put(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.byte(byte);
-        }
+    /// One byte.
+    fn byte(&mut self, byte: u8) {
+        self.put(&[byte]);
     }
     /// Two bytes, little-endian.
     fn u16(&mut self, value: u16) {

@@ -103,9 +103,13 @@ impl<'o> Line<'o> {
 }
 
 impl Sink for Line<'_> {
-    fn byte(&mut self, byte: u8) {
-        self.crc.update(&[byte]);
-        self.stuff(byte);
+    // Inlined at every field it would take some four times the flash.
+    #[inline(never)]
+    fn put(&mut self, bytes: &[u8]) {
+        self.crc.update(bytes);
+        for &byte in bytes {
+            self.stuff(byte);
+        }
     }
     fn refuse(&mut self) {
         self.fits = false;
