@@ -30,8 +30,8 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-e
   fi
 done
 
-stage 'emulators'
-for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs; do
+stage 'emulators and interpreters'
+for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3; do
   install="apt-get install -y --no-install-recommends ${tool#*:}"
   command -v "${tool%:*}" || { apt-get update && $install; } || missing "${tool%:*}" "$install"
 done

@@ -24,6 +24,9 @@
 //!                                |  4 transition.rs  (state, trigger) -> state, until the body rests
 //!                                v
 //!                              Output                pose, events, status; wrench and contacts when asked for
+//!                                |  6 frame.rs       to bytes and back, for a board and its client
+//!                                v
+//!                              frame::Report
 //! ```
 //!
 //! A [`Scene`] is checked once, a [`Solver`] never changes, a [`State`] is plain data, [`Solver::step`] never fails:
@@ -62,6 +65,7 @@ mod body;
 mod calm;
 mod coupling;
 mod detect;
+pub mod frame;
 mod friction;
 mod geometry;
 mod hand;

@@ -78,6 +78,19 @@ pub enum Event {
 }
 
 impl Event {
+    /// All events.
+    pub const ALL: [Self; 9] = [
+        Self::Touch,
+        Self::Lift,
+        Self::Slip,
+        Self::Tip,
+        Self::Land,
+        Self::Snap,
+        Self::Jam,
+        Self::Grasp,
+        Self::Release,
+    ];
+
     /// The name in a trace.
     pub const fn name(self) -> &'static str {
         match self {
@@ -113,6 +126,16 @@ pub enum Status {
 }
 
 impl Status {
+    /// All statuses, the gravest last.
+    pub const ALL: [Self; 6] = [
+        Self::Ok,
+        Self::EventLimit,
+        Self::IterationLimit,
+        Self::Ambiguous,
+        Self::Saturated,
+        Self::HeldLast,
+    ];
+
     /// The name in a trace.
     pub const fn name(self) -> &'static str {
         match self {

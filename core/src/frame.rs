@@ -1,0 +1,110 @@
+//! 6: output -> bytes and back: what a board and its client say to each other over a serial line. The format is in
+//! `FRAME.md` beside this crate; the code cites its sections. Both directions, and any bytes: what is no message is counted
+//! and passed over.
+//!
+//! ```text
+//! Command --Frame::encode--> bytes --line--> Decoder::push::<Command> --> the board
+//! Report  <--Decoder::push::<Report>  <--line-- bytes <--Frame::encode--  the board
+//! ```
+//!
+//! Nothing is copied that can be read where it is: a message is encoded straight into the sender's buffer, and the lists of
+//! a received one point into the buffer of the receiver.
+//!
+//! ```
+//! use stiction_core::frame::{Decoder, Drive, Frame, Health, Report};
+//!
+//! let health = Health { ticks: 1000, drive: Drive::Silent, ..Health::default() };
+//! let mut wire = [0; 128];
+//! let wire = Frame { sequence: 3, time: 0, message: Report::Health(health) }.encode(&mut wire).unwrap();
+//!
+//! let mut client = Decoder::<512>::new();
+//! for &byte in wire {
+//!     if let Some(received) = client.push::<Report>(byte) {
+//!         assert_eq!(received.unwrap().message, Report::Health(health));
+//!     }
+//! }
+//! assert_eq!(client.faults().total(), 0);
+//! ```
+
+mod command;
+mod fault;
+mod fields;
+mod forces;
+mod health;
+mod info;
+mod line;
+mod list;
+mod logitech;
+mod message;
+mod mode;
+mod pose;
+mod reply;
+mod report;
+mod scene;
+
+pub use command::{Command, Parameters, Reset};
+pub use fault::{Fault, FaultKind, Faults};
+pub use forces::{Events, Forces};
+pub use health::{Drive, Health};
+pub use info::{Info, NumberType};
+pub use line::{CRC_BYTES, Decoder, HEAD_BYTES, frame_bytes, wire_bytes};
+pub use list::{List, Text};
+pub use logitech::{LogitechDecoder, LogitechRecord, REQUEST as LOGITECH_REQUEST};
+pub use message::Message;
+pub use mode::{Mode, Stepping};
+pub use pose::{EventSet, Pose};
+pub use reply::{Reason, Reply, Subject};
+pub use report::{Pong, Report};
+pub use scene::{SceneCommand, scene_bytes};
+
+/// The version of the format, the first byte of every frame.
+pub const VERSION: u8 = 1;
+
+/// A message with what every frame carries.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<M> {
+    /// Goes up by one with every frame that is sent in its direction, of whatever type, and after 255 comes 0.
+    pub sequence: u8,
+    /// The sender's clock (µs); wraps after 71.6 minutes. For poses, forces and events: the tick of their step.
+    pub time: u32,
+    /// The message.
+    pub message: M,
+}
+
+/// Which frame: its type and sequence number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Reference {
+    /// The type byte.
+    pub code: u8,
+    /// The sequence number.
+    pub sequence: u8,
+}
+
+/// Follows the sequence numbers of received frames and tells how many were lost between them.
+///
+/// ```
+/// let mut line = stiction_core::frame::Sequence::new();
+/// assert_eq!(line.lost_before(254), 0, "the first one");
+/// assert_eq!(line.lost_before(255), 0);
+/// assert_eq!(line.lost_before(2), 2, "0 and 1 did not come");
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sequence {
+    last: Option<u8>,
+}
+
+impl Sequence {
+    /// Nothing received yet.
+    pub const fn new() -> Self {
+        Self { last: None }
+    }
+    /// How many frames are missing before this one; after 256 lost in a row it reads 0, and time tells.
+    pub const fn lost_before(&mut self, sequence: u8) -> u8 {
+        let lost = match self.last {
+            Some(last) => sequence.wrapping_sub(last).wrapping_sub(1),
+            None => 0,
+        };
+        self.last = Some(sequence);
+        lost
+    }
+}

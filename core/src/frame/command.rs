@@ -1,0 +1,208 @@
+//! Messages to the board (FRAME 4).
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink};
+use super::message::Wire;
+use super::mode::Mode;
+use super::scene::SceneCommand;
+use crate::geometry::Angle;
+use crate::hand::{Hand, TrackerSample};
+
+/// A message to the board. Each one but the samples of the hand is answered: [`Command::Hello`] by
+/// [`Report::Info`](super::Report::Info), [`Command::Ping`] by [`Report::Pong`](super::Report::Pong), the others by
+/// [`Report::Reply`](super::Report::Reply).
+///
+/// ```
+/// use stiction_core::Hand;
+/// use stiction_core::frame::{Command, Decoder, Frame, frame_bytes};
+///
+/// let sample = Frame { sequence: 1, time: 0, message: Command::Hand(Hand::new(0.1, 0.2, 7.0)) };
+/// let mut wire = [0; 64];
+/// let wire = sample.encode(&mut wire).unwrap();
+/// assert_eq!(wire.len(), 34);
+///
+/// let mut board = Decoder::<{ frame_bytes(64) }>::new();
+/// let received = wire.iter().find_map(|&byte| board.push::<Command>(byte).map(|r| r.is_ok()));
+/// assert_eq!(received, Some(true));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Command<'a> {
+    /// A sample of the planar hand (m, rad; world frame). One that is not finite is a lost sample.
+    Hand(Hand<f32>),
+    /// A sample of a tracker (m; its own frame), which the board projects onto the plane of its [`Mode`].
+    Tracker(TrackerSample<f32>),
+    /// The springs and the friction, the friction on every surface.
+    Parameters(Parameters),
+    /// A new scene. The body starts anew.
+    Scene(SceneCommand<'a>),
+    /// How the board works.
+    Mode(Mode),
+    /// A client comes: what is the board?
+    Hello,
+    /// Is the board there, and what time is it?
+    Ping,
+    /// Back to the start.
+    Reset(Reset),
+}
+
+/// The four parameters of the paper.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Parameters {
+    /// k_h (N/m) > 0
+    pub stiffness_translation: f32,
+    /// k_theta (N·m/rad) >= 0
+    pub stiffness_rotation: f32,
+    /// mu_s >= mu_d
+    pub friction_static: f32,
+    /// mu_d >= 0
+    pub friction_dynamic: f32,
+}
+
+/// What a reset takes back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Reset {
+    /// The body, to the start pose of its scene.
+    #[default]
+    Body,
+    /// Everything, as after power-up: scene, parameters, mode, counters.
+    Everything,
+}
+
+impl Reset {
+    /// Both, in the order of their codes.
+    pub const ALL: [Self; 2] = [Self::Body, Self::Everything];
+
+    /// The name in a log.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Body => "body",
+            Self::Everything => "everything",
+        }
+    }
+}
+
+const HAND: u8 = 0x01;
+const TRACKER: u8 = 0x02;
+const PARAMETERS: u8 = 0x03;
+const SCENE: u8 = 0x04;
+const MODE: u8 = 0x05;
+const HELLO: u8 = 0x06;
+const PING: u8 = 0x07;
+const RESET: u8 = 0x08;
+
+impl Command<'_> {
+    /// The name of the message.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Hand(_) => "hand",
+            Self::Tracker(_) => "tracker",
+            Self::Parameters(_) => "parameters",
+            Self::Scene(_) => "scene",
+            Self::Mode(_) => "mode",
+            Self::Hello => "hello",
+            Self::Ping => "ping",
+            Self::Reset(_) => "reset",
+        }
+    }
+}
+
+impl<'a> Wire<'a> for Command<'a> {
+    fn code(&self) -> u8 {
+        match self {
+            Self::Hand(_) => HAND,
+            Self::Tracker(_) => TRACKER,
+            Self::Parameters(_) => PARAMETERS,
+            Self::Scene(_) => SCENE,
+            Self::Mode(_) => MODE,
+            Self::Hello => HELLO,
+            Self::Ping => PING,
+            Self::Reset(_) => RESET,
+        }
+    }
+
+    fn write(&self, sink: &mut impl Sink) {
+        match self {
+            Self::Hand(hand) => write_hand(hand, sink),
+            Self::Tracker(sample) => {
+                sink.f32s(&sample.position);
+                sink.f32s(&sample.orientation);
+                sink.byte(u8::from(sample.held));
+            }
+            Self::Parameters(p) => sink.f32s(&[
+                p.stiffness_translation,
+                p.stiffness_rotation,
+                p.friction_static,
+                p.friction_dynamic,
+            ]),
+            Self::Scene(scene) => scene.write(sink),
+            Self::Mode(mode) => mode.write(sink),
+            Self::Hello | Self::Ping => {}
+            Self::Reset(reset) => sink.code(&Reset::ALL, reset),
+        }
+    }
+
+    fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
+        match code {
+            HAND => read_hand(&mut fields).map(Self::Hand),
+            TRACKER => read_tracker(&mut fields).map(Self::Tracker),
+            PARAMETERS => read_parameters(&mut fields).map(Self::Parameters),
+            SCENE => SceneCommand::read(&mut fields).map(Self::Scene),
+            MODE => {
+                fields.exactly(Mode::BYTES)?;
+                Mode::read(&mut fields).map(Self::Mode)
+            }
+            HELLO => fields.exactly(0).map(|()| Self::Hello),
+            PING => fields.exactly(0).map(|()| Self::Ping),
+            RESET => {
+                fields.exactly(1)?;
+                fields.code(&Reset::ALL).map(Self::Reset)
+            }
+            _ => Err(FaultKind::UnknownType),
+        }
+    }
+}
+
+fn write_hand(hand: &Hand<f32>, sink: &mut impl Sink) {
+    sink.f32s(&hand.position);
+    sink.f32(hand.angle.rest);
+    sink.i32(hand.angle.turns);
+    sink.f32(hand.depth);
+    sink.byte(u8::from(hand.held));
+}
+
+fn read_hand(fields: &mut Fields<'_>) -> Result<Hand<f32>, FaultKind> {
+    fields.exactly(21)?;
+    let [x, y, rest] = fields.f32s();
+    let turns = fields.i32();
+    Ok(Hand {
+        position: [x, y],
+        angle: Angle { turns, rest },
+        depth: fields.f32(),
+        held: fields.flag()?,
+    })
+}
+
+fn read_tracker(fields: &mut Fields<'_>) -> Result<TrackerSample<f32>, FaultKind> {
+    fields.exactly(29)?;
+    Ok(TrackerSample {
+        position: fields.f32s(),
+        orientation: fields.f32s(),
+        held: fields.flag()?,
+    })
+}
+
+fn read_parameters(fields: &mut Fields<'_>) -> Result<Parameters, FaultKind> {
+    fields.exactly(16)?;
+    let [
+        stiffness_translation,
+        stiffness_rotation,
+        friction_static,
+        friction_dynamic,
+    ] = fields.f32s();
+    Ok(Parameters {
+        stiffness_translation,
+        stiffness_rotation,
+        friction_static,
+        friction_dynamic,
+    })
+}

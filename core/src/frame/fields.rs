@@ -1,0 +1,142 @@
+//! The fields of a payload, one after the other, little-endian (FRAME 3).
+
+use super::fault::FaultKind;
+
+/// Takes the fields of a payload. The length is asked for first; beyond the end every field would be 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Fields<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Fields<'a> {
+    pub(super) const fn new(bytes: &'a [u8]) -> Self {
+        Self { rest: bytes }
+    }
+    /// Exactly so many bytes are left.
+    pub(super) fn exactly(&self, bytes: usize) -> Result<(), FaultKind> {
+        require(self.rest.len() == bytes, FaultKind::Length)
+    }
+    /// At least so many bytes are left.
+    pub(super) fn at_least(&self, bytes: usize) -> Result<(), FaultKind> {
+        require(self.rest.len() >= bytes, FaultKind::Length)
+    }
+    pub(super) fn take<const N: usize>(&mut self) -> [u8; N] {
+        match self.rest.split_first_chunk() {
+            Some((field, rest)) => {
+                self.rest = rest;
+                *field
+            }
+            None => [0; N],
+        }
+    }
+    /// The next so many bytes, or what there is.
+    pub(super) fn bytes(&mut self, count: usize) -> &'a [u8] {
+        let (bytes, rest) = self
+            .rest
+            .split_at_checked(count)
+            .unwrap_or((self.rest, &[]));
+        self.rest = rest;
+        bytes
+    }
+    /// All that is left.
+    pub(super) fn remaining(&mut self) -> &'a [u8] {
+        self.bytes(self.rest.len())
+    }
+    pub(super) fn u8(&mut self) -> u8 {
+        let [value] = self.take();
+        value
+    }
+    pub(super) fn u16(&mut self) -> u16 {
+        u16::from_le_bytes(self.take())
+    }
+    pub(super) fn u32(&mut self) -> u32 {
+        u32::from_le_bytes(self.take())
+    }
+    pub(super) fn i32(&mut self) -> i32 {
+        i32::from_le_bytes(self.take())
+    }
+    /// The bits of an f32 as they are.
+    pub(super) fn f32(&mut self) -> f32 {
+        f32::from_le_bytes(self.take())
+    }
+    pub(super) fn f32s<const N: usize>(&mut self) -> [f32; N] {
+        core::array::from_fn(|_| self.f32())
+    }
+    /// 0 or 1.
+    pub(super) fn flag(&mut self) -> Result<bool, FaultKind> {
+        match self.u8() {
+            0 => Ok(false),
+            1 => Ok(true),
+            _ => Err(FaultKind::Value),
+        }
+    }
+    /// The entry of a table at the index that comes next.
+    pub(super) fn code<T: Copy>(&mut self, table: &[T]) -> Result<T, FaultKind> {
+        at(table, self.u8())
+    }
+}
+
+/// Where fields are put.
+pub trait Sink {
+    /// The next bytes as they are.
+    fn put(&mut self, bytes: &[u8]);
+    /// What is to be sent cannot be.
+    fn refuse(&mut self);
+
+    /// One byte.
+    fn byte(&mut self, byte: u8) {
+        self.put(&[byte]);
+    }
+    /// Two bytes, little-endian.
+    fn u16(&mut self, value: u16) {
+        self.put(&value.to_le_bytes());
+    }
+    /// Four bytes, little-endian.
+    fn u32(&mut self, value: u32) {
+        self.put(&value.to_le_bytes());
+    }
+    /// Four bytes, little-endian.
+    fn i32(&mut self, value: i32) {
+        self.put(&value.to_le_bytes());
+    }
+    /// The bits of a float as they are.
+    fn f32(&mut self, value: f32) {
+        self.put(&value.to_le_bytes());
+    }
+    /// Floats, one after the other.
+    fn f32s(&mut self, values: &[f32]) {
+        for &value in values {
+            self.f32(value);
+        }
+    }
+    /// The index of an entry of a table.
+    fn code<T: PartialEq>(&mut self, table: &[T], entry: &T) {
+        self.byte(index_of(table, entry));
+    }
+    /// A number of at most 255.
+    fn count(&mut self, count: usize) {
+        match u8::try_from(count) {
+            Ok(count) => self.byte(count),
+            Err(_) => self.refuse(),
+        }
+    }
+}
+
+/// Fails with a fault unless it `holds`.
+pub(super) const fn require(holds: bool, fault: FaultKind) -> Result<(), FaultKind> {
+    if holds { Ok(()) } else { Err(fault) }
+}
+
+/// The entry of a table at a code.
+pub(super) fn at<T: Copy>(table: &[T], code: u8) -> Result<T, FaultKind> {
+    table
+        .get(usize::from(code))
+        .copied()
+        .ok_or(FaultKind::Value)
+}
+
+/// The code of an entry of a table.
+pub(super) fn index_of<T: PartialEq>(table: &[T], entry: &T) -> u8 {
+    let index = table.iter().position(|one| one == entry);
+    index.and_then(|i| u8::try_from(i).ok()).unwrap_or(u8::MAX)
+}

@@ -1,0 +1,120 @@
+//! Forces and events of a step on the wire (FRAME 5.2, 5.3).
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink, at, index_of, require};
+use super::list::{Item, List};
+use crate::output::{Contact, Event, Wrench};
+
+/// The forces after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Forces<'a> {
+    /// Force (N) and moment (N·m, about the holding point) of the hand's springs on the body: the bits of the solver.
+    pub wrench: Wrench<f32>,
+    /// What the board gives to the hand (N, N·m), after its limits: the opposite of `wrench` where nothing limits it.
+    pub feedback: Wrench<f32>,
+    /// The whole turns of theta.
+    pub turns: i32,
+    /// The contacts, with their reactions (N).
+    pub contacts: List<'a, Contact<f32>>,
+}
+
+/// What happened in a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Events<'a> {
+    /// Slips that ended at mu_d N.
+    pub slips: u32,
+    /// The longest of them (m).
+    pub longest_slip: f32,
+    /// The events in order.
+    pub list: List<'a, Event>,
+}
+
+impl<'a> Forces<'a> {
+    const HEAD_BYTES: usize = 29;
+
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        for wrench in [self.wrench, self.feedback] {
+            sink.f32s(&wrench.force);
+            sink.f32(wrench.moment);
+        }
+        sink.i32(self.turns);
+        sink.count(self.contacts.len());
+        self.contacts.write(sink);
+    }
+
+    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        fields.at_least(Self::HEAD_BYTES)?;
+        let wrench = |fields: &mut Fields<'_>| Wrench {
+            force: fields.f32s(),
+            moment: fields.f32(),
+        };
+        let (on_body, feedback) = (wrench(fields), wrench(fields));
+        let (turns, count) = (fields.i32(), usize::from(fields.u8()));
+        fields.exactly(count.saturating_mul(Contact::<f32>::BYTES))?;
+        Ok(Self {
+            wrench: on_body,
+            feedback,
+            turns,
+            contacts: List::take(fields, count),
+        })
+    }
+}
+
+impl<'a> Events<'a> {
+    const HEAD_BYTES: usize = 9;
+
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        sink.u32(self.slips);
+        sink.f32(self.longest_slip);
+        sink.count(self.list.len());
+        self.list.write(sink);
+    }
+
+    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        fields.at_least(Self::HEAD_BYTES)?;
+        let (slips, longest_slip) = (fields.u32(), fields.f32());
+        let count = usize::from(fields.u8());
+        fields.exactly(count)?;
+        let known = |code: &u8| at(&Event::ALL, *code).is_ok();
+        let mut ahead = *fields;
+        require(ahead.remaining().iter().all(known), FaultKind::Value)?;
+        Ok(Self {
+            slips,
+            longest_slip,
+            list: List::take(fields, count),
+        })
+    }
+}
+
+impl Item for Contact<f32> {
+    const BYTES: usize = 18;
+    fn put(&self, sink: &mut impl Sink) {
+        sink.count(self.vertex);
+        sink.count(self.surface);
+        sink.f32s(&self.point);
+        sink.f32s(&[self.normal, self.friction]);
+    }
+    fn get(fields: &mut Fields<'_>) -> Self {
+        let [vertex, surface] = fields.take().map(usize::from);
+        let point = fields.f32s();
+        let [normal, friction] = fields.f32s();
+        Self {
+            vertex,
+            surface,
+            point,
+            normal,
+            friction,
+        }
+    }
+}
+
+impl Item for Event {
+    const BYTES: usize = 1;
+    fn put(&self, sink: &mut impl Sink) {
+        sink.byte(index_of(&Event::ALL, self));
+    }
+    /// The codes of a list are checked before it is made.
+    fn get(fields: &mut Fields<'_>) -> Self {
+        fields.code(&Event::ALL).unwrap_or(Self::Touch)
+    }
+}

@@ -1,0 +1,109 @@
+//! What a board is, on the wire (FRAME 5.5).
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink};
+use super::list::Text;
+use super::mode::Mode;
+
+/// The number type of a board's solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum NumberType {
+    /// `f32`
+    #[default]
+    F32,
+    /// [`Fixed`](crate::Fixed)
+    Fixed,
+}
+
+impl NumberType {
+    /// Both, in the order of their codes.
+    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
+
+    /// The name, as on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
+/// What a board is and how it works now.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Info<'a> {
+    /// Version of the firmware: major, minor, patch.
+    pub version: [u8; 3],
+    /// The number type of its solver.
+    pub number: NumberType,
+    /// Room for so many vertices.
+    pub vertices: u8,
+    /// Room for so many surfaces.
+    pub surfaces: u8,
+    /// Its solver has friction.
+    pub friction: bool,
+    /// Its solver has weight.
+    pub weight: bool,
+    /// It gives forces to the hand.
+    pub actuators: bool,
+    /// It takes frames of at most so many bytes before COBS.
+    pub longest_frame: u16,
+    /// The most ticks per second (Hz).
+    pub fastest_tick: u16,
+    /// The greatest k_h (N/m) and k_theta (N·m/rad) for which its haptic device is passive at its tick rate; infinite
+    /// without actuators.
+    pub stiffest: [f32; 2],
+    /// k_h (N/m) and k_theta (N·m/rad) now.
+    pub stiffness: [f32; 2],
+    /// mu_s and mu_d of the first surface now; 0 without one.
+    pub friction_now: [f32; 2],
+    /// How it works now.
+    pub mode: Mode,
+    /// Name of the board.
+    pub name: Text<'a>,
+}
+
+impl<'a> Info<'a> {
+    const HEAD_BYTES: usize = 35 + Mode::BYTES;
+
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        sink.put(&self.version);
+        sink.code(&NumberType::ALL, &self.number);
+        sink.put(&[self.vertices, self.surfaces]);
+        let has = [self.friction, self.weight, self.actuators];
+        let [friction, weight, actuators] = has.map(u8::from);
+        sink.byte(friction | (weight << 1) | (actuators << 2));
+        sink.u16(self.longest_frame);
+        sink.u16(self.fastest_tick);
+        for pair in [self.stiffest, self.stiffness, self.friction_now] {
+            sink.f32s(&pair);
+        }
+        self.mode.write(sink);
+        self.name.write(sink);
+    }
+
+    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        fields.at_least(Self::HEAD_BYTES)?;
+        let version = fields.take();
+        let number = fields.code(&NumberType::ALL)?;
+        let [vertices, surfaces, has] = fields.take();
+        if has > 7 {
+            return Err(FaultKind::Value);
+        }
+        Ok(Self {
+            version,
+            number,
+            vertices,
+            surfaces,
+            friction: has & 1 != 0,
+            weight: has & 2 != 0,
+            actuators: has & 4 != 0,
+            longest_frame: fields.u16(),
+            fastest_tick: fields.u16(),
+            stiffest: fields.f32s(),
+            stiffness: fields.f32s(),
+            friction_now: fields.f32s(),
+            mode: Mode::read(fields)?,
+            name: Text::read(fields.remaining()).ok_or(FaultKind::Value)?,
+        })
+    }
+}

@@ -1,0 +1,163 @@
+//! Lists within a payload: on one side the sender's items, on the other the bytes as they came, nothing copied.
+
+use super::fields::{Fields, Sink};
+use core::fmt;
+
+/// An item of a list: a fixed number of bytes.
+pub trait Item: Copy {
+    /// So many bytes.
+    const BYTES: usize;
+    /// To bytes.
+    fn put(&self, sink: &mut impl Sink);
+    /// From bytes.
+    fn get(fields: &mut Fields<'_>) -> Self;
+}
+
+/// A list in a message. One that was received points into the receiver's buffer.
+///
+/// ```
+/// use stiction_core::frame::List;
+///
+/// let vertices = List::from(&[[0.0, 0.0], [1.0, 0.0]]);
+/// assert_eq!(vertices.len(), 2);
+/// assert_eq!(vertices.iter().last(), Some([1.0, 0.0]));
+/// ```
+#[derive(Clone, Copy)]
+pub struct List<'a, T> {
+    items: Items<'a, T>,
+}
+
+#[derive(Clone, Copy)]
+enum Items<'a, T> {
+    Given(&'a [T]),
+    Received { bytes: &'a [u8], count: usize },
+}
+
+impl<'a, T: Item> List<'a, T> {
+    /// The next `count` items of a payload, which has them.
+    pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Self {
+        let bytes = fields.bytes(count.saturating_mul(T::BYTES));
+        Self {
+            items: Items::Received { bytes, count },
+        }
+    }
+    /// How many items.
+    pub const fn len(&self) -> usize {
+        match self.items {
+            Items::Given(items) => items.len(),
+            Items::Received { count, .. } => count,
+        }
+    }
+    /// No items.
+    pub const fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+    /// The item of an index.
+    pub fn get(&self, index: usize) -> Option<T> {
+        match self.items {
+            Items::Given(items) => items.get(index).copied(),
+            Items::Received { bytes, .. } => {
+                let rest = bytes.get(index.saturating_mul(T::BYTES)..)?;
+                let one = rest.get(..T::BYTES)?;
+                Some(T::get(&mut Fields::new(one)))
+            }
+        }
+    }
+    /// The items in order.
+    pub fn iter(&self) -> impl Iterator<Item = T> + use<'a, T> {
+        let list = *self;
+        (0..list.len()).filter_map(move |i| list.get(i))
+    }
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        for item in self.iter() {
+            item.put(sink);
+        }
+    }
+}
+
+impl<'a, T> From<&'a [T]> for List<'a, T> {
+    fn from(items: &'a [T]) -> Self {
+        Self {
+            items: Items::Given(items),
+        }
+    }
+}
+
+impl<'a, T, const N: usize> From<&'a [T; N]> for List<'a, T> {
+    fn from(items: &'a [T; N]) -> Self {
+        Self::from(items.as_slice())
+    }
+}
+
+impl<T: Item + PartialEq> PartialEq for List<'_, T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.iter().eq(other.iter())
+    }
+}
+
+impl<T: Item + fmt::Debug> fmt::Debug for List<'_, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}
+
+/// The characters of a text.
+const PRINTABLE: core::ops::RangeInclusive<u8> = b' '..=b'~';
+
+/// Printable ASCII text at the end of a message.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+pub struct Text<'a> {
+    bytes: &'a [u8],
+}
+
+impl<'a> Text<'a> {
+    /// A text is cut to so many characters when it is sent.
+    pub const LONGEST: usize = 200;
+
+    /// A text; what is not printable ASCII is sent as `?`.
+    pub const fn new(text: &'a str) -> Self {
+        Self {
+            bytes: text.as_bytes(),
+        }
+    }
+    /// `None` where there are other characters than printable ASCII.
+    pub(super) fn read(bytes: &'a [u8]) -> Option<Self> {
+        let valid = bytes.iter().all(|byte| PRINTABLE.contains(byte));
+        valid.then_some(Self { bytes })
+    }
+    fn characters(&self) -> impl Iterator<Item = u8> + use<'a> {
+        let printable = |byte: &u8| {
+            if PRINTABLE.contains(byte) {
+                *byte
+            } else {
+                b'?'
+            }
+        };
+        self.bytes.iter().take(Self::LONGEST).map(printable)
+    }
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        for byte in self.characters() {
+            sink.byte(byte);
+        }
+    }
+}
+
+impl PartialEq<&str> for Text<'_> {
+    fn eq(&self, other: &&str) -> bool {
+        self.bytes == other.as_bytes()
+    }
+}
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use fmt::Write;
+        self.characters()
+            .try_for_each(|c| f.write_char(char::from(c)))
+    }
+}
+
+impl fmt::Debug for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\"{self}\"")
+    }
+}

@@ -1,0 +1,19 @@
+//! What both directions have in common: a message has a type and a payload.
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink};
+
+/// A message of one direction: [`Command`](super::Command), to the board, or [`Report`](super::Report), from it.
+pub trait Message<'a>: Wire<'a> {}
+
+impl<'a, T: Wire<'a>> Message<'a> for T {}
+
+/// To and from the bytes of a payload.
+pub trait Wire<'a>: Sized {
+    /// The type byte.
+    fn code(&self) -> u8;
+    /// The payload.
+    fn write(&self, sink: &mut impl Sink);
+    /// From type and payload.
+    fn read(code: u8, fields: Fields<'a>) -> Result<Self, FaultKind>;
+}

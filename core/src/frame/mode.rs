@@ -1,0 +1,127 @@
+//! How a board works: evolution, ticks, plane of the tracker, and what it sends (FRAME 4.5).
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink, require};
+use crate::hand::Axis;
+use crate::solver::Evolution;
+
+/// When a board makes a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Stepping {
+    /// With every tick of its clock, with the newest sample.
+    #[default]
+    Timed,
+    /// With every sample, once: every sample is stepped, as in a file.
+    PerSample,
+}
+
+impl Stepping {
+    /// Both, in the order of their codes.
+    pub const ALL: [Self; 2] = [Self::Timed, Self::PerSample];
+
+    /// The name in a log.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Timed => "timed",
+            Self::PerSample => "per-sample",
+        }
+    }
+}
+
+/// How a board works. The default is path evolution, exact, at 1 kHz in the x-y plane, with every pose and its events.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// The evolution within a frame of the hand.
+    pub evolution: Evolution,
+    /// When it makes a step.
+    pub stepping: Stepping,
+    /// The tracker's axes that become x and y of the scene; two different ones of 0, 1, 2.
+    pub plane: [Axis; 2],
+    /// [`Report::Events`](super::Report::Events) is sent when something happened.
+    pub events: bool,
+    /// Ticks per second (Hz).
+    pub tick_rate: u16,
+    /// A pose every so many steps; 0: none.
+    pub pose_every: u16,
+    /// Forces every so many steps; 0: none.
+    pub forces_every: u16,
+    /// Health every so many milliseconds; 0: never.
+    pub health_every: u16,
+    /// The tolerance of the solver (rad), see [`Solver::with_tolerance`](crate::Solver::with_tolerance); 0: exact.
+    pub tolerance: f32,
+}
+
+const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
+
+/// +x, +y, +z, nothing, -x, -y, -z: bit 2 is the sign.
+const NEGATIVE: u8 = 4;
+
+impl Default for Mode {
+    fn default() -> Self {
+        let axis = |index| Axis {
+            index,
+            negative: false,
+        };
+        Self {
+            evolution: Evolution::Path,
+            stepping: Stepping::Timed,
+            plane: [axis(0), axis(1)],
+            events: true,
+            tick_rate: 1000,
+            pose_every: 1,
+            forces_every: 0,
+            health_every: 1000,
+            tolerance: 0.0,
+        }
+    }
+}
+
+impl Mode {
+    pub(super) const BYTES: usize = 17;
+
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        sink.code(&EVOLUTIONS, &self.evolution);
+        sink.code(&Stepping::ALL, &self.stepping);
+        for axis in self.plane {
+            let sign = if axis.negative { NEGATIVE } else { 0 };
+            match u8::try_from(axis.index) {
+                Ok(index @ 0..=2) => sink.byte(index | sign),
+                _ => sink.refuse(),
+            }
+        }
+        sink.byte(u8::from(self.events));
+        sink.u16(self.tick_rate);
+        sink.u16(self.pose_every);
+        sink.u16(self.forces_every);
+        sink.u16(self.health_every);
+        sink.f32(self.tolerance);
+    }
+
+    pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+        let evolution = fields.code(&EVOLUTIONS)?;
+        let stepping = fields.code(&Stepping::ALL)?;
+        let plane = [axis(fields.u8())?, axis(fields.u8())?];
+        let [first, second] = plane;
+        require(first.index != second.index, FaultKind::Value)?;
+        Ok(Self {
+            evolution,
+            stepping,
+            plane,
+            events: fields.flag()?,
+            tick_rate: fields.u16(),
+            pose_every: fields.u16(),
+            forces_every: fields.u16(),
+            health_every: fields.u16(),
+            tolerance: fields.f32(),
+        })
+    }
+}
+
+fn axis(code: u8) -> Result<Axis, FaultKind> {
+    let index = code & !NEGATIVE;
+    require(index < 3, FaultKind::Value)?;
+    Ok(Axis {
+        index: usize::from(index),
+        negative: code & NEGATIVE != 0,
+    })
+}

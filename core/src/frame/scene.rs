@@ -1,0 +1,185 @@
+//! A scene on the wire (FRAME 4.4): one frame, as large as the capacities of the board ask for.
+
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink};
+use super::list::{Item, List};
+use crate::scene::{Description, Parameter, SceneError, SurfaceDescription};
+
+/// Bytes before the vertices.
+const HEAD_BYTES: usize = 39;
+
+/// The payload of a scene of so many vertices and surfaces, in bytes.
+pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
+    let vertices = vertices.saturating_mul(<[f32; 2] as Item>::BYTES);
+    let surfaces = surfaces.saturating_mul(<SurfaceDescription<f32> as Item>::BYTES);
+    vertices.saturating_add(surfaces).saturating_add(HEAD_BYTES)
+}
+
+/// A scene in SI units; the fields are those of [`Description`].
+///
+/// ```
+/// use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::frame::SceneCommand;
+///
+/// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3 };
+/// let described = Description {
+///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
+///     start: [0.0, 0.03, 0.0],
+///     weight: 0.0,
+///     holding_point: None,
+///     reach: 0.01,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[floor],
+/// };
+/// let sent = SceneCommand::from(&described);
+///
+/// // On the board, with room for 4 vertices and 2 surfaces:
+/// let (mut vertices, mut surfaces) = ([[0.0; 2]; 4], [floor; 2]);
+/// let received = sent.description(&mut vertices, &mut surfaces)?;
+/// let scene: Scene<f32, 4, 2> = Scene::new(&received)?;
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneCommand<'a> {
+    /// Vertices (m), body frame, counter-clockwise; at most 255.
+    pub vertices: List<'a, [f32; 2]>,
+    /// Start pose: x, y (m), theta (rad).
+    pub start: [f32; 3],
+    /// Weight (N).
+    pub weight: f32,
+    /// The initial holding point (m), body frame.
+    pub holding_point: Option<[f32; 2]>,
+    /// How far outside the polygon a hand may be and still take hold (m).
+    pub reach: f32,
+    /// k_h (N/m)
+    pub stiffness_translation: f32,
+    /// k_theta (N·m/rad)
+    pub stiffness_rotation: f32,
+    /// The surfaces; at most 255.
+    pub surfaces: List<'a, SurfaceDescription<f32>>,
+}
+
+impl<'a> From<&Description<'a, f32>> for SceneCommand<'a> {
+    fn from(d: &Description<'a, f32>) -> Self {
+        Self {
+            vertices: List::from(d.vertices),
+            start: d.start,
+            weight: d.weight,
+            holding_point: d.holding_point,
+            reach: d.reach,
+            stiffness_translation: d.stiffness_translation,
+            stiffness_rotation: d.stiffness_rotation,
+            surfaces: List::from(d.surfaces),
+        }
+    }
+}
+
+impl<'a> SceneCommand<'a> {
+    /// As a description, its lists copied into the places given. Its numbers are not checked: that is the work of
+    /// [`Scene::new`](crate::Scene::new).
+    ///
+    /// # Errors
+    /// More vertices or surfaces than there are places for.
+    pub fn description<'b>(
+        &self,
+        vertices: &'b mut [[f32; 2]],
+        surfaces: &'b mut [SurfaceDescription<f32>],
+    ) -> Result<Description<'b, f32>, SceneError<f32>> {
+        Ok(Description {
+            vertices: copied(&self.vertices, vertices, Parameter::VertexCount)?,
+            start: self.start,
+            weight: self.weight,
+            holding_point: self.holding_point,
+            reach: self.reach,
+            stiffness_translation: self.stiffness_translation,
+            stiffness_rotation: self.stiffness_rotation,
+            surfaces: copied(&self.surfaces, surfaces, Parameter::SurfaceCount)?,
+        })
+    }
+
+    pub(super) fn write(&self, sink: &mut impl Sink) {
+        sink.count(self.vertices.len());
+        sink.count(self.surfaces.len());
+        sink.byte(u8::from(self.holding_point.is_some()));
+        sink.f32s(&self.start);
+        sink.f32(self.weight);
+        sink.f32s(&self.holding_point.unwrap_or_default());
+        sink.f32s(&[
+            self.reach,
+            self.stiffness_translation,
+            self.stiffness_rotation,
+        ]);
+        self.vertices.write(sink);
+        self.surfaces.write(sink);
+    }
+
+    pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        fields.at_least(HEAD_BYTES)?;
+        let whole = *fields;
+        let [vertices, surfaces] = fields.take().map(usize::from);
+        whole.exactly(scene_bytes(vertices, surfaces))?;
+        let given = fields.flag()?;
+        let (start, weight) = (fields.f32s(), fields.f32());
+        let holding_point = fields.f32s();
+        let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
+        Ok(Self {
+            vertices: List::take(fields, vertices),
+            start,
+            weight,
+            holding_point: given.then_some(holding_point),
+            reach,
+            stiffness_translation,
+            stiffness_rotation,
+            surfaces: List::take(fields, surfaces),
+        })
+    }
+}
+
+/// The items of a list, copied.
+fn copied<'b, T: Item>(
+    list: &List<'_, T>,
+    places: &'b mut [T],
+    parameter: Parameter,
+) -> Result<&'b [T], SceneError<f32>> {
+    let count = list.len();
+    let Some(places) = places.get_mut(..count) else {
+        return Err(SceneError {
+            parameter,
+            value: u16::try_from(count).map_or(f32::INFINITY, f32::from),
+            allowed: "at most the capacity of the board",
+        });
+    };
+    for (place, item) in places.iter_mut().zip(list.iter()) {
+        *place = item;
+    }
+    Ok(places)
+}
+
+impl Item for [f32; 2] {
+    const BYTES: usize = 8;
+    fn put(&self, sink: &mut impl Sink) {
+        sink.f32s(self);
+    }
+    fn get(fields: &mut Fields<'_>) -> Self {
+        fields.f32s()
+    }
+}
+
+impl Item for SurfaceDescription<f32> {
+    const BYTES: usize = 20;
+    fn put(&self, sink: &mut impl Sink) {
+        sink.f32s(&self.normal);
+        sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
+    }
+    fn get(fields: &mut Fields<'_>) -> Self {
+        let normal = fields.f32s();
+        let [offset, friction_static, friction_dynamic] = fields.f32s();
+        Self {
+            normal,
+            offset,
+            friction_static,
+            friction_dynamic,
+        }
+    }
+}

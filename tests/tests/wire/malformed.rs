@@ -1,0 +1,289 @@
+//! What is no message is told by its kind, and changes nothing.
+
+use crate::random::{Random, Store};
+use crate::{Either, decoded, encoded, sealed};
+use stiction_core::frame::{
+    Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report,
+    frame_bytes,
+};
+
+fn fault(bytes: &[u8], to_board: bool) -> Option<Fault> {
+    decoded(&sealed(bytes), to_board, |received| received.err())
+}
+
+/// Head and payload of a message.
+fn bare(frame: &Either<'_>) -> (Vec<u8>, bool) {
+    let (wire, to_board) = match frame {
+        Either::Command(frame) => (encoded(frame), true),
+        Either::Report(frame) => (encoded(frame), false),
+    };
+    let mut raw = wire[..wire.len() - 1].to_vec();
+    let length = cobs::decode_in_place(&mut raw).expect("COBS");
+    raw.truncate(length - 4);
+    (raw, to_board)
+}
+
+/// A text may have any length.
+fn ends_with_text(frame: &Either<'_>) -> bool {
+    matches!(
+        frame,
+        Either::Report(Frame {
+            message: Report::Reply(_) | Report::Info(_),
+            ..
+        })
+    )
+}
+
+#[test]
+fn truncated_and_extended_payloads_have_the_wrong_length() {
+    let mut random = Random(6);
+    for _ in 0..600 {
+        let store = Store::fill(&mut random, 3);
+        let frame = store.frame(&mut random);
+        let (bytes, to_board) = bare(&frame);
+        let reference = Some(Reference {
+            code: bytes[1],
+            sequence: bytes[2],
+        });
+        for end in 3..bytes.len() {
+            let fault = fault(&bytes[..end], to_board);
+            let text = ends_with_text(&frame) && end >= 21;
+            if text && fault.is_none() {
+                continue;
+            }
+            assert_eq!(
+                fault,
+                Some(Fault {
+                    kind: FaultKind::Length,
+                    frame: reference
+                }),
+                "{end} of {bytes:?}"
+            );
+        }
+        for end in 0..3 {
+            assert_eq!(
+                fault(&bytes[..end], to_board),
+                Some(Fault {
+                    kind: FaultKind::Length,
+                    frame: None
+                })
+            );
+        }
+        for more in 1..=20 {
+            let longer = [bytes.clone(), vec![b'x'; more]].concat();
+            let fault = fault(&longer, to_board);
+            let expected = (!ends_with_text(&frame)).then_some(FaultKind::Length);
+            assert_eq!(fault.map(|f| f.kind), expected);
+        }
+    }
+}
+
+#[test]
+fn unknown_types_and_other_versions_are_told() {
+    let reports = [0x80..=0x85, 0x90..=0x95];
+    for code in 0..=255_u8 {
+        let is_command = (1..=8).contains(&code);
+        let is_report = reports.iter().any(|range| range.contains(&code));
+        for (to_board, known) in [(true, is_command), (false, is_report)] {
+            let kind = fault(&[1, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
+            if known {
+                assert!(matches!(kind, None | Some(FaultKind::Length)), "{code:#x}");
+            } else {
+                assert_eq!(kind, Some(FaultKind::UnknownType), "{code:#x}");
+            }
+        }
+    }
+    for version in (0..=255).filter(|v| *v != 1) {
+        let frame = Some(Reference {
+            code: 7,
+            sequence: 5,
+        });
+        let told = Some(Fault {
+            kind: FaultKind::Version,
+            frame,
+        });
+        assert_eq!(fault(&[version, 7, 5, 0, 0, 0, 0], true), told);
+        assert_eq!(
+            fault(&[version, 7, 5], true),
+            told,
+            "whatever else is in its head"
+        );
+    }
+}
+
+#[test]
+fn codes_without_a_meaning_are_told() {
+    let head = |code: u8| vec![1, code, 0, 0, 0, 0, 0];
+    let with = |code: u8, payload: &[u8]| [head(code), payload.to_vec()].concat();
+    let set = |mut payload: Vec<u8>, at: usize, byte: u8| {
+        payload[at] = byte;
+        payload
+    };
+    let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    let info = [vec![0; 35], mode.clone(), b"name".to_vec()].concat();
+    let cases = [
+        (true, with(0x01, &set(vec![0; 21], 20, 2)), "held"),
+        (true, with(0x02, &set(vec![0; 29], 28, 255)), "held"),
+        (true, with(0x04, &set(vec![0; 39], 2, 2)), "has_point"),
+        (true, with(0x05, &set(mode.clone(), 0, 2)), "evolution"),
+        (true, with(0x05, &set(mode.clone(), 1, 2)), "stepping"),
+        (true, with(0x05, &set(mode.clone(), 2, 3)), "axis_x"),
+        (true, with(0x05, &set(mode.clone(), 2, 8)), "axis_x"),
+        (true, with(0x05, &set(mode.clone(), 3, 4)), "the same axis"),
+        (true, with(0x05, &set(mode.clone(), 4, 2)), "events"),
+        (true, with(0x08, &[2]), "what"),
+        (false, with(0x80, &set(vec![0; 19], 16, 6)), "status"),
+        (
+            false,
+            with(0x91, &[0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 9]),
+            "event",
+        ),
+        (false, with(0x92, &set(vec![0; 14], 2, 9)), "reason"),
+        (false, with(0x92, &set(vec![0; 14], 3, 15)), "subject"),
+        (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
+        (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
+        (false, with(0x93, &set(info.clone(), 6, 8)), "has"),
+        (false, with(0x93, &set(info.clone(), 35, 2)), "mode"),
+        (false, with(0x93, &set(info, 52, 0x7f)), "name"),
+        (false, with(0x94, &set(vec![0; 61], 0, 3)), "drive"),
+    ];
+    for (to_board, bytes, field) in cases {
+        assert_eq!(
+            fault(&bytes, to_board).map(|f| f.kind),
+            Some(FaultKind::Value),
+            "{field}"
+        );
+    }
+}
+
+#[test]
+fn only_a_frame_that_came_undamaged_is_answered() {
+    let frame = Some(Reference {
+        code: 3,
+        sequence: 9,
+    });
+    let answered = [
+        (FaultKind::Version, Reason::Version),
+        (FaultKind::UnknownType, Reason::UnknownType),
+        (FaultKind::Length, Reason::Length),
+        (FaultKind::Value, Reason::Code),
+    ];
+    for kind in FaultKind::ALL {
+        let reply = Reply::to_fault(&Fault { kind, frame });
+        let expected = answered
+            .iter()
+            .find(|(k, _)| *k == kind)
+            .map(|(_, reason)| *reason);
+        assert_eq!(reply.map(|r| r.reason), expected);
+        assert!(Reply::to_fault(&Fault { kind, frame: None }).is_none());
+    }
+}
+
+#[test]
+fn frame_for_which_there_is_no_room_is_told_and_the_next_one_found() {
+    let ping = encoded(&Frame {
+        sequence: 1,
+        time: 2,
+        message: Command::Ping,
+    });
+    let mut board = Decoder::<{ frame_bytes(0) }>::new();
+    let noise = [[0xff; 1000].as_slice(), &[0]].concat();
+    let mut pings = 0;
+    for &byte in noise
+        .iter()
+        .chain(&ping)
+        .chain(&noise)
+        .chain(&ping)
+        .chain(&[0, 0, 0])
+    {
+        if let Some(received) = board.push::<Command>(byte) {
+            pings += usize::from(received.is_ok());
+        }
+    }
+    assert_eq!(pings, 2);
+    assert_eq!(
+        (
+            board.faults().of(FaultKind::TooLong),
+            board.faults().total()
+        ),
+        (2, 2)
+    );
+    // The longest frame that fits, and one byte more.
+    for (n, kind) in [
+        (frame_bytes(0) - 4, None),
+        (frame_bytes(0) - 3, Some(FaultKind::TooLong)),
+    ] {
+        let bytes = [&[1, 7, 0, 0, 0, 0, 0], vec![1; n - 7].as_slice()].concat();
+        let mut board = Decoder::<{ frame_bytes(0) }>::new();
+        let end = sealed(&bytes)
+            .iter()
+            .filter_map(|&b| board.push::<Command>(b).map(|r| r.err()))
+            .last();
+        assert_eq!(end.flatten().map(|f| f.kind), kind);
+    }
+}
+
+#[test]
+fn faults_are_counted_apart_and_stay_at_their_greatest() {
+    let mut faults = Faults::new();
+    for (i, kind) in FaultKind::ALL.into_iter().enumerate() {
+        (0..=i).for_each(|_| faults.count(kind));
+    }
+    for (i, kind) in FaultKind::ALL.into_iter().enumerate() {
+        assert_eq!(faults.of(kind) as usize, i + 1);
+    }
+    assert_eq!(faults.total(), 28);
+}
+
+#[test]
+fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
+    let mut random = Random(15);
+    let (mut messages, mut faults) = (0, Faults::new());
+    for i in 0..200_000_u32 {
+        let code = if i % 2 == 0 {
+            1 + random.byte() % 8
+        } else {
+            0x80 + random.byte() % 0x16
+        };
+        // Mostly small bytes, so that counts and codes have a meaning often enough.
+        let length = [0, 1, 5, 16, 17, 19, 21, 29, 61, 67, random.below(80)][random.below(11)];
+        let byte = |random: &mut Random| {
+            if random.below(4) == 0 {
+                random.byte()
+            } else {
+                random.byte() % 3
+            }
+        };
+        let payload: Vec<u8> = (0..length).map(|_| byte(&mut random)).collect();
+        let bytes = [&[1, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
+        let wire = sealed(&bytes);
+        decoded(&wire, code < 0x80, |received| match received {
+            Err(fault) => faults.count(fault.kind),
+            Ok(frame) => {
+                messages += 1;
+                let (again, _) = bare(&frame);
+                // What has no meaning is ignored, and sent on as 0.
+                let ignored = match &frame {
+                    Either::Command(Frame {
+                        message: Command::Scene(s),
+                        ..
+                    }) => s.holding_point.is_none(),
+                    Either::Report(Frame {
+                        message: Report::Reply(_),
+                        ..
+                    }) => bytes[11..13] != [0, 0],
+                    _ => false,
+                };
+                assert!(again == bytes || ignored, "{bytes:?}");
+            }
+        });
+    }
+    println!("{messages} messages, {faults:?}");
+    assert!(messages > 5000);
+    let kinds = [FaultKind::UnknownType, FaultKind::Length, FaultKind::Value];
+    assert!(kinds.iter().all(|kind| faults.of(*kind) > 1000));
+    assert_eq!(
+        kinds.iter().map(|kind| faults.of(*kind)).sum::<u32>(),
+        faults.total()
+    );
+}

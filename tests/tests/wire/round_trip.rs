@@ -1,0 +1,218 @@
+//! Every message arrives as it was sent, bit for bit, and takes as many bytes as FRAME.md says.
+
+use crate::random::{Random, Store};
+use crate::said::Said;
+use crate::{Either, decoded, encoded};
+use stiction_core::frame::{
+    Command, EventSet, Frame, List, Pose, Report, SceneCommand, scene_bytes, wire_bytes,
+};
+use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
+
+#[test]
+fn random_messages_arrive_as_they_were_sent() {
+    let mut random = Random(1);
+    for i in 0..20_000 {
+        let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
+        let sent = store.frame(&mut random);
+        let (wire, to_board) = match &sent {
+            Either::Command(frame) => (encoded(frame), true),
+            Either::Report(frame) => (encoded(frame), false),
+        };
+        assert_eq!(
+            wire.iter().position(|b| *b == 0),
+            Some(wire.len() - 1),
+            "only the delimiter is 0"
+        );
+        decoded(&wire, to_board, |received| {
+            let received = received.expect("an undamaged frame");
+            assert_eq!(Said::of(&received), Said::of(&sent));
+            let again = match &received {
+                Either::Command(frame) => encoded(frame),
+                Either::Report(frame) => encoded(frame),
+            };
+            assert_eq!(again, wire, "a received message can be sent on");
+        });
+    }
+}
+
+#[test]
+fn pose_takes_32_bytes_whatever_it_says() {
+    let mut random = Random(2);
+    for _ in 0..10_000 {
+        let message = Report::Pose(crate::random::pose(&mut random));
+        let frame = Frame {
+            sequence: random.byte(),
+            time: random.bits() as u32,
+            message,
+        };
+        assert_eq!(encoded(&frame).len(), 32);
+    }
+}
+
+#[test]
+fn hand_takes_34_bytes_and_a_tracker_sample_42() {
+    assert_eq!(
+        encoded(&to_board(Command::Hand(Hand::new(0.1, 0.2, 0.3)))).len(),
+        34
+    );
+    assert_eq!(wire_bytes(29), 42);
+}
+
+#[test]
+fn frame_that_does_not_fit_is_not_written() {
+    let frame = to_board(Command::Hand(Hand::new(0.1, 0.2, 0.3)));
+    for room in 0..34 {
+        assert!(frame.encode(&mut vec![0; room]).is_none(), "{room} bytes");
+    }
+    assert!(frame.encode(&mut [0; 34]).is_some());
+    let many = vec![[0.0; 2]; 256];
+    let scene = SceneCommand {
+        vertices: List::from(many.as_slice()),
+        ..scene(&[])
+    };
+    assert!(
+        to_board(Command::Scene(scene))
+            .encode(&mut [0; 9000])
+            .is_none(),
+        "256 vertices"
+    );
+}
+
+#[test]
+fn length_on_the_wire_has_its_bound() {
+    let vertices: Vec<[f32; 2]> = (0..255)
+        .map(|i| [f32::from_bits(0x0101_0101 + i); 2])
+        .collect();
+    for n in 0..=255 {
+        let scene = SceneCommand {
+            vertices: List::from(&vertices[..n]),
+            ..scene(&[])
+        };
+        let wire = encoded(&to_board(Command::Scene(scene)));
+        assert!(
+            wire.len() <= wire_bytes(scene_bytes(n, 0)),
+            "{n} vertices: {}",
+            wire.len()
+        );
+    }
+    // A payload without a 0 byte needs all of it; FRAME 2.
+    for n in 0..2000 {
+        let longest = wire_bytes(n);
+        assert_eq!(longest, n + 13 + (n + 11) / 254);
+        let wire = crate::sealed(&vec![1; n + 7]);
+        assert!(
+            wire.len() <= longest && wire.len() + 2 > longest,
+            "{n}: {} of {longest}",
+            wire.len()
+        );
+    }
+}
+
+#[test]
+fn scene_of_64_vertices_goes_through_in_one_frame() {
+    let corner = |i: i32| {
+        let angle = std::f32::consts::TAU * i as f32 / 64.0;
+        [0.05 * angle.cos(), 0.05 * angle.sin()]
+    };
+    let vertices: Vec<_> = (0..64).map(corner).collect();
+    let wall = SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: -0.1,
+        friction_static: 0.5,
+        friction_dynamic: 0.3,
+    };
+    let surfaces = [wall; 16];
+    let described = Description {
+        vertices: &vertices,
+        start: [0.0; 3],
+        weight: 0.0,
+        holding_point: Some([0.0, 0.02]),
+        reach: 0.0,
+        stiffness_translation: 500.0,
+        stiffness_rotation: 0.5,
+        surfaces: &surfaces,
+    };
+    let wire = encoded(&to_board(Command::Scene(SceneCommand::from(&described))));
+    assert!(wire.len() <= wire_bytes(scene_bytes(64, 16)));
+    decoded(&wire, true, |received| {
+        let Ok(Either::Command(Frame {
+            message: Command::Scene(scene),
+            ..
+        })) = received
+        else {
+            panic!("no scene");
+        };
+        let (mut v, mut s) = ([[0.0; 2]; 64], [wall; 16]);
+        let there = scene.description(&mut v, &mut s).expect("it fits");
+        assert_eq!(there, described);
+        Scene::<f32, 64, 16>::new(&there).expect("a scene");
+        let error = scene
+            .description(&mut v[..63], &mut s)
+            .expect_err("one too many");
+        assert_eq!(error.value, 64.0);
+        let error = scene
+            .description(&mut v, &mut s[..1])
+            .expect_err("15 too many");
+        assert_eq!(error.value, 16.0);
+    });
+}
+
+#[test]
+fn turns_are_followed_from_pose_to_pose() {
+    let mut random = Random(3);
+    let (mut turns, mut known) = (
+        0_i32,
+        Angle {
+            turns: 0,
+            rest: 0.0,
+        },
+    );
+    for _ in 0..100_000 {
+        turns += random.below(8) as i32 - 4;
+        let pose = Pose {
+            turns: turns.rem_euclid(8) as u8,
+            rest: 1.5,
+            ..Pose::default()
+        };
+        known = pose.angle(known);
+        assert_eq!(known, Angle { turns, rest: 1.5 });
+    }
+}
+
+#[test]
+fn grasp_and_release_are_told_by_the_hold() {
+    for (event, other, held) in [
+        (Event::Grasp, Event::Release, true),
+        (Event::Release, Event::Grasp, false),
+    ] {
+        let pose = Pose {
+            held,
+            events: EventSet::of(&[Event::Touch, event]),
+            ..Pose::default()
+        };
+        assert!(
+            pose.saw(event) && pose.saw(Event::Touch) && !pose.saw(other) && !pose.saw(Event::Slip)
+        );
+    }
+}
+
+fn to_board(message: Command<'_>) -> Frame<Command<'_>> {
+    Frame {
+        sequence: 0,
+        time: 0,
+        message,
+    }
+}
+
+fn scene(vertices: &[[f32; 2]]) -> SceneCommand<'_> {
+    SceneCommand {
+        vertices: List::from(vertices),
+        start: [1.1; 3],
+        weight: 1.1,
+        holding_point: Some([1.1; 2]),
+        reach: 1.1,
+        stiffness_translation: 1.1,
+        stiffness_rotation: 1.1,
+        surfaces: List::from(&[]),
+    }
+}
