@@ -1,0 +1,117 @@
+//! From the wrench that the statics wants to one that the device may give: force and moment limited in size, the direction
+//! of the force kept, and in their change from tick to tick.
+
+use super::limits::Limits;
+use stiction_core::{Real, Wrench};
+
+/// A limit is kept to so much below it, for the rounding of what is computed with it.
+const MARGIN: f32 = 1.0 - 4.0 * f32::EPSILON;
+
+/// A limit of force or moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Limit {
+    /// The largest size (N, N·m).
+    size: f32,
+    /// The largest change in one tick.
+    step: f32,
+}
+
+/// The wrench of a tick, and what limited it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Given {
+    /// What goes to the hand.
+    pub wrench: Wrench<f32>,
+    /// What was wanted is larger than allowed.
+    pub size_limited: bool,
+    /// What was wanted, within its size, is not yet reached.
+    pub rate_limited: bool,
+    /// What was wanted is not finite: zero is given.
+    pub not_finite: bool,
+}
+
+/// Keeps the force to the hand within its limits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Governor {
+    force: Limit,
+    moment: Limit,
+    given: Wrench<f32>,
+}
+
+impl Governor {
+    /// For limits that were checked. Begins at zero force.
+    pub fn new(limits: &Limits) -> Self {
+        let step = |rate: f32| rate * limits.period();
+        Self {
+            force: Limit {
+                size: limits.force,
+                step: step(limits.force_rate),
+            },
+            moment: Limit {
+                size: limits.moment,
+                step: step(limits.moment_rate),
+            },
+            given: Wrench::default(),
+        }
+    }
+
+    /// What goes to the hand in this tick, where `wanted` would be right.
+    pub fn toward(&mut self, wanted: &Wrench<f32>) -> Given {
+        let [x, y] = wanted.force;
+        if ![x, y, wanted.moment].into_iter().all(Real::is_finite) {
+            return Given {
+                not_finite: true,
+                ..self.cut()
+            };
+        }
+        let force = limited(wanted.force, self.force.size);
+        let moment = limited([wanted.moment, 0.0], self.moment.size);
+        let old = self.given;
+        let next_force = approached(old.force, force, self.force);
+        let next_moment = approached([old.moment, 0.0], moment, self.moment);
+        let [turning, _] = next_moment;
+        self.given = Wrench {
+            force: next_force,
+            moment: turning,
+        };
+        Given {
+            wrench: self.given,
+            size_limited: force != wanted.force || moment != [wanted.moment, 0.0],
+            rate_limited: next_force != force || next_moment != moment,
+            not_finite: false,
+        }
+    }
+
+    /// Zero, at once.
+    pub fn cut(&mut self) -> Given {
+        self.given = Wrench::default();
+        Given::default()
+    }
+}
+
+/// A vector shortened to a length, its direction kept. No sum or product in it overflows.
+fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
+    let largest = Real::max(Real::abs(x), Real::abs(y));
+    if largest == 0.0 {
+        return [0.0, 0.0];
+    }
+    let (u, v) = (x / largest, y / largest);
+    let size = Real::hypot(u, v);
+    // What is longer than the largest number compares as infinity, which is right.
+    if largest * size <= length {
+        return [x, y];
+    }
+    let scale = length * MARGIN / size;
+    [u * scale, v * scale]
+}
+
+/// From `from` towards `to`, at most one step.
+fn approached(from: [f32; 2], to: [f32; 2], limit: Limit) -> [f32; 2] {
+    let ([x, y], [to_x, to_y]) = (from, to);
+    let way = [to_x - x, to_y - y];
+    let step = limited(way, limit.step);
+    if step == way {
+        return to;
+    }
+    let [dx, dy] = step;
+    limited([x + dx, y + dy], limit.size)
+}
