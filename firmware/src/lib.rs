@@ -20,6 +20,7 @@
 //! device.rs      the control loop: sample -> solver -> safety -> force; changes while it runs
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
+//! ring.rs        bytes between an interrupt and the program
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
@@ -34,6 +35,8 @@ pub mod device;
 pub mod job;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod pantograph;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod ring;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod safety;
 pub mod si;
