@@ -64,19 +64,20 @@ impl Governor {
             };
         }
         let force = limited(wanted.force, self.force.size);
-        let moment = limited([wanted.moment, 0.0], self.moment.size);
+        let moment = clamped(wanted.moment, self.moment.size);
         let old = self.given;
-        let next_force = approached(old.force, force, self.force);
-        let next_moment = approached([old.moment, 0.0], moment, self.moment);
-        let [turning, _] = next_moment;
         self.given = Wrench {
-            force: next_force,
-            moment: turning,
+            force: approached(old.force, force, self.force),
+            moment: old.moment + clamped(moment - old.moment, self.moment.step),
         };
+        if Real::abs(moment - self.given.moment) <= f32::EPSILON * self.moment.size {
+            // There, but for the rounding of the last step.
+            self.given.moment = moment;
+        }
         Given {
             wrench: self.given,
-            size_limited: force != wanted.force || moment != [wanted.moment, 0.0],
-            rate_limited: next_force != force || next_moment != moment,
+            size_limited: force != wanted.force || moment != wanted.moment,
+            rate_limited: self.given.force != force || self.given.moment != moment,
             not_finite: false,
         }
     }
@@ -88,14 +89,21 @@ impl Governor {
     }
 }
 
+/// A number of a size of at most `most`.
+fn clamped(x: f32, most: f32) -> f32 {
+    Real::max(Real::min(x, most), -most)
+}
+
 /// A vector shortened to a length, its direction kept. No sum or product in it overflows.
 fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
-    let largest = Real::max(Real::abs(x), Real::abs(y));
-    if largest == 0.0 {
-        return [0.0, 0.0];
+    let (wide, high) = (Real::abs(x), Real::abs(y));
+    // Mostly, and without a root or a division.
+    if wide + high <= length {
+        return [x, y];
     }
+    let largest = Real::max(wide, high);
     let (u, v) = (x / largest, y / largest);
-    let size = Real::hypot(u, v);
+    let size = Real::sqrt(u * u + v * v);
     // What is longer than the largest number compares as infinity, which is right.
     if largest * size <= length {
         return [x, y];
