@@ -67,7 +67,7 @@ impl Governor {
         let moment = clamped(wanted.moment, self.moment.size);
         let old = self.given;
         self.given = Wrench {
-            force: approached(old.force, force, self.force),
+            force: approached(old.force, force, self.force.step),
             moment: old.moment + clamped(moment - old.moment, self.moment.step),
         };
         if Real::abs(moment - self.given.moment) <= f32::EPSILON * self.moment.size {
@@ -96,6 +96,7 @@ fn clamped(x: f32, most: f32) -> f32 {
 
 /// A vector shortened to a length, its direction kept. No sum or product in it overflows.
 fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
+    let length = length * MARGIN;
     let (wide, high) = (Real::abs(x), Real::abs(y));
     // Mostly, and without a root or a division.
     if wide + high <= length {
@@ -108,18 +109,19 @@ fn limited([x, y]: [f32; 2], length: f32) -> [f32; 2] {
     if largest * size <= length {
         return [x, y];
     }
-    let scale = length * MARGIN / size;
+    let scale = length / size;
     [u * scale, v * scale]
 }
 
 /// From `from` towards `to`, at most one step.
-fn approached(from: [f32; 2], to: [f32; 2], limit: Limit) -> [f32; 2] {
+fn approached(from: [f32; 2], to: [f32; 2], most: f32) -> [f32; 2] {
     let ([x, y], [to_x, to_y]) = (from, to);
     let way = [to_x - x, to_y - y];
-    let step = limited(way, limit.step);
+    let step = limited(way, most);
     if step == way {
         return to;
     }
+    // Between two forces that are not too large there is none that is.
     let [dx, dy] = step;
-    limited([x + dx, y + dy], limit.size)
+    [x + dx, y + dy]
 }

@@ -13,7 +13,7 @@ use nrf51_hal::clocks::Clocks;
 use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
 use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
-use portable_atomic::{AtomicU32, Ordering};
+use portable_atomic::{AtomicBool, AtomicU32, Ordering};
 
 const TX: u32 = 24;
 const RX: u32 = 25;
@@ -22,6 +22,8 @@ const PATIENCE: u32 = 1_638;
 
 /// Bytes that came when there was no room for them.
 static LOST: AtomicU32 = AtomicU32::new(0);
+/// It has stopped.
+static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// What the tasks work with.
 pub(crate) struct Board {
@@ -195,7 +197,11 @@ fn actuators_off() {
 fn stop() -> ! {
     cortex_m::interrupt::disable();
     actuators_off();
-    error!("stopped");
+    // Once: what stopped it may have been the log.
+    if !STOPPED.load(Ordering::Relaxed) {
+        STOPPED.store(true, Ordering::Relaxed);
+        error!("stopped");
+    }
     #[cfg(feature = "semihosting")]
     semihosting::process::exit(101);
     #[cfg(not(feature = "semihosting"))]

@@ -10,7 +10,7 @@
 
 use crate::log::error;
 use core::arch::naked_asm;
-use core::sync::atomic::{AtomicU32, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
@@ -29,6 +29,8 @@ const PATIENCE_MS: u32 = 50;
 
 /// Bytes that came when there was no room for them, or too fast.
 static LOST: AtomicU32 = AtomicU32::new(0);
+/// It has stopped.
+static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// What the tasks work with.
 pub(crate) struct Board {
@@ -203,7 +205,11 @@ fn actuators_off() {
 fn stop() -> ! {
     cortex_m::interrupt::disable();
     actuators_off();
-    error!("stopped");
+    // Once: what stopped it may have been the log.
+    if !STOPPED.load(Ordering::Relaxed) {
+        STOPPED.store(true, Ordering::Relaxed);
+        error!("stopped");
+    }
     #[cfg(feature = "semihosting")]
     semihosting::process::exit(101);
     #[cfg(not(feature = "semihosting"))]
