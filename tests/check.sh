@@ -25,6 +25,14 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-e
     cargo build -p stiction-core --release --locked --target "$target"
     [ "$target" = wasm32-unknown-unknown ] ||
       cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
+    case $target in
+      thumbv7em-none-eabihf) board=olimex-stm32-h405 ;;
+      thumbv6m-none-eabi) board=microbit ;;
+      *) continue ;;
+    esac
+    for log in '' rtt semihosting; do
+      cargo clippy -p "stiction-$board" --no-default-features --features "$log" --locked --target "$target" -- -D warnings
+    done
   else
     missing "target $target" "rustup target add $target"
   fi

@@ -8,13 +8,19 @@
         clippy::indexing_slicing
     )
 )]
-//! `stiction-core` on microcontrollers: what one frame costs there, and whether every machine gives the same bits.
+//! `stiction-core` on microcontrollers: the control loop of a haptic device; what one frame costs there, and whether every
+//! machine gives the same bits.
 //!
 //! ```text
 //! job.rs    a scene and a hand's motion as bytes, and what is sent back
 //! count.rs  such a job through the solver, frame by frame: instructions and stack
 //! bits.rs   a walk of the hand through the solver, to one number that stands for every bit of its answers
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
+//!
+//! device.rs      the control loop: sample -> solver -> safety -> force; changes while it runs
+//! safety.rs      what force may go to the hand, and when none
+//! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
+//! ring.rs        bytes between an interrupt and the program
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
@@ -24,5 +30,13 @@ pub mod bits;
 #[cfg(all(feature = "board", target_os = "none"))]
 pub mod board;
 pub mod count;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod device;
 pub mod job;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod pantograph;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod ring;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod safety;
 pub mod si;

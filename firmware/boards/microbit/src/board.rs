@@ -1,0 +1,233 @@
+//! Pins, clocks, interrupts, and what happens when all is lost: the only unsafe.
+//!
+//! | what | where |
+//! |---|---|
+//! | serial line, 115200 8N1, over USB | UART0: P0.24 out, P0.25 in |
+//! | ticks and clock | TIMER0, 32 bits, 1 MHz |
+//! | motors | none; all pins become inputs when it stops |
+#![allow(unsafe_code)]
+
+use crate::log::error;
+use core::arch::naked_asm;
+use nrf51_hal::clocks::Clocks;
+use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
+use nrf51_hal::wdt::handles::HdlN;
+use nrf51_hal::wdt::{self, WatchdogHandle};
+use portable_atomic::{AtomicBool, AtomicU32, Ordering};
+
+const TX: u32 = 24;
+const RX: u32 = 25;
+/// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
+const PATIENCE: u32 = 1_638;
+
+/// Bytes that came when there was no room for them.
+static LOST: AtomicU32 = AtomicU32::new(0);
+/// It has stopped.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// What the tasks work with.
+pub(crate) struct Board {
+    pub(crate) uart: Uart,
+    pub(crate) clock: Clock,
+    pub(crate) watchdog: Watchdog,
+}
+
+impl Board {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(device: pac::Peripherals, rate: u32) -> Self {
+        // The crystal: the oscillator inside is too far off for a serial line.
+        let _ = Clocks::new(device.CLOCK).enable_ext_hfosc();
+        Self {
+            uart: Uart::new(device.UART0, &device.GPIO),
+            clock: Clock::new(device.TIMER0, 1_000_000 / rate),
+            watchdog: Watchdog::new(device.WDT),
+        }
+    }
+}
+
+/// Ticks and time in µs, both from one counter that never stops.
+pub(crate) struct Clock {
+    timer: TIMER0,
+    period_us: u32,
+    next_us: u32,
+}
+
+impl Clock {
+    fn new(timer: TIMER0, period_us: u32) -> Self {
+        timer.mode.write(|w| w.mode().timer());
+        timer.bitmode.write(|w| w.bitmode()._32bit());
+        // 16 MHz / 2^4.
+        // SAFETY: 4 is one of the prescaler's values, and every compare value is allowed.
+        unsafe {
+            timer.prescaler.write(|w| w.prescaler().bits(4));
+            timer.cc[0].write(|w| w.bits(period_us));
+        }
+        timer.intenset.write(|w| w.compare0().set());
+        // SAFETY: starts the timer.
+        unsafe {
+            timer.tasks_clear.write(|w| w.bits(1));
+            timer.tasks_start.write(|w| w.bits(1));
+        }
+        Self {
+            timer,
+            period_us,
+            next_us: period_us,
+        }
+    }
+
+    fn now_us(&self) -> u32 {
+        // SAFETY: copies the counter to CC[1].
+        unsafe { self.timer.tasks_capture[1].write(|w| w.bits(1)) };
+        self.timer.cc[1].read().bits()
+    }
+
+    /// A tick has come: what time it is (µs, wrapping). The next one is a whole number of periods after the first, and not
+    /// before now: a compare value of the past would come in 71 minutes.
+    pub(crate) fn tick(&mut self) -> u32 {
+        let now = self.now_us();
+        self.next_us = self.next_us.wrapping_add(self.period_us);
+        // Time enough to write the compare value.
+        const MARGIN_US: u32 = 20;
+        while self.next_us.wrapping_sub(now.wrapping_add(MARGIN_US)) > i32::MAX as u32 {
+            self.next_us = self.next_us.wrapping_add(self.period_us);
+        }
+        // SAFETY: every compare value is allowed.
+        unsafe { self.timer.cc[0].write(|w| w.bits(self.next_us)) };
+        // Last: as long as the compare value is the present one, QEMU lets a capture set the event again.
+        self.timer.events_compare[0].reset();
+        now
+    }
+}
+
+/// The serial line.
+pub(crate) struct Uart {
+    uart: UART0,
+    sending: bool,
+}
+
+impl Uart {
+    fn new(uart: UART0, gpio: &GPIO) -> Self {
+        // SAFETY: pins of the board that nothing else uses, and the tasks that start the line.
+        unsafe {
+            gpio.outset.write(|w| w.bits(1 << TX));
+            gpio.dirset.write(|w| w.bits(1 << TX));
+            uart.pseltxd.write(|w| w.bits(TX));
+            uart.pselrxd.write(|w| w.bits(RX));
+            uart.baudrate.write(|w| w.baudrate().baud115200());
+            uart.enable.write(|w| w.enable().enabled());
+            uart.intenset.write(|w| w.rxdrdy().set().txdrdy().set());
+            uart.tasks_starttx.write(|w| w.bits(1));
+            uart.tasks_startrx.write(|w| w.bits(1));
+        }
+        Self {
+            uart,
+            sending: false,
+        }
+    }
+
+    /// The byte that came, if one did.
+    pub(crate) fn read(&mut self) -> Option<u8> {
+        if self.uart.events_rxdrdy.read().bits() == 0 {
+            return None;
+        }
+        self.uart.events_rxdrdy.reset();
+        Some(self.uart.rxd.read().rxd().bits())
+    }
+
+    /// Sends the next byte if the line is free.
+    pub(crate) fn write(&mut self, mut next: impl FnMut() -> Option<u8>) {
+        if self.uart.events_txdrdy.read().bits() != 0 {
+            self.uart.events_txdrdy.reset();
+            self.sending = false;
+        }
+        if !self.sending
+            && let Some(byte) = next()
+        {
+            self.sending = true;
+            // SAFETY: any byte may be sent.
+            unsafe { self.uart.txd.write(|w| w.txd().bits(byte)) };
+        }
+    }
+}
+
+/// A byte is lost.
+pub(crate) fn lost_a_byte() {
+    LOST.add(1, Ordering::Relaxed);
+}
+
+/// How many bytes were lost.
+pub(crate) fn lost_bytes() -> u32 {
+    LOST.load(Ordering::Relaxed)
+}
+
+/// Resets the chip unless it is fed.
+pub(crate) struct Watchdog(Option<WatchdogHandle<HdlN>>);
+
+impl Watchdog {
+    fn new(device: WDT) -> Self {
+        let handle = match wdt::Watchdog::try_new(device) {
+            Ok(mut watchdog) => {
+                watchdog.set_lfosc_ticks(PATIENCE);
+                watchdog.run_during_debug_halt(false);
+                Some(watchdog.activate::<wdt::count::One>().handles.0.degrade())
+            }
+            // It runs since before a soft reset: with the same handle.
+            Err(device) => match wdt::Watchdog::try_recover::<wdt::count::One>(device) {
+                Ok(parts) => Some(parts.handles.0.degrade()),
+                Err(_) => None,
+            },
+        };
+        Self(handle)
+    }
+
+    pub(crate) fn feed(&mut self) {
+        if let Some(handle) = &mut self.0 {
+            handle.pet();
+        }
+    }
+}
+
+/// No pin drives anything any more, but the serial line.
+fn actuators_off() {
+    // SAFETY: one register, written once.
+    unsafe { (*GPIO::ptr()).dirclr.write(|w| w.bits(!(1 << TX))) };
+}
+
+/// Zero force, and nothing more until the watchdog resets the chip.
+fn stop() -> ! {
+    cortex_m::interrupt::disable();
+    actuators_off();
+    // Once: what stopped it may have been the log.
+    if !STOPPED.load(Ordering::Relaxed) {
+        STOPPED.store(true, Ordering::Relaxed);
+        error!("stopped");
+    }
+    #[cfg(feature = "semihosting")]
+    semihosting::process::exit(101);
+    #[cfg(not(feature = "semihosting"))]
+    loop {
+        cortex_m::asm::nop();
+    }
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    stop()
+}
+
+/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
+#[unsafe(naked)]
+#[unsafe(export_name = "HardFault")]
+unsafe extern "C" fn hard_fault() -> ! {
+    naked_asm!(
+        "ldr r0, =_stack_start",
+        "msr msp, r0",
+        "bl {stop}",
+        ".pool",
+        stop = sym fault,
+    )
+}
+
+extern "C" fn fault() -> ! {
+    stop()
+}

@@ -1,0 +1,241 @@
+//! Pins, clocks, interrupts, and what happens when all is lost: the only unsafe.
+//!
+//! | what | where |
+//! |---|---|
+//! | serial line, 921600 8N1 | USART2: PA2 out, PA3 in |
+//! | ticks | SysTick |
+//! | clock | TIM5, 32 bits, 84 MHz |
+//! | motors' PWM, off with one bit | TIM1 |
+#![allow(unsafe_code)]
+
+use crate::log::error;
+use core::arch::naked_asm;
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use cortex_m::peripheral::SYST;
+use cortex_m::peripheral::syst::SystClkSource;
+use embedded_hal_nb::serial::{Read, Write};
+use stm32f4xx_hal::pac::{self, TIM1, TIM5, USART2};
+use stm32f4xx_hal::prelude::*;
+use stm32f4xx_hal::rcc::{Config, Enable};
+use stm32f4xx_hal::serial::{self, Rx, RxISR, RxListen, Tx, TxISR, TxListen};
+use stm32f4xx_hal::watchdog::IndependentWatchdog;
+
+/// Of the core (Hz).
+const CORE: u32 = 168_000_000;
+/// Counts of TIM5 in a µs: on the chip, and in QEMU, whose timers run at 1 GHz whatever their clock is.
+const COUNTS: (u32, u32) = (84, 1_000);
+/// A tick that does not come for so long ends in a reset (ms). Reset is zero force: all pins are inputs then.
+const PATIENCE_MS: u32 = 50;
+
+/// Bytes that came when there was no room for them, or too fast.
+static LOST: AtomicU32 = AtomicU32::new(0);
+/// It has stopped.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// What the tasks work with.
+pub(crate) struct Board {
+    pub(crate) uart: Uart,
+    pub(crate) clock: Clock,
+    pub(crate) watchdog: Watchdog,
+}
+
+impl Board {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u32) -> Self {
+        prime(&device.RCC);
+        let config = Config::hse(8.MHz())
+            .sysclk(CORE.Hz())
+            .pclk1(42.MHz())
+            .pclk2(84.MHz());
+        let mut rcc = device.RCC.freeze(config);
+
+        TIM5::enable(&mut rcc);
+        device.TIM5.cr1().modify(|_, w| w.cen().set_bit());
+
+        systick.set_clock_source(SystClkSource::Core);
+        systick.set_reload(CORE / rate - 1);
+        systick.clear_current();
+        systick.enable_counter();
+        let clock = Clock::new(device.TIM5, &mut systick, rate);
+        systick.enable_interrupt();
+
+        let pins = device.GPIOA.split(&mut rcc);
+        let config = serial::Config::default().baudrate(921_600.bps());
+        // 42 MHz carries 921600 baud.
+        let Ok(line) = device.USART2.serial((pins.pa2, pins.pa3), config, &mut rcc) else {
+            stop()
+        };
+        let (tx, mut rx) = line.split();
+        rx.listen();
+
+        let mut watchdog = IndependentWatchdog::new(device.IWDG);
+        watchdog.start(PATIENCE_MS.millis());
+        Self {
+            uart: Uart { tx, rx },
+            clock,
+            watchdog: Watchdog(watchdog),
+        }
+    }
+}
+
+/// The emulator's clock control is plain memory, in which nothing ever becomes ready: ready from the beginning. On the
+/// chip these bits can only be read.
+fn prime(rcc: &pac::RCC) {
+    const HSIRDY_HSERDY_PLLRDY: u32 = 1 << 1 | 1 << 17 | 1 << 25;
+    const SWS_PLL: u32 = 0b10 << 2;
+    // SAFETY: no reserved bit is changed.
+    unsafe {
+        rcc.cr()
+            .modify(|r, w| w.bits(r.bits() | HSIRDY_HSERDY_PLLRDY));
+        rcc.cfgr().modify(|r, w| w.bits(r.bits() | SWS_PLL));
+    }
+}
+
+/// Time in µs, from a counter of its own: SysTick alone cannot tell how many ticks were missed.
+pub(crate) struct Clock {
+    timer: TIM5,
+    per_us: u32,
+    last: u32,
+    /// Counts that do not make a µs yet.
+    rest: u32,
+    now_us: u32,
+}
+
+impl Clock {
+    /// Finds out which of the two speeds the counter has, within two ticks.
+    fn new(timer: TIM5, systick: &mut SYST, rate: u32) -> Self {
+        let wrapped = |systick: &mut SYST| while !systick.has_wrapped() {};
+        wrapped(systick);
+        let begun = timer.cnt().read().bits();
+        wrapped(systick);
+        let counts = timer.cnt().read().bits().wrapping_sub(begun);
+        let (chip, emulator) = COUNTS;
+        let middle = (chip + emulator) / 2 * (1_000_000 / rate);
+        Self {
+            per_us: if counts < middle { chip } else { emulator },
+            last: timer.cnt().read().bits(),
+            timer,
+            rest: 0,
+            now_us: 0,
+        }
+    }
+
+    /// The time, wrapping. To be asked for once in 4 s at least.
+    pub(crate) fn now_us(&mut self) -> u32 {
+        let count = self.timer.cnt().read().bits();
+        let passed = count.wrapping_sub(self.last);
+        self.last = count;
+        let counts = passed.saturating_add(self.rest);
+        // Neither of the two speeds is 0.
+        let per_us = self.per_us.max(1);
+        self.rest = counts % per_us;
+        self.now_us = self.now_us.wrapping_add(counts / per_us);
+        self.now_us
+    }
+}
+
+/// The serial line.
+pub(crate) struct Uart {
+    tx: Tx<USART2>,
+    rx: Rx<USART2>,
+}
+
+impl Uart {
+    /// The byte that came, if one did.
+    pub(crate) fn read(&mut self) -> Option<u8> {
+        if !self.rx.is_rx_not_empty() {
+            return None;
+        }
+        match self.rx.read() {
+            Ok(byte) => Some(byte),
+            Err(nb::Error::WouldBlock) => None,
+            Err(nb::Error::Other(_)) => {
+                lost_a_byte();
+                None
+            }
+        }
+    }
+
+    /// Sends the next byte if the line is free, and asks to be called again as long as there are any.
+    pub(crate) fn write(&mut self, mut next: impl FnMut() -> Option<u8>) {
+        if !self.tx.is_tx_empty() {
+            return self.tx.listen();
+        }
+        match next() {
+            // The register is empty.
+            Some(byte) => {
+                let _ = self.tx.write(byte);
+                self.tx.listen();
+            }
+            None => self.tx.unlisten(),
+        }
+    }
+}
+
+/// A byte is lost.
+pub(crate) fn lost_a_byte() {
+    // One writer, the serial interrupt.
+    LOST.store(
+        LOST.load(Ordering::Relaxed).saturating_add(1),
+        Ordering::Relaxed,
+    );
+}
+
+/// How many bytes were lost.
+pub(crate) fn lost_bytes() -> u32 {
+    LOST.load(Ordering::Relaxed)
+}
+
+/// Resets the chip unless it is fed.
+pub(crate) struct Watchdog(IndependentWatchdog);
+
+impl Watchdog {
+    pub(crate) fn feed(&mut self) {
+        self.0.feed();
+    }
+}
+
+/// No motor is driven any more, whatever else is going on.
+fn actuators_off() {
+    // SAFETY: one bit of a timer that nothing else needs from now on: main output enable.
+    unsafe { (*TIM1::ptr()).bdtr().modify(|_, w| w.moe().clear_bit()) };
+}
+
+/// Zero force, and nothing more until the watchdog resets the chip.
+fn stop() -> ! {
+    cortex_m::interrupt::disable();
+    actuators_off();
+    // Once: what stopped it may have been the log.
+    if !STOPPED.load(Ordering::Relaxed) {
+        STOPPED.store(true, Ordering::Relaxed);
+        error!("stopped");
+    }
+    #[cfg(feature = "semihosting")]
+    semihosting::process::exit(101);
+    #[cfg(not(feature = "semihosting"))]
+    loop {
+        cortex_m::asm::nop();
+    }
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    stop()
+}
+
+/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
+#[unsafe(naked)]
+#[unsafe(export_name = "HardFault")]
+unsafe extern "C" fn hard_fault() -> ! {
+    naked_asm!(
+        "ldr r0, =_stack_start",
+        "msr msp, r0",
+        "bl {stop}",
+        ".pool",
+        stop = sym fault,
+    )
+}
+
+extern "C" fn fault() -> ! {
+    stop()
+}

@@ -1,0 +1,53 @@
+//! The control loop of a device, free of hardware: in every tick a sample of the hand, if one came, goes through the solver
+//! and the safety to a pose and a force.
+//!
+//! ```text
+//! controller.rs  Controller::tick(now, sample) -> pose, force, flags
+//! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles anew where it is
+//! store.rs       the scene as it was given, kept for that
+//! ports.rs       what a board implements: Source of samples, Actuators
+//! ```
+//!
+//! ```
+//! use stiction_core::{Description, Evolution, Hand, SurfaceDescription};
+//! use stiction_firmware::device::{Controller, Sample, Settings};
+//!
+//! let description = Description {
+//!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+//!     start: [0.0, 0.03, 0.0],
+//!     weight: 0.0,
+//!     holding_point: Some([0.0, 0.02]),
+//!     reach: 0.0,
+//!     stiffness_translation: 500.0,
+//!     stiffness_rotation: 0.5,
+//!     surfaces: &[SurfaceDescription {
+//!         normal: [0.0, 1.0],
+//!         offset: 0.0,
+//!         friction_static: 0.5,
+//!         friction_dynamic: 0.3,
+//!     }],
+//! };
+//! let mut controller: Controller<f32, 4, 1> = Controller::new(&description, &Settings::default())?;
+//! for i in 0..100u16 {
+//!     let now_us = u32::from(i) * 1_000;
+//!     let sample = Sample {
+//!         hand: Hand::new(0.0, 0.045, 0.0), // 5 mm deep: 2.5 N
+//!         number: i,
+//!         received_us: now_us,
+//!     };
+//!     let tick = controller.tick(now_us, Some(&sample));
+//!     assert!(tick.force.force[1] <= 0.1 * f32::from(i + 1) + 1e-5); // 100 N/s
+//! }
+//! let silent = controller.tick(120_000, None);
+//! assert!(silent.flags.silent && silent.force.force == [0.0, 0.0]);
+//! # Ok::<(), stiction_firmware::device::Refusal>(())
+//! ```
+
+mod change;
+mod controller;
+mod ports;
+mod store;
+
+pub use change::{Parameters, Placement};
+pub use controller::{Controller, Pose, Refusal, Settings, Tick};
+pub use ports::{Actuators, NoActuators, Sample, Source, run_tick};

@@ -1,0 +1,181 @@
+//! A new scene, new parameters or another mode while the device runs. What is refused changes nothing. Otherwise the body
+//! stays where it is, contacts stick at first, and it settles anew under the hand that holds it at the same point; the
+//! force goes to the new one within its rate limit.
+
+use super::controller::{Controller, Hold, Refusal, Run, Settings, is_held_last, solver, turned};
+use stiction_core::{Description, Evolution, Hand, Model, Output, Real, State, Wrench};
+
+/// How far the place of a hold is off by rounding, in parts of the body size.
+const ROUNDING: f32 = 1e-4;
+
+/// The four parameters of the model, those of friction for every surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parameters {
+    /// k_h (N/m) > 0.
+    pub stiffness_translation: f32,
+    /// k_theta (N·m/rad) >= 0.
+    pub stiffness_rotation: f32,
+    /// mu_s >= mu_d.
+    pub friction_static: f32,
+    /// mu_d >= 0.
+    pub friction_dynamic: f32,
+}
+
+/// Where the body of a new scene is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Placement {
+    /// At the scene's start, from the next sample on; zero force at once.
+    #[default]
+    Start,
+    /// Where the body is now. Refused where it would be inside a surface.
+    Present,
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, V, S, M> {
+    /// New stiffnesses and frictions. The answer is that of the settling, if there was a body to settle.
+    ///
+    /// # Errors
+    /// [`Refusal`]; then nothing has changed.
+    pub fn set_parameters(&mut self, new: &Parameters) -> Result<Option<Output<f32>>, Refusal> {
+        let mut store = self.run.store.clone();
+        store.stiffness_translation = new.stiffness_translation;
+        store.stiffness_rotation = new.stiffness_rotation;
+        for surface in &mut store.surfaces {
+            surface.friction_static = new.friction_static;
+            surface.friction_dynamic = new.friction_dynamic;
+        }
+        self.set_scene(&store.description(), Placement::Present)
+    }
+
+    /// A new scene, within the capacities V and S.
+    ///
+    /// # Errors
+    /// [`Refusal`]; then nothing has changed.
+    pub fn set_scene(
+        &mut self,
+        description: &Description<'_, f32>,
+        placement: Placement,
+    ) -> Result<Option<Output<f32>>, Refusal> {
+        let mut next = Run::new(description, &self.settings)?;
+        if placement == Placement::Start {
+            self.run = next;
+            self.reset();
+            return Ok(None);
+        }
+        let Some(state) = &self.run.state else {
+            self.run = next;
+            return Ok(None);
+        };
+        let (state, output) = self.run.settled(state, description, &self.settings)?;
+        next.state = Some(state);
+        next.hold = self.run.hold;
+        // The solver counts turns from those that the body has now.
+        next.turns = self.run.pose.angle.turns;
+        next.solver = solver(&next.present(), &self.settings)?;
+        let output = next.accept(output);
+        self.run = next;
+        self.want();
+        Ok(Some(output))
+    }
+
+    /// How frames are evolved from now on, and with which tolerance. The body stays as it is.
+    ///
+    /// # Errors
+    /// [`Refusal`] does not occur for a scene that was taken.
+    pub fn set_mode(&mut self, evolution: Evolution, tolerance: f32) -> Result<(), Refusal> {
+        let settings = Settings {
+            evolution,
+            tolerance,
+            ..self.settings
+        };
+        self.run.solver = solver(&self.run.present(), &settings)?;
+        self.settings = settings;
+        Ok(())
+    }
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M> {
+    /// The scene as it goes on from now: a holding point is given for the first hold only.
+    fn present(&self) -> Description<'_, f32> {
+        let mut present = self.store.description();
+        if self.hold != Hold::Never {
+            present.holding_point = None;
+        }
+        present
+    }
+
+    /// The body where it is, without whole turns, in another scene, and settled there.
+    fn settled(
+        &self,
+        state: &State<R>,
+        description: &Description<'_, f32>,
+        settings: &Settings,
+    ) -> Result<(State<R>, Output<f32>), Refusal> {
+        let angle = self.pose.angle;
+        let [x, y] = self.pose.position;
+        let relative = angle.turns.saturating_sub(self.turns);
+        let hand = turned(state.hand(), relative.saturating_neg());
+        let mut there = Description {
+            start: [x, y, angle.rest],
+            ..*description
+        };
+        let (state, output) = match (self.pose.held, self.hold) {
+            (true, Hold::Taken) => self.taken_on(state, hand, there, settings)?,
+            (held, hold) => {
+                there.holding_point = match (held, hold) {
+                    (_, Hold::Never) => description.holding_point,
+                    (true, _) => self.store.holding_point,
+                    (false, _) => None,
+                };
+                solver::<R, V, S, M>(&there, settings)?.start(hand)
+            }
+        };
+        if is_held_last(output.status) {
+            Err(Refusal::Unsettled(output.status))
+        } else if self.pose.held && !output.held {
+            Err(Refusal::OutOfReach)
+        } else {
+            Ok((state, output))
+        }
+    }
+
+    /// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
+    fn taken_on(
+        &self,
+        state: &State<R>,
+        hand: Hand<f32>,
+        mut there: Description<'_, f32>,
+        settings: &Settings,
+    ) -> Result<(State<R>, Output<f32>), Refusal> {
+        let Wrench { force, moment } = self.solver.wrench(state);
+        let ([x, y], [fx, fy]) = (hand.position, force);
+        let (k_h, k_theta) = (
+            self.store.stiffness_translation,
+            self.store.stiffness_rotation,
+        );
+        // Without a spring that turns, the angle at which it would rest is the present one.
+        let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
+        let idle = Hand {
+            position: [x - fx / k_h, y - fy / k_h],
+            angle: hand.angle.plus(-turn),
+            ..hand
+        };
+        let reach = there.reach;
+        let coordinates = there.vertices.iter().flatten();
+        let size = coordinates.fold(0.0, |size, &x| Real::max(size, Real::abs(x)));
+        there.holding_point = None;
+        // The point was within reach; its rounding must not put it outside.
+        there.reach = reach + ROUNDING * size;
+        let settings = Settings {
+            evolution: Evolution::Frame,
+            ..*settings
+        };
+        let solver = solver::<R, V, S, M>(&there, &settings)?;
+        let (mut state, taken) = solver.start(idle);
+        if !taken.held {
+            return Err(Refusal::OutOfReach);
+        }
+        let output = solver.step(&mut state, hand);
+        Ok((state, output))
+    }
+}

@@ -1,0 +1,343 @@
+//! One tick: is the sample new, what does the solver make of it, what force may go to the hand.
+
+use super::ports::Sample;
+use super::store::Store;
+use crate::safety::{
+    Arrival, Flags, Given, Governor, Health, LimitError, Limits, Line, Passivity, Ticks,
+};
+use core::fmt;
+use stiction_core::{
+    Angle, Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, SceneError,
+    Solver, State, StateKind, Status, Wrench,
+};
+
+/// How a device runs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// How a frame is evolved.
+    pub evolution: Evolution,
+    /// See [`Solver::with_tolerance`]; 0 is exact.
+    pub tolerance: f32,
+    /// What may go to the hand.
+    pub limits: Limits,
+    /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
+    pub passivity: Option<Passivity>,
+}
+
+/// Why a scene, a parameter or a limit was refused. Nothing has changed then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    /// The scene, or the body's present pose in it.
+    Scene(SceneError<f32>),
+    /// A limit of the device, or a stiffness that it cannot show passively.
+    Limit(LimitError),
+    /// The body cannot be held on to where it is.
+    Unsettled(Status),
+    /// The point at which the hand holds the body would be out of reach.
+    OutOfReach,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(error) => error.fmt(f),
+            Self::Limit(error) => error.fmt(f),
+            Self::Unsettled(status) => {
+                write!(f, "the body cannot settle where it is: {}", status.name())
+            }
+            Self::OutOfReach => f.write_str("the hand's hold on the body would be out of reach"),
+        }
+    }
+}
+
+impl core::error::Error for Refusal {}
+
+impl From<SceneError<f32>> for Refusal {
+    fn from(error: SceneError<f32>) -> Self {
+        Self::Scene(error)
+    }
+}
+
+impl From<LimitError> for Refusal {
+    fn from(error: LimitError) -> Self {
+        Self::Limit(error)
+    }
+}
+
+/// Where the body is.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pose {
+    /// Position of the body's origin, world frame (m).
+    pub position: [f32; 2],
+    /// Its orientation theta, unwrapped.
+    pub angle: Angle<f32>,
+    /// The depth of the hand (m), passed through.
+    pub depth: f32,
+    /// The contact state.
+    pub state: StateKind,
+    /// The hand holds it.
+    pub held: bool,
+}
+
+impl Pose {
+    pub(super) fn of(output: &Output<f32>) -> Self {
+        Self {
+            position: output.position,
+            angle: output.angle,
+            depth: output.depth,
+            state: output.state,
+            held: output.held,
+        }
+    }
+}
+
+/// What a tick gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tick {
+    /// The solver's answer, where a sample came that is new.
+    pub output: Option<Output<f32>>,
+    /// The last good pose.
+    pub pose: Pose,
+    /// Force (N) and moment (N·m) to the hand, world frame, within the limits.
+    pub force: Wrench<f32>,
+    /// Why the force is what it is.
+    pub flags: Flags,
+}
+
+/// How the hand came to hold the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hold {
+    /// Not yet.
+    Never,
+    /// At the scene's holding point.
+    Given,
+    /// Where it was at that moment.
+    Taken,
+}
+
+/// A run: the solver, its state once there is one, and what has become of the body.
+#[derive(Clone, Debug)]
+pub(super) struct Run<R: Real, const V: usize, const S: usize, M: Model> {
+    pub(super) store: Store<V, S>,
+    pub(super) solver: Solver<R, V, S, M>,
+    pub(super) state: Option<State<R>>,
+    pub(super) hold: Hold,
+    /// Whole turns that the solver's angles are less than those outside.
+    pub(super) turns: i32,
+    pub(super) pose: Pose,
+}
+
+/// The solver of a device with its safety: plain data, no hardware. V, S and M are those of the scene.
+#[derive(Clone, Debug)]
+pub struct Controller<R: Real, const V: usize, const S: usize, M: Model = Full> {
+    pub(super) settings: Settings,
+    pub(super) run: Run<R, V, S, M>,
+    /// The force that the statics wants on the hand.
+    pub(super) wanted: Wrench<f32>,
+    held_last: bool,
+    governor: Governor,
+    line: Line,
+    ticks: Ticks,
+    health: Health,
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M> {
+    /// The body of a scene at its start.
+    pub(super) fn new(d: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
+        let solver = solver(d, settings)?;
+        let store = Store::new(d).ok_or(Refusal::Unsettled(Status::Saturated))?;
+        let [x, y, theta] = d.start;
+        let pose = Pose {
+            position: [x, y],
+            angle: Angle::from_radians(theta),
+            ..Pose::default()
+        };
+        Ok(Self {
+            store,
+            solver,
+            state: None,
+            hold: Hold::Never,
+            turns: 0,
+            pose,
+        })
+    }
+
+    /// The hand goes to where a sample says.
+    fn step(&mut self, hand: &Hand<f32>) -> Output<f32> {
+        let hand = turned(hand, self.turns.saturating_neg());
+        let output = match &mut self.state {
+            Some(state) => self.solver.step(state, hand),
+            None => {
+                let (state, output) = self.solver.start(hand);
+                self.state = Some(state);
+                output
+            }
+        };
+        self.accept(output)
+    }
+
+    /// Keeps what a step says of the body; gives it with its turns as seen from outside.
+    pub(super) fn accept(&mut self, mut output: Output<f32>) -> Output<f32> {
+        output.angle.turns = output.angle.turns.saturating_add(self.turns);
+        if output.events().contains(&Event::Grasp) {
+            self.hold = Hold::Taken;
+        } else if output.held && self.hold == Hold::Never {
+            self.hold = Hold::Given;
+        }
+        self.pose = Pose::of(&output);
+        output
+    }
+}
+
+/// The solver of a scene.
+pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
+    description: &Description<'_, f32>,
+    settings: &Settings,
+) -> Result<Solver<R, V, S, M>, Refusal> {
+    if let Some(passivity) = &settings.passivity {
+        passivity.admit(
+            description.stiffness_translation,
+            description.stiffness_rotation,
+        )?;
+    }
+    let scene = Scene::new(description)?;
+    Ok(Solver::new(scene, settings.evolution).with_tolerance(settings.tolerance))
+}
+
+/// A hand turned on by whole turns.
+pub(super) fn turned(hand: &Hand<f32>, turns: i32) -> Hand<f32> {
+    let mut hand = *hand;
+    hand.angle.turns = hand.angle.turns.saturating_add(turns);
+    hand
+}
+
+/// Where the solver held the last pose instead of an answer.
+pub(super) fn is_held_last(status: Status) -> bool {
+    matches!(status, Status::Saturated | Status::HeldLast)
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, V, S, M> {
+    /// A device with a scene. The body starts with the first sample, at its start pose.
+    ///
+    /// # Errors
+    /// [`Refusal`] says what cannot be used, and what is allowed.
+    pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
+        settings.limits.check()?;
+        if let Some(passivity) = &settings.passivity {
+            passivity.check()?;
+        }
+        let limits = &settings.limits;
+        Ok(Self {
+            settings: *settings,
+            run: Run::new(description, settings)?,
+            wanted: Wrench::default(),
+            held_last: false,
+            governor: Governor::new(limits),
+            line: Line::new(limits.silence_us, limits.period_us),
+            ticks: Ticks::new(limits.period_us),
+            health: Health::default(),
+        })
+    }
+
+    /// One tick, at a time (µs, wrapping) of the device's clock, with a sample if one came.
+    pub fn tick(&mut self, now_us: u32, sample: Option<&Sample>) -> Tick {
+        let missed = self.ticks.tick(now_us);
+        let output = sample.and_then(|sample| self.take(sample));
+        let mut flags = Flags {
+            silent: self.line.is_silent(now_us),
+            held_last: self.held_last,
+            overrun: missed > u32::from(self.settings.limits.missed_ticks),
+            ..Flags::default()
+        };
+        let given = if flags.is_safe_state() {
+            self.governor.cut()
+        } else {
+            self.governor.toward(&self.wanted)
+        };
+        let Given { wrench, .. } = given;
+        flags.size_limited = given.size_limited;
+        flags.rate_limited = given.rate_limited;
+        flags.not_finite = given.not_finite;
+        Tick {
+            output,
+            pose: self.run.pose,
+            force: wrench,
+            flags,
+        }
+    }
+
+    /// A sample that is new goes to the solver.
+    fn take(&mut self, sample: &Sample) -> Option<Output<f32>> {
+        if self.line.arrive(sample.number) == Arrival::Late {
+            return None;
+        }
+        let output = self.run.step(&sample.hand);
+        self.health.samples = self.health.samples.saturating_add(1);
+        self.held_last = is_held_last(output.status);
+        if self.held_last {
+            self.health.unusable_samples = self.health.unusable_samples.saturating_add(1);
+        } else {
+            self.line.hear(sample.received_us);
+            self.want();
+        }
+        Some(output)
+    }
+
+    /// The force of the present state.
+    pub(super) fn want(&mut self) {
+        let wrench = self.run.state.as_ref().map(|s| self.run.solver.wrench(s));
+        self.wanted = wrench.unwrap_or_default().feedback();
+    }
+
+    /// The force of a tick could not be given: it is zero, and grows from there again.
+    pub fn actuator_fault(&mut self, tick: &mut Tick) {
+        self.health.actuator_faults = self.health.actuator_faults.saturating_add(1);
+        tick.force = self.governor.cut().wrench;
+        tick.flags.actuator_fault = true;
+    }
+
+    /// A step took so long, in any unit: the longest one is kept.
+    pub fn measured(&mut self, step: u32) {
+        self.health.worst_step = self.health.worst_step.max(step);
+    }
+
+    /// What has been counted.
+    pub fn health(&self) -> Health {
+        Health {
+            ticks: self.ticks.done,
+            missed_ticks: self.ticks.missed,
+            late_samples: self.line.late,
+            lost_samples: self.line.lost,
+            restarts: self.line.restarts,
+            silences: self.line.silences,
+            ..self.health
+        }
+    }
+
+    /// How the device runs.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The solver of the scene.
+    pub fn solver(&self) -> &Solver<R, V, S, M> {
+        &self.run.solver
+    }
+
+    /// The state of the run; none before the first sample.
+    pub fn state(&self) -> Option<&State<R>> {
+        self.run.state.as_ref()
+    }
+
+    /// Everything from the start again: the body at the start pose of its scene, zero force at once. Counters go on.
+    pub fn reset(&mut self) {
+        let d = self.run.store.description();
+        // Checked when it was taken.
+        if let Ok(run) = Run::new(&d, &self.settings) {
+            self.run = run;
+        }
+        self.wanted = Wrench::default();
+        self.held_last = false;
+        let _ = self.governor.cut();
+    }
+}

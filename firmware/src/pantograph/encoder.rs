@@ -1,0 +1,80 @@
+//! From the 16-bit counts of quadrature encoders to joint angles, unwrapped. The counts are kept whole: nothing adds up.
+
+use super::geometry::{Encoder, Geometry};
+use core::f32::consts::TAU;
+use stiction_core::Angle;
+
+/// One joint: whole turns and the counts within a turn since home.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Joint {
+    encoder: Encoder,
+    last: u16,
+    turns: i32,
+    /// 0 to `counts_per_turn` - 1
+    counts: i32,
+}
+
+impl Joint {
+    /// The counter moved by less than half of its range since it was last read.
+    fn update(&mut self, count: u16) {
+        // As a 16-bit number with a sign: -32 768 to 32 767.
+        let moved = count.wrapping_sub(self.last).cast_signed();
+        self.last = count;
+        let moved = i32::from(moved);
+        let moved = if self.encoder.reversed {
+            moved.saturating_neg()
+        } else {
+            moved
+        };
+        // At most 2^22 and more than 0 by the check of the geometry.
+        let turn = self.encoder.counts_per_turn.cast_signed();
+        let counts = self.counts.saturating_add(moved);
+        let turns = counts.checked_div_euclid(turn).unwrap_or(0);
+        self.turns = self.turns.saturating_add(turns);
+        self.counts = counts.checked_rem_euclid(turn).unwrap_or(0);
+    }
+
+    fn angle(&self) -> Angle<f32> {
+        let part = self.counts as f32 / self.encoder.counts_per_turn as f32;
+        let rest = Angle {
+            turns: self.turns,
+            rest: 0.0,
+        };
+        rest.plus(part * TAU).plus(self.encoder.offset)
+    }
+}
+
+/// The joints of a pantograph: left, right, handle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joints {
+    joints: [Joint; 3],
+}
+
+impl Joints {
+    /// In the home position, with what the counters show there. For a geometry that was checked.
+    pub fn new(geometry: &Geometry, counts: [u16; 3]) -> Self {
+        let [left, right, handle] = geometry.encoders;
+        let [a, b, c] = counts;
+        let joint = |encoder, last| Joint {
+            encoder,
+            last,
+            turns: 0,
+            counts: 0,
+        };
+        Self {
+            joints: [joint(left, a), joint(right, b), joint(handle, c)],
+        }
+    }
+
+    /// What the counters show now. To be called before any of them has moved by 32 768 counts.
+    pub fn update(&mut self, counts: [u16; 3]) {
+        for (joint, count) in self.joints.iter_mut().zip(counts) {
+            joint.update(count);
+        }
+    }
+
+    /// The angles of the joints, unwrapped.
+    pub fn angles(&self) -> [Angle<f32>; 3] {
+        self.joints.map(|joint| joint.angle())
+    }
+}

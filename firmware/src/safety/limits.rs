@@ -1,0 +1,247 @@
+//! What a haptic device carries and damps, and the largest stiffness that it can show without doing work on the hand.
+
+use core::fmt;
+use stiction_core::Real;
+
+/// The largest limit of force, moment and their rates that makes sense (SI units).
+const LARGEST: f32 = 1e6;
+/// The longest period of ticks (µs): a tenth of a second.
+const LONGEST_PERIOD: u32 = 100_000;
+/// The longest silence (µs): one second.
+const LONGEST_SILENCE: u32 = 1_000_000;
+/// The longest time for which a force is held, and the longest delay (µs).
+const LONGEST_HOLD: u32 = 1_000_000;
+
+/// What may go to the hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The largest force (N), 0 to 1e6.
+    pub force: f32,
+    /// The largest moment (N·m), 0 to 1e6.
+    pub moment: f32,
+    /// The fastest change of the force (N/s), more than 0. It must be well above k_h times the speed of the hand: a force
+    /// that lags behind the hand does work on it.
+    pub force_rate: f32,
+    /// The fastest change of the moment (N·m/s), more than 0. The same holds for it.
+    pub moment_rate: f32,
+    /// The period of ticks (µs), 1 to 100 000.
+    pub period_us: u32,
+    /// The force is zero when the last usable sample is so old (µs): from 2 periods to one second.
+    pub silence_us: u32,
+    /// So many missed ticks in a row leave the force as it is; more make it zero. 0: every overrun does.
+    pub missed_ticks: u16,
+}
+
+impl Default for Limits {
+    /// 5 N, 0.1 N·m, both from nothing in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
+    fn default() -> Self {
+        Self {
+            force: 5.0,
+            moment: 0.1,
+            force_rate: 100.0,
+            moment_rate: 2.0,
+            period_us: 1_000,
+            silence_us: 20_000,
+            missed_ticks: 0,
+        }
+    }
+}
+
+impl Limits {
+    /// # Errors
+    /// [`LimitError`] names the first limit that is not finite or out of its range.
+    pub fn check(&self) -> Result<(), LimitError> {
+        use LimitParameter as P;
+        let least = f32::MIN_POSITIVE;
+        within(P::Force, self.force, 0.0, LARGEST)?;
+        within(P::Moment, self.moment, 0.0, LARGEST)?;
+        within(P::ForceRate, self.force_rate, least, LARGEST)?;
+        within(P::MomentRate, self.moment_rate, least, LARGEST)?;
+        let (period, silence) = (self.period_us, self.silence_us);
+        counted(P::Period, period, 1, LONGEST_PERIOD)?;
+        counted(
+            P::Silence,
+            silence,
+            period.saturating_mul(2),
+            LONGEST_SILENCE,
+        )
+    }
+
+    /// The period of ticks (s).
+    pub(crate) fn period(&self) -> f32 {
+        self.period_us as f32 * 1e-6
+    }
+}
+
+/// What the device damps by itself, and how old the hand's pose is when its force is given: with them a virtual spring of
+/// stiffness K is passive if b > K (T/2 + delay), where T is the time for which a force is held (Colgate and Schenkel).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passivity {
+    /// b of the device along the plane (N·s/m), the least over its workspace: friction of bearings and motors.
+    pub damping_translation: f32,
+    /// b of the device's handle about its axis (N·m·s/rad).
+    pub damping_rotation: f32,
+    /// T (µs), 1 to 1 000 000: the time between two forces that follow the hand; of ticks, or of samples where these come
+    /// less often.
+    pub hold_us: u32,
+    /// The time from the hand's pose to the first force that answers it (µs), 0 to 1 000 000; 0 where the encoders are
+    /// read in the tick.
+    pub delay_us: u32,
+}
+
+impl Passivity {
+    /// # Errors
+    /// [`LimitError`] names the first number that is not finite or out of its range.
+    pub fn check(&self) -> Result<(), LimitError> {
+        use LimitParameter as P;
+        within(
+            P::DampingTranslation,
+            self.damping_translation,
+            0.0,
+            LARGEST,
+        )?;
+        within(P::DampingRotation, self.damping_rotation, 0.0, LARGEST)?;
+        counted(P::Hold, self.hold_us, 1, LONGEST_HOLD)?;
+        counted(P::Delay, self.delay_us, 0, LONGEST_HOLD)
+    }
+
+    /// The bounds of k_h (N/m) and of k_theta (N·m/rad): stiffnesses below them are passive.
+    pub fn bounds(&self) -> [f32; 2] {
+        // Twice the time, whole: the bound of round numbers is round.
+        let twice_us = self.hold_us.saturating_add(self.delay_us.saturating_mul(2));
+        [self.damping_translation, self.damping_rotation].map(|b| b * 2e6 / twice_us as f32)
+    }
+
+    /// Refuses the stiffnesses k_h (N/m) and k_theta (N·m/rad) of a hand that the device cannot show passively. No
+    /// stiffness is passive without damping; 0 always is.
+    ///
+    /// # Errors
+    /// [`LimitError`] names the stiffness and its bound.
+    pub fn admit(&self, k_h: f32, k_theta: f32) -> Result<(), LimitError> {
+        let [translation, rotation] = self.bounds();
+        below(LimitParameter::StiffnessTranslation, k_h, translation)?;
+        below(LimitParameter::StiffnessRotation, k_theta, rotation)
+    }
+}
+
+/// The parameter that a [`LimitError`] is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LimitParameter {
+    /// The largest force (N).
+    Force,
+    /// The largest moment (N·m).
+    Moment,
+    /// The fastest change of the force (N/s).
+    ForceRate,
+    /// The fastest change of the moment (N·m/s).
+    MomentRate,
+    /// The period of ticks (µs).
+    Period,
+    /// The silence after which the force is zero (µs).
+    Silence,
+    /// The damping along the plane (N·s/m).
+    DampingTranslation,
+    /// The damping of the handle (N·m·s/rad).
+    DampingRotation,
+    /// The time for which a force is held (µs).
+    Hold,
+    /// The age of the hand's pose (µs).
+    Delay,
+    /// k_h (N/m)
+    StiffnessTranslation,
+    /// k_theta (N·m/rad)
+    StiffnessRotation,
+}
+
+impl LimitParameter {
+    /// Its name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Force => "largest force (N)",
+            Self::Moment => "largest moment (N·m)",
+            Self::ForceRate => "rate of force (N/s)",
+            Self::MomentRate => "rate of moment (N·m/s)",
+            Self::Period => "period of ticks (µs)",
+            Self::Silence => "silence (µs)",
+            Self::DampingTranslation => "damping of translation (N·s/m)",
+            Self::DampingRotation => "damping of rotation (N·m·s/rad)",
+            Self::Hold => "time for which a force is held (µs)",
+            Self::Delay => "delay (µs)",
+            Self::StiffnessTranslation => "translational stiffness k_h (N/m)",
+            Self::StiffnessRotation => "rotational stiffness k_theta (N·m/rad)",
+        }
+    }
+}
+
+/// What is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// From the first to the second.
+    Within(f32, f32),
+    /// Finite, and less than this, at which the device ceases to be passive; 0 is allowed always.
+    PassiveBelow(f32),
+}
+
+/// Why a limit or a stiffness is refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitError {
+    /// Which parameter.
+    pub parameter: LimitParameter,
+    /// Its value, in the parameter's unit.
+    pub value: f32,
+    /// What is allowed, in the same unit.
+    pub allowed: Allowed,
+}
+
+impl fmt::Display for LimitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, value) = (self.parameter.name(), self.value);
+        match self.allowed {
+            Allowed::Within(least, most) => {
+                write!(f, "{name} is {value}, allowed: {least} to {most}")
+            }
+            Allowed::PassiveBelow(bound) => {
+                write!(
+                    f,
+                    "{name} is {value}, allowed: less than {bound}, where the device is passive"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for LimitError {}
+
+fn within(parameter: LimitParameter, value: f32, least: f32, most: f32) -> Result<(), LimitError> {
+    let allowed = Allowed::Within(least, most);
+    // False for what is not a number, too.
+    refuse_unless(value >= least && value <= most, parameter, value, allowed)
+}
+
+fn counted(parameter: LimitParameter, value: u32, least: u32, most: u32) -> Result<(), LimitError> {
+    let holds = value >= least && value <= most;
+    let allowed = Allowed::Within(least as f32, most as f32);
+    refuse_unless(holds, parameter, value as f32, allowed)
+}
+
+fn below(parameter: LimitParameter, value: f32, bound: f32) -> Result<(), LimitError> {
+    let holds = value == 0.0 || value < bound && Real::is_finite(value);
+    refuse_unless(holds, parameter, value, Allowed::PassiveBelow(bound))
+}
+
+fn refuse_unless(
+    holds: bool,
+    parameter: LimitParameter,
+    value: f32,
+    allowed: Allowed,
+) -> Result<(), LimitError> {
+    if holds {
+        Ok(())
+    } else {
+        Err(LimitError {
+            parameter,
+            value,
+            allowed,
+        })
+    }
+}

@@ -1,0 +1,47 @@
+//! Ticks that did not come: counted by the device's clock.
+
+/// Differences beyond this are of a clock that went backwards.
+const HALF: u32 = 1 << 31;
+
+/// Counts ticks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ticks {
+    period_us: u32,
+    last_us: Option<u32>,
+    /// Ticks done.
+    pub done: u32,
+    /// Ticks missed.
+    pub missed: u32,
+}
+
+impl Ticks {
+    /// Of a period (µs).
+    pub fn new(period_us: u32) -> Self {
+        Self {
+            period_us,
+            last_us: None,
+            done: 0,
+            missed: 0,
+        }
+    }
+
+    /// A tick at a time (µs, wrapping) of the device: how many are missing between the one before and this one, to the
+    /// nearest.
+    pub fn tick(&mut self, now_us: u32) -> u32 {
+        let elapsed = match self.last_us {
+            None => 0,
+            Some(last) => now_us.wrapping_sub(last),
+        };
+        self.last_us = Some(now_us);
+        self.done = self.done.saturating_add(1);
+        // Without a division where nothing is missing.
+        let half = self.period_us / 2;
+        if elapsed >= HALF || elapsed < self.period_us.saturating_add(half) {
+            return 0;
+        }
+        let periods = elapsed.saturating_add(half).checked_div(self.period_us);
+        let missed = periods.unwrap_or(0).saturating_sub(1);
+        self.missed = self.missed.saturating_add(missed);
+        missed
+    }
+}

@@ -1,0 +1,503 @@
+//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, what is symmetric stays so, and
+//! where the mechanism can give no force it gives none.
+
+use core::convert::Infallible;
+use core::f32::consts::{FRAC_PI_2, PI, TAU};
+use embedded_hal::digital::{self, OutputPin};
+use embedded_hal::pwm::{self, SetDutyCycle};
+use std::cell::RefCell;
+use std::rc::Rc;
+use stiction_core::{Angle, Wrench};
+use stiction_firmware::device::{Actuators, Source};
+use stiction_firmware::pantograph::{
+    Counters, Encoder, Fault, Geometry, GeometryParameter, HandleMount, Joints, Kinematics, Motor,
+    MotorConstants, MotorFault, Motors, NoForce, NoMotors, Pantograph,
+};
+
+const MOUNTS: [HandleMount; 3] = [
+    HandleMount::Base,
+    HandleMount::LeftLink,
+    HandleMount::RightLink,
+];
+
+fn geometry() -> Geometry {
+    let encoder = Encoder {
+        counts_per_turn: 40_000,
+        reversed: false,
+        offset: 0.0,
+    };
+    Geometry {
+        origin: [0.0, -0.1],
+        base: 0.05,
+        proximal: [0.06, 0.06],
+        distal: [0.09, 0.09],
+        encoders: [
+            Encoder {
+                offset: 2.4,
+                ..encoder
+            },
+            Encoder {
+                offset: 0.7,
+                reversed: true,
+                ..encoder
+            },
+            Encoder {
+                counts_per_turn: 4_096,
+                ..encoder
+            },
+        ],
+        handle: HandleMount::Base,
+        least_sine: 0.05,
+    }
+}
+
+/// Not symmetric, so that nothing cancels.
+fn crooked(handle: HandleMount) -> Geometry {
+    Geometry {
+        origin: [0.02, -0.05],
+        base: 0.04,
+        proximal: [0.055, 0.065],
+        distal: [0.095, 0.085],
+        handle,
+        ..geometry()
+    }
+}
+
+fn angles(q: [f32; 3]) -> [Angle<f32>; 3] {
+    q.map(Angle::from_radians)
+}
+
+/// The forward kinematics once more, in f64: the hand by the cosine rule, its orientation.
+fn reference(g: &Geometry, [q1, q2, q3]: [f64; 3]) -> [f64; 3] {
+    let [ox, oy] = g.origin.map(f64::from);
+    let half = f64::from(g.base) / 2.0;
+    let ([l1, l2], [r1, r2]) = (g.proximal.map(f64::from), g.distal.map(f64::from));
+    let (x1, y1) = (ox - half + l1 * q1.cos(), oy + l1 * q1.sin());
+    let (x2, y2) = (ox + half + l2 * q2.cos(), oy + l2 * q2.sin());
+    let apart = (x2 - x1).hypot(y2 - y1);
+    let at_left = ((r1 * r1 + apart * apart - r2 * r2) / (2.0 * r1 * apart)).acos();
+    let link = (y2 - y1).atan2(x2 - x1) + at_left;
+    let (x, y) = (x1 + r1 * link.cos(), y1 + r1 * link.sin());
+    let phi = match g.handle {
+        HandleMount::Base => q3,
+        HandleMount::LeftLink => q3 + link,
+        HandleMount::RightLink => q3 + (y - y2).atan2(x - x2),
+    };
+    [x, y, phi]
+}
+
+/// Joint angles all over the workspace.
+fn workspace() -> impl Iterator<Item = [f32; 3]> {
+    (0..40).flat_map(|i| {
+        (0..40).map(move |j| {
+            let (a, b) = (i as f32 / 39.0, j as f32 / 39.0);
+            [1.4 + 1.5 * a, 0.2 + 1.5 * b, 20.0 * (a - b)]
+        })
+    })
+}
+
+#[test]
+fn the_hand_is_where_the_links_meet() {
+    for mount in MOUNTS {
+        let g = crooked(mount);
+        let kinematics = Kinematics::new(&g).unwrap();
+        let mut seen = 0;
+        for q in workspace() {
+            let Ok(found) = kinematics.solve(&angles(q)) else {
+                continue;
+            };
+            seen += 1;
+            let [x, y, phi] = reference(&g, q.map(f64::from));
+            let [fx, fy] = found.position.map(f64::from);
+            assert!((fx - x).hypot(fy - y) < 1e-6, "{q:?}: {found:?}");
+            assert!(
+                (f64::from(found.handle.radians()) - phi).abs() < 1e-5,
+                "{q:?}: {found:?}"
+            );
+        }
+        assert!(seen > 1_500, "{seen}");
+    }
+}
+
+#[test]
+fn the_power_of_the_torques_is_that_of_the_wrench() {
+    let wrench = Wrench {
+        force: [1.7, -2.9],
+        moment: 0.083,
+    };
+    for mount in MOUNTS {
+        let g = crooked(mount);
+        let kinematics = Kinematics::new(&g).unwrap();
+        for q in workspace() {
+            let Ok(found) = kinematics.solve(&angles(q)) else {
+                continue;
+            };
+            let torques = found.torques(&wrench).unwrap();
+            for (joint, torque) in torques.into_iter().enumerate() {
+                // dP/dq and dphi/dq by differences of the reference.
+                let at = |h: f64| {
+                    let mut q = q.map(f64::from);
+                    q[joint] += h;
+                    reference(&g, q)
+                };
+                let (h, [x0, y0, p0], [x1, y1, p1]) = (1e-6, at(-1e-6), at(1e-6));
+                let [fx, fy] = wrench.force.map(f64::from);
+                let power =
+                    (fx * (x1 - x0) + fy * (y1 - y0) + f64::from(wrench.moment) * (p1 - p0))
+                        / (2.0 * h);
+                let size = 0.01 + power.abs();
+                // Near the least sine the Jacobian magnifies the rounding of the angles twentyfold.
+                assert!(
+                    (f64::from(torque) - power).abs() < 1e-4 * size,
+                    "{q:?} {torque} {power}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mirrored_mechanism_gives_mirrored_hands_and_torques() {
+    let kinematics = Kinematics::new(&geometry()).unwrap();
+    for [q1, q2, q3] in workspace() {
+        let one = kinematics.solve(&angles([q1, q2, q3]));
+        let other = kinematics.solve(&angles([PI - q2, PI - q1, -q3]));
+        let (Ok(one), Ok(other)) = (one, other) else {
+            continue;
+        };
+        let near = |a: f32, b: f32| (a - b).abs() < 2e-5 * (1.0 + a.abs());
+        assert!(near(one.position[0], -other.position[0]));
+        assert!(near(one.position[1], other.position[1]));
+        let [a, b, c] = one
+            .torques(&Wrench {
+                force: [2.0, 3.0],
+                moment: 0.1,
+            })
+            .unwrap();
+        let [d, e, f] = other
+            .torques(&Wrench {
+                force: [-2.0, 3.0],
+                moment: -0.1,
+            })
+            .unwrap();
+        assert!(
+            near(a, -e) && near(b, -d) && near(c, -f),
+            "{one:?} {other:?}"
+        );
+    }
+}
+
+#[test]
+fn where_no_force_can_be_given_it_is_said_and_nothing_is_nan() {
+    let kinematics = Kinematics::new(&Geometry {
+        base: 0.12,
+        ..geometry()
+    })
+    .unwrap();
+    let fault = |q: [f32; 3]| kinematics.solve(&angles(q)).unwrap_err();
+    assert_eq!(fault([PI, 0.0, 0.0]), Fault::Unreachable);
+    // Distal links of 0.09 m in line: elbows 0.18 m apart.
+    assert_eq!(
+        fault([(-0.5f32).acos(), 0.5f32.acos(), 0.0]),
+        Fault::Singular
+    );
+    // Both elbows in one place.
+    assert_eq!(fault([0.0, PI, 0.0]), Fault::Singular);
+    assert_eq!(fault([f32::NAN, 1.0, 0.0]), Fault::NotFinite);
+    assert_eq!(fault([1.0, 1.0, f32::INFINITY]), Fault::NotFinite);
+
+    let g = Geometry {
+        base: 0.12,
+        least_sine: 0.01,
+        ..geometry()
+    };
+    let kinematics = Kinematics::new(&g).unwrap();
+    let mut bits = 1u64;
+    let mut solved = 0;
+    for _ in 0..200_000 {
+        let mut any = || {
+            bits = bits
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (bits >> 33) as f32 / (1u64 << 31) as f32 * 2.0 * TAU - TAU
+        };
+        let Ok(found) = kinematics.solve(&angles([any(), any(), any()])) else {
+            continue;
+        };
+        solved += 1;
+        let torques = found
+            .torques(&Wrench {
+                force: [5.0, 5.0],
+                moment: 0.1,
+            })
+            .unwrap();
+        // 7 N at a lever of 0.06 m, magnified a hundredfold at the most.
+        assert!(torques.iter().all(|t| t.abs() < 100.0), "{torques:?}");
+    }
+    assert!(solved > 10_000, "{solved}");
+}
+
+#[test]
+fn a_geometry_that_cannot_be_is_refused_by_name() {
+    use GeometryParameter as P;
+    let good = geometry();
+    let refused = |g: Geometry| Kinematics::new(&g).unwrap_err().parameter;
+    for bad in [f32::NAN, f32::INFINITY, -1.0] {
+        assert_eq!(refused(Geometry { base: bad, ..good }), P::Base);
+        assert_eq!(
+            refused(Geometry {
+                proximal: [0.1, bad],
+                ..good
+            }),
+            P::Proximal(1)
+        );
+        assert_eq!(
+            refused(Geometry {
+                distal: [bad, 0.1],
+                ..good
+            }),
+            P::Distal(0)
+        );
+        assert_eq!(
+            refused(Geometry {
+                least_sine: bad,
+                ..good
+            }),
+            P::LeastSine
+        );
+    }
+    let mut g = good;
+    g.encoders[2].counts_per_turn = 0;
+    assert_eq!(refused(g), P::CountsPerTurn(2));
+    g = good;
+    g.encoders[1].offset = f32::NAN;
+    assert_eq!(refused(g), P::EncoderOffset(1));
+    let error = Kinematics::new(&Geometry { base: -1.0, ..good }).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "distance of the base joints (m) is -1, allowed: 0 to 10"
+    );
+}
+
+#[test]
+fn counts_are_unwrapped_for_a_thousand_turns_and_back() {
+    let g = geometry();
+    let home = [65_000u16, 3, 12_345];
+    let mut joints = Joints::new(&g, home);
+    let turned = |joints: &mut Joints, counts: i32| {
+        let [a, b, c] = home;
+        let at = |home: u16, k: i32| home.wrapping_add((counts * k) as u16);
+        joints.update([at(a, 1), at(b, 1), at(c, 1)]);
+    };
+    let most = 4_096 * 1_000;
+    for counts in (0..=most).step_by(30_000).chain([most]) {
+        turned(&mut joints, counts);
+    }
+    let [left, right, handle] = joints.angles();
+    // The same counter bits, other turns: 40 000 counts for the arms, the right one the other way round.
+    assert_eq!(
+        handle,
+        Angle {
+            turns: 1_000,
+            rest: 0.0
+        }
+    );
+    let way = most as f64 / 40_000.0 * std::f64::consts::TAU;
+    let radians = |a: Angle<f32>| f64::from(a.turns) * std::f64::consts::TAU + f64::from(a.rest);
+    assert!((radians(left) - 2.4 - way).abs() < 1e-6);
+    assert!((radians(right) - 0.7 + way).abs() < 1e-6);
+    for counts in (-most..=most).rev().step_by(32_767).chain([0]) {
+        turned(&mut joints, counts);
+    }
+    for counts in (-most..0).step_by(32_767).chain([0]) {
+        turned(&mut joints, counts);
+    }
+    let [left, right, handle] = joints.angles();
+    assert_eq!(
+        (left, right),
+        (Angle::from_radians(2.4), Angle::from_radians(0.7))
+    );
+    assert_eq!(
+        handle,
+        Angle {
+            turns: 0,
+            rest: 0.0
+        }
+    );
+}
+
+/// What a motor was told, last.
+#[derive(Clone, Debug, Default)]
+struct Bench {
+    duty: Rc<RefCell<u16>>,
+    high: Rc<RefCell<bool>>,
+    broken: Rc<RefCell<bool>>,
+}
+
+#[derive(Debug)]
+struct Broken;
+
+impl pwm::Error for Broken {
+    fn kind(&self) -> pwm::ErrorKind {
+        pwm::ErrorKind::Other
+    }
+}
+
+impl pwm::ErrorType for Bench {
+    type Error = Broken;
+}
+
+impl SetDutyCycle for Bench {
+    fn max_duty_cycle(&self) -> u16 {
+        8_400
+    }
+    fn set_duty_cycle(&mut self, duty: u16) -> Result<(), Broken> {
+        if *self.broken.borrow() && duty > 0 {
+            return Err(Broken);
+        }
+        *self.duty.borrow_mut() = duty;
+        Ok(())
+    }
+}
+
+impl digital::ErrorType for Bench {
+    type Error = Infallible;
+}
+
+impl OutputPin for Bench {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        assert_eq!(
+            *self.duty.borrow(),
+            0,
+            "the direction changes without torque"
+        );
+        *self.high.borrow_mut() = false;
+        Ok(())
+    }
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        assert_eq!(
+            *self.duty.borrow(),
+            0,
+            "the direction changes without torque"
+        );
+        *self.high.borrow_mut() = true;
+        Ok(())
+    }
+}
+
+const MOTOR: MotorConstants = MotorConstants {
+    torque_constant: 0.05,
+    full_current: 4.0, // 0.2 N·m at full duty
+    torque_limit: 0.1,
+    reversed: false,
+};
+
+fn motor() -> (Bench, Motor<Bench, Bench>) {
+    let bench = Bench::default();
+    (
+        bench.clone(),
+        Motor::new(bench.clone(), bench, MOTOR).unwrap(),
+    )
+}
+
+#[test]
+fn a_torque_is_a_duty_and_a_direction() {
+    let (bench, mut motor) = motor();
+    let mut told = |torque| {
+        motor.turn(torque).unwrap();
+        (*bench.duty.borrow(), *bench.high.borrow())
+    };
+    assert_eq!(told(0.05), (2_100, false));
+    assert_eq!(told(-0.05), (2_100, true));
+    assert_eq!(told(-5.0), (4_200, true)); // the limit
+    assert_eq!(told(f32::MIN), (4_200, true));
+    assert_eq!(told(0.1), (4_200, false));
+    assert_eq!(told(-0.0), (0, false));
+    for bad in [f32::NAN, f32::INFINITY] {
+        motor.turn(0.05).unwrap();
+        assert_eq!(motor.turn(bad), Err(MotorFault::NotFinite));
+        assert_eq!(*bench.duty.borrow(), 0);
+    }
+    motor.turn(0.05).unwrap();
+    *bench.broken.borrow_mut() = true;
+    assert_eq!(motor.turn(0.01), Err(MotorFault::Pwm));
+    assert_eq!(*bench.duty.borrow(), 0);
+}
+
+#[test]
+fn motors_beyond_their_limit_keep_the_direction_of_the_torques() {
+    let ((a, left), (b, right), (c, handle)) = (motor(), motor(), motor());
+    let mut motors = (left, right, handle);
+    motors.turn([0.2, -0.05, 0.02]).unwrap();
+    let duties = [&a, &b, &c].map(|bench| *bench.duty.borrow());
+    assert_eq!(duties, [4_200, 1_050, 420]);
+    assert!(!*a.high.borrow() && *b.high.borrow());
+    // One that fails takes the others with it.
+    *b.broken.borrow_mut() = true;
+    assert_eq!(motors.turn([0.1, -0.05, 0.02]), Err(MotorFault::Pwm));
+    assert_eq!([&a, &b, &c].map(|bench| *bench.duty.borrow()), [0, 0, 0]);
+    assert_eq!(
+        motors.turn([f32::NAN, 0.0, 0.0]),
+        Err(MotorFault::NotFinite)
+    );
+    *b.broken.borrow_mut() = false;
+    motors.turn([0.1, 0.1, 0.1]).unwrap();
+    Motors::off(&mut motors);
+    assert_eq!([&a, &b, &c].map(|bench| *bench.duty.borrow()), [0, 0, 0]);
+}
+
+struct Counts([u16; 3]);
+
+impl Counters for Counts {
+    fn counts(&mut self) -> [u16; 3] {
+        self.0
+    }
+    fn held(&mut self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn the_whole_device_measures_and_pushes() {
+    let mut g = geometry();
+    g.encoders[0].offset = FRAC_PI_2;
+    g.encoders[1].offset = FRAC_PI_2;
+    let ((a, left), (b, right), (_, handle)) = (motor(), motor(), motor());
+    let mut device = Pantograph::new(&g, Counts([7; 3]), (left, right, handle)).unwrap();
+    let push = Wrench {
+        force: [0.0, 1.0],
+        moment: 0.0,
+    };
+    // Not before it has been measured.
+    assert_eq!(device.give(&push), Err(NoForce::Mechanism(Fault::NotRead)));
+    let sample = device.sample(123).unwrap();
+    assert_eq!(sample.received_us, 123);
+    let [x, y] = sample.hand.position;
+    // Both proximal links upright: the distal ones stand on elbows 0.05 m apart.
+    assert!(
+        x.abs() < 1e-6
+            && (y - (-0.1 + 0.06 + (0.09f32.powi(2) - 0.025f32.powi(2)).sqrt())).abs() < 1e-6
+    );
+    device.give(&push).unwrap();
+    // Upwards: the left joint clockwise, the right one counter-clockwise, equally.
+    assert!(*a.high.borrow() && !*b.high.borrow());
+    assert_eq!(*a.duty.borrow(), *b.duty.borrow());
+    assert!(*a.duty.borrow() > 0);
+    assert_eq!(
+        device.give(&Wrench {
+            force: [f32::NAN, 0.0],
+            moment: 0.0
+        }),
+        Err(NoForce::Mechanism(Fault::NotFinite))
+    );
+    assert_eq!(*a.duty.borrow(), 0);
+
+    let stretched = Geometry { base: 0.5, ..g };
+    let mut device = Pantograph::new(&stretched, Counts([0; 3]), NoMotors).unwrap();
+    assert!(device.sample(0).is_none());
+    assert_eq!(device.configuration().unwrap_err(), Fault::Unreachable);
+    assert_eq!(
+        device.give(&push),
+        Err(NoForce::Mechanism(Fault::Unreachable))
+    );
+}
