@@ -12,8 +12,10 @@ mod source;
 
 pub use bits::Machine;
 pub use chip::Chip;
+pub(crate) use image::board_image;
 pub use image::{Profile, footprint};
 pub use process::EmulatorError;
+pub(crate) use process::require_qemu_arm;
 pub use source::{rust_source, rust_source_in};
 
 use std::convert::Infallible;

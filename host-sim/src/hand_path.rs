@@ -3,6 +3,7 @@
 mod placement;
 mod recorded;
 
+pub(crate) use placement::LivePlacement;
 pub use placement::{Placement, parse_plane};
 pub(crate) use recorded::{Row, RowPose};
 

@@ -9,9 +9,12 @@
 //!
 //! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
 //!
+//! [`board`] feeds a board with the hand's motion in real time, instead of the solver on this computer, or beside it.
+//!
 //! [`footprint`] builds the solver that a scene needs for two chips: how large it is there and what a frame costs.
 
 mod balance;
+pub mod board;
 pub mod emulator;
 pub mod footprint;
 pub mod hand_path;

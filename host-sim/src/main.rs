@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
 use stiction_host_sim::footprint::{FootprintArgs, footprint};
 use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::trade::{TradeArgs, trade};
@@ -23,17 +24,27 @@ enum Command {
     Trade(TradeArgs),
     /// Build the smallest solver for a scene, for two chips: why it is that, its size, what a frame costs (in QEMU)
     Footprint(FootprintArgs),
+    /// Stream a hand's motion to a board in real time: rate, latency, losses, a trace; with --verify bit for bit
+    Board(BoardArgs),
+    /// What a board says about itself
+    Info(InfoArgs),
 }
 
 fn main() -> ExitCode {
-    let result: Result<(), Box<dyn std::error::Error>> = match Cli::parse().command {
-        Some(Command::Run(args)) => run(&args).map_err(Into::into),
-        Some(Command::Trade(args)) => trade(&args).map_err(Into::into),
-        Some(Command::Footprint(args)) => footprint(&args).map_err(Into::into),
-        None => run(&RunArgs::demonstration()).map_err(Into::into),
+    // False where the work was done and its outcome is bad.
+    let result: Result<bool, Box<dyn std::error::Error>> = match Cli::parse().command {
+        Some(Command::Run(args)) => run(&args).map(|()| true).map_err(Into::into),
+        Some(Command::Trade(args)) => trade(&args).map(|()| true).map_err(Into::into),
+        Some(Command::Footprint(args)) => footprint(&args).map(|()| true).map_err(Into::into),
+        Some(Command::Board(args)) => board(&args).map_err(Into::into),
+        Some(Command::Info(args)) => info(&args).map(|()| true).map_err(Into::into),
+        None => run(&RunArgs::demonstration())
+            .map(|()| true)
+            .map_err(Into::into),
     };
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::from(2)

@@ -64,21 +64,21 @@ impl RunArgs {
     }
 }
 
-fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
+pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
     PossibleValuesParser::new(["path", "frame"]).map(|name| match name.as_str() {
         "frame" => Evolution::Frame,
         _ => Evolution::Path,
     })
 }
 
-fn parse_rate(text: &str) -> Result<f64, String> {
+pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(rate) if rate > 0.0 && f64::is_finite(rate) => Ok(rate),
         _ => Err("allowed: a finite number above 0".to_owned()),
     }
 }
 
-fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
+pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
     let file = PathBuf::from(text);
     match Format::of(&file) {
         Some(format) => Ok((file, format)),

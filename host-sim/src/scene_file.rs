@@ -8,7 +8,7 @@ mod locate;
 
 use std::path::Path;
 
-use stiction_core::{Description, Real, Scene, Solver, SurfaceDescription};
+use stiction_core::{Description, Full, Model, Real, Scene, Solver, SurfaceDescription};
 use toml::Spanned;
 
 use crate::number::{Number, SiFloat};
@@ -112,7 +112,27 @@ impl SceneFile {
     where
         R::Si: SiFloat,
     {
-        let narrow = R::Si::narrow;
+        self.scene_in::<R, Full>()
+    }
+
+    /// The scene for a solver that lacks parts.
+    ///
+    /// # Errors
+    /// As [`SceneFile::scene`]; also where the scene needs a part that is not there.
+    pub fn scene_in<R: Real, M: Model>(&self) -> Result<Scene<R, VERTICES, SURFACES, M>, InputError>
+    where
+        R::Si: SiFloat,
+    {
+        self.described(|description| Scene::new(description))
+            .map_err(|error| self.explain(&error))
+    }
+
+    /// The scene in the float of a solver, as it is given to it or sent to a board.
+    pub(crate) fn described<F: SiFloat, T>(
+        &self,
+        take: impl FnOnce(&Description<'_, F>) -> T,
+    ) -> T {
+        let narrow = F::narrow;
         let vertices: Vec<_> = self.vertices.iter().map(|v| v.map(narrow)).collect();
         let surface = |s: &SurfaceInfo| SurfaceDescription {
             normal: s.normal.map(narrow),
@@ -121,7 +141,7 @@ impl SceneFile {
             friction_dynamic: narrow(s.friction_dynamic),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
-        Scene::new(&Description {
+        take(&Description {
             vertices: &vertices,
             start: self.start.map(narrow),
             weight: narrow(self.weight),
@@ -131,7 +151,6 @@ impl SceneFile {
             stiffness_rotation: narrow(self.stiffness_rotation),
             surfaces: &surfaces,
         })
-        .map_err(|error| self.explain(&error))
     }
 
     /// A problem of the whole file.

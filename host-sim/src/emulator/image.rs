@@ -148,6 +148,18 @@ fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
     Ok(flash)
 }
 
+/// The image of a folder in `firmware/boards`, without a log. The settings of the build are those of the folder.
+pub(crate) fn board_image(board: &str) -> Result<PathBuf, EmulatorError> {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(workspace().join("firmware/boards").join(board));
+    cargo.args(["build", "--locked", "--profile", Profile::Device.name()]);
+    cargo.args([
+        "--no-default-features",
+        "--message-format=json-render-diagnostics",
+    ]);
+    Image::built(cargo).map(|image| image.path)
+}
+
 /// Builds a binary of the firmware for a board.
 fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     let mut cargo = cargo(profile, Some(board.target()));

@@ -98,6 +98,33 @@ fn joined(text: thread::JoinHandle<io::Result<String>>) -> io::Result<String> {
     text.join().unwrap_or_else(|_| Ok(String::new()))
 }
 
+/// The first QEMU whose boards are whole: serial lines, timers and clocks.
+const OLDEST_QEMU: u32 = 10;
+
+/// QEMU for boards with an ARM processor is there, and new enough.
+pub(crate) fn require_qemu_arm() -> Result<(), EmulatorError> {
+    let program = "qemu-system-arm";
+    let mut command = Command::new(program);
+    command.arg("--version");
+    let said = output_of(command)?;
+    match major_version(&said) {
+        Some(major) if major < OLDEST_QEMU => Err(EmulatorError::Missing {
+            what: format!("{program} {OLDEST_QEMU} or newer (here is {major})"),
+            install: format!(
+                "{}, on Debian 12 with -t bookworm-backports",
+                install(program)
+            ),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// The first number in what QEMU says of its version.
+fn major_version(said: &str) -> Option<u32> {
+    let (_, version) = said.split_once("version ")?;
+    version.split('.').next()?.parse().ok()
+}
+
 /// Some failures are something missing.
 fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError {
     let target = message
@@ -107,6 +134,12 @@ fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError 
         return EmulatorError::Missing {
             what: format!("the target {target}"),
             install: format!("rustup target add {target}"),
+        };
+    }
+    if message.contains("linker `flip-link` not found") {
+        return EmulatorError::Missing {
+            what: "flip-link".to_owned(),
+            install: install("flip-link"),
         };
     }
     EmulatorError::Failed {
@@ -125,6 +158,7 @@ fn install(program: &str) -> String {
         "qemu-system-arm" => "qemu-system-arm",
         "qemu-system-riscv32" => "qemu-system-misc",
         "node" => "nodejs",
+        "flip-link" => return "cargo install flip-link".to_owned(),
         _ => return format!("see the documentation of {program}"),
     };
     format!("apt-get install -y --no-install-recommends {package}")
@@ -161,6 +195,22 @@ mod tests {
             error.to_string(),
             "missing: the target thumbv6m-none-eabi; to install it: rustup target add thumbv6m-none-eabi"
         );
+    }
+
+    #[test]
+    fn a_missing_linker_is_named() {
+        let error = shell("echo 'error: linker `flip-link` not found' >&2; exit 1").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "missing: flip-link; to install it: cargo install flip-link"
+        );
+    }
+
+    #[test]
+    fn the_version_of_qemu_is_read() {
+        let said = "QEMU emulator version 10.0.2 (Debian 1:10.0.2+ds-2)\nCopyright";
+        assert_eq!(major_version(said), Some(10));
+        assert_eq!(major_version("something else"), None);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! How the hand's motion lies in the scene: the plane that six degrees of freedom are projected onto, the scale, the
 //! origin.
 
-use stiction_core::{Angle, Axis, Hand, Projection};
+use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
@@ -71,6 +71,14 @@ impl Placement {
         Ok(samples)
     }
 
+    /// For samples that are placed as they come.
+    pub(crate) fn live(&self) -> Option<LivePlacement> {
+        Some(LivePlacement {
+            placement: *self,
+            projection: Projection::new(self.axes)?,
+        })
+    }
+
     fn placed(&self, hand: &Hand<f64>) -> Hand<f64> {
         let ([x, y], [x0, y0, phi0]) = (hand.position, self.origin);
         Hand {
@@ -87,6 +95,24 @@ impl Placement {
             .iter()
             .all(|value| value.abs() <= self.limit)
             && hand.angle.radians().abs() <= HandPath::LARGEST_ANGLE
+    }
+}
+
+/// Places samples of a tracker as they come; the angle is unwrapped from one to the next.
+#[derive(Clone, Debug)]
+pub(crate) struct LivePlacement {
+    placement: Placement,
+    projection: Projection<f64>,
+}
+
+impl LivePlacement {
+    /// The hand of a sample; one that is not finite where there is none, or where it is out of range.
+    pub(crate) fn hand(&mut self, sample: Option<&TrackerSample<f64>>) -> Hand<f64> {
+        let recorded = sample.and_then(|sample| self.projection.planar(sample));
+        match recorded.map(|hand| self.placement.placed(&hand)) {
+            Some(hand) if self.placement.fits(&hand) => hand,
+            _ => NOWHERE,
+        }
     }
 }
 

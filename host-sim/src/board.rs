@@ -1,0 +1,240 @@
+//! `stiction board` and `stiction info`: a board on a serial port, behind a socket or in an emulator, fed with the hand's
+//! motion in real time. The wire between is that of `core/FRAME.md`.
+//!
+//! ```text
+//! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace
+//!                              ├─ session ─ line ─ link ══╪═ board (or emulate)
+//! hand.csv ─┬─ feed ─ stream ──┘   heard ─ steps ─ flight ┤
+//! tracker ──┘                                             ├─ verify: the host's solver on the same samples
+//!                                                         └─ counts, latency ─ print
+//! ```
+
+mod address;
+mod counts;
+mod emulate;
+mod error;
+mod feed;
+mod flight;
+mod heard;
+mod info;
+mod latency;
+mod line;
+mod link;
+mod print;
+mod record;
+mod refusal;
+mod session;
+mod setup;
+mod steps;
+mod stop;
+mod stream;
+mod trace;
+mod tracker;
+mod verify;
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use stiction_core::Evolution;
+
+pub use address::ConnectArgs;
+pub use emulate::EmulatedBoard;
+pub use error::BoardError;
+pub use tracker::{HoldButton, TrackerArgs};
+
+use crate::number::Number;
+use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
+use crate::trace::Format;
+use crate::{report, scenes};
+use counts::Counts;
+use feed::Feed;
+use flight::Flight;
+use print::Screen;
+use record::Recorder;
+use session::{Mail, Session};
+use setup::Setup;
+use steps::Steps;
+use stream::Stream;
+use trace::Trace;
+use verify::Verdict;
+
+/// The arguments of `stiction board`.
+#[derive(Args, Clone, Debug)]
+pub struct BoardArgs {
+    /// Scene file (TOML), or the name of a bundled scene
+    #[arg(default_value = scenes::DEFAULT)]
+    pub scene: PathBuf,
+    /// Where the board is.
+    #[command(flatten)]
+    pub connect: ConnectArgs,
+    /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
+    #[arg(long, value_name = "FILE")]
+    pub hand: Option<PathBuf>,
+    /// Samples per second, instead of the rate in the scene file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    pub rate: Option<f64>,
+    /// A tracker instead of a path.
+    #[command(flatten)]
+    pub tracker: TrackerArgs,
+    /// path: events are found along the hand's straight line between two samples; frame: at samples only
+    #[arg(long, default_value = "path", value_parser = evolution_parser())]
+    pub evolution: Evolution,
+    /// Tolerance of the board's solver (rad); 0: exact
+    #[arg(long, value_name = "RAD", default_value_t = 0.0)]
+    pub tolerance: f32,
+    /// Ticks of the board per second, instead of those that it has
+    #[arg(long, value_name = "HZ")]
+    pub tick: Option<u16>,
+    /// The board makes a step with every sample, this computer too: every bit of every answer is compared
+    #[arg(long)]
+    pub verify: bool,
+    /// The board keeps the scene that it has, and the body stays where it is
+    #[arg(long, conflicts_with = "verify")]
+    pub keep: bool,
+    /// Trace to write: TRACE.jsonl or TRACE.csv
+    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    pub out: Option<(PathBuf, Format)>,
+    /// Nothing but errors and the verdict of --verify
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// The arguments of `stiction info`.
+#[derive(Args, Clone, Debug)]
+pub struct InfoArgs {
+    /// Where the board is.
+    #[command(flatten)]
+    pub connect: ConnectArgs,
+}
+
+/// Streams to a board. False where `--verify` found a difference.
+///
+/// # Errors
+/// Input that cannot be used, a board that is not there, refuses something or goes away.
+pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
+    let scene = open_scene(&args.scene, Number::F32)?;
+    let path = match args.tracker.is_wanted() {
+        true => None,
+        false => Some(open_path(&scene, args.hand.as_deref(), args.rate)?),
+    };
+    let feed = match &path {
+        Some((path, rate)) => Feed::path(path.frames(*rate)),
+        None => Feed::live(),
+    };
+    let trace = Trace::create(args.out.as_ref(), &scene, args.evolution)?;
+    stop::listen();
+    let setup = Setup {
+        scene: &scene,
+        evolution: args.evolution,
+        tolerance: args.tolerance,
+        tick: args.tick,
+        keep: args.keep,
+        per_sample: args.verify,
+    };
+    let Connected {
+        mut stream,
+        session,
+        title,
+    } = connected(args, &setup, feed, trace)?;
+    let result = stream.run(session);
+    let Stream {
+        mut screen,
+        counts,
+        verdict,
+        trace,
+        ..
+    } = stream;
+    screen.clear();
+    trace.finish()?;
+    let begun = counts.begun;
+    let seconds = begun.map_or(0.0, |begun| begun.elapsed().as_secs_f64());
+    if !args.quiet {
+        report::print(&print::summary(&title, &counts, seconds));
+    }
+    if args.verify {
+        report::print(&format!("{verdict}\n"));
+    }
+    result.map(|()| !args.verify || verdict.is_good())
+}
+
+/// A stream with the session that it begins in.
+struct Connected<'a> {
+    stream: Stream<'a>,
+    session: Session,
+    title: String,
+}
+
+/// Connects, sends scene and mode, starts the tracker.
+fn connected<'a>(
+    args: &BoardArgs,
+    setup: &'a Setup<'a>,
+    feed: Feed<'a>,
+    trace: Trace,
+) -> Result<Connected<'a>, BoardError> {
+    let (begun, timeout) = (Instant::now(), args.connect.timeout());
+    let (mut address, mut mail) = (args.connect.address()?, Mail::new());
+    let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
+    let mut screen = Screen::new(args.quiet);
+    if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
+        screen.note(&remark);
+    }
+    let twin = match args.verify {
+        true => Some(verify::twin(
+            &about,
+            setup.scene,
+            args.evolution,
+            args.tolerance,
+        )?),
+        false => None,
+    };
+    let placement = &setup.scene.hand.placement;
+    args.tracker
+        .start(placement, timeout, mail.sender.clone())?;
+    let title = format!("{} on {} ({address})", setup.scene.title, about.name);
+    let stream = Stream {
+        setup,
+        address,
+        mail,
+        begun,
+        timeout,
+        feed,
+        twin,
+        trace,
+        screen,
+        counts: Counts::default(),
+        verdict: Verdict::default(),
+        flight: Flight::default(),
+        steps: Steps::default(),
+        recorder: Recorder::default(),
+    };
+    Ok(Connected {
+        stream,
+        session,
+        title,
+    })
+}
+
+/// Prints what a board says about itself.
+///
+/// # Errors
+/// A board that is not there or does not answer.
+pub fn info(args: &InfoArgs) -> Result<(), BoardError> {
+    stop::listen();
+    let (mut address, mut mail) = (args.connect.address()?, Mail::new());
+    let timeout = args.connect.timeout();
+    let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, Instant::now())?;
+    report::print(&info::about(&about));
+    // Only the mode can ask for it, and the mode is the business of who uses the board.
+    if about.mode.health_every == 0 {
+        report::print("how it fares: not sent in this mode\n");
+        return Ok(());
+    }
+    let period = Duration::from_millis(about.mode.health_every.into());
+    let text = match session.wait_for_health(&mut mail, period + timeout)? {
+        Some(health) => info::health(&health),
+        None => "how it fares: it did not say so in time\n".to_owned(),
+    };
+    report::print(&text);
+    Ok(())
+}

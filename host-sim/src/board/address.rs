@@ -1,0 +1,108 @@
+//! Where the board is: on a serial port, a unix socket, a tcp port, or in an emulator of its own.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+
+use super::emulate::{EmulatedBoard, Emulator};
+use super::error::BoardError;
+use super::link::{Link, reason};
+
+/// The arguments that say where the board is.
+#[derive(Args, Clone, Debug)]
+pub struct ConnectArgs {
+    #[command(flatten)]
+    place: PlaceArgs,
+    /// Baud rate of the serial port; the micro:bit has 115200
+    #[arg(long, value_name = "BAUD", default_value_t = 921_600)]
+    baud: u32,
+    /// The board may be silent for so many seconds
+    #[arg(long, value_name = "SECONDS", default_value = "2", value_parser = parse_timeout)]
+    timeout: Duration,
+}
+
+/// One of these.
+#[derive(Args, Clone, Debug)]
+#[group(required = true, multiple = false)]
+struct PlaceArgs {
+    /// The board is on a serial port
+    #[arg(long, value_name = "/dev/tty...")]
+    port: Option<PathBuf>,
+    /// The board is behind a unix socket
+    #[arg(long, value_name = "PATH")]
+    socket: Option<PathBuf>,
+    /// The board is behind a tcp port
+    #[arg(long, value_name = "HOST:PORT")]
+    tcp: Option<String>,
+    /// Build the image of a board, olimex-stm32-h405 without BOARD, and start it in QEMU; the scene stands before it
+    #[arg(long, value_name = "BOARD", num_args = 0..=1, default_missing_value = "olimex-stm32-h405")]
+    emulate: Option<EmulatedBoard>,
+}
+
+fn parse_timeout(text: &str) -> Result<Duration, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    match seconds {
+        Some(seconds) if (0.05..=3600.0).contains(&seconds) => Ok(Duration::from_secs_f64(seconds)),
+        _ => Err("allowed: 0.05 to 3600".to_owned()),
+    }
+}
+
+impl ConnectArgs {
+    /// The place; builds and starts the emulator where one is wanted.
+    pub(super) fn address(&self) -> Result<Address, BoardError> {
+        let PlaceArgs {
+            port,
+            socket,
+            tcp,
+            emulate,
+        } = &self.place;
+        Ok(match (port, socket, tcp, emulate) {
+            (Some(port), ..) => Address::Port(port.clone(), self.baud),
+            (_, Some(socket), ..) => Address::Socket(socket.clone()),
+            (_, _, Some(tcp), _) => Address::Tcp(tcp.clone()),
+            (.., board) => Address::Emulated(Emulator::start(board.unwrap_or_default())?),
+        })
+    }
+
+    pub(super) const fn timeout(&self) -> Duration {
+        self.timeout
+    }
+}
+
+/// Where the board is.
+#[derive(Debug)]
+pub(super) enum Address {
+    Port(PathBuf, u32),
+    Socket(PathBuf),
+    Tcp(String),
+    Emulated(Emulator),
+}
+
+impl Address {
+    /// A new line to the board.
+    pub(super) fn open(&mut self) -> Result<Link, BoardError> {
+        let opened = match self {
+            Self::Port(place, baud) => Link::port(place, *baud),
+            Self::Socket(place) => Link::socket(place),
+            Self::Tcp(address) => Link::tcp(address),
+            Self::Emulated(emulator) => return Ok(emulator.open()?),
+        };
+        opened.map_err(|error| BoardError::Gone {
+            address: self.to_string(),
+            problem: reason(&error),
+        })
+    }
+}
+
+impl fmt::Display for Address {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Port(place, baud) => write!(f, "{} at {baud} baud", place.display()),
+            Self::Socket(place) => write!(f, "{}", place.display()),
+            Self::Tcp(address) => f.write_str(address),
+            Self::Emulated(emulator) => write!(f, "emulated {}", emulator.board().name()),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What became of the samples: answered, late, lost; and what the board counts.
+
+use std::time::Instant;
+
+use stiction_core::frame::Health;
+
+use super::latency::Latency;
+
+/// Counts of a stream, over all its sessions.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Counts {
+    /// Samples that were due.
+    pub(super) samples: u64,
+    /// Samples that a pose followed.
+    pub(super) poses: u64,
+    /// Of these, the ones of whose answer a part did not come: they are not in the trace.
+    pub(super) incomplete: u64,
+    /// Samples that no pose followed: late or lost.
+    pub(super) unanswered: u64,
+    /// Frames of the board that were garbled.
+    pub(super) faults: u64,
+    pub(super) latency: Latency,
+    /// When the first sample was sent.
+    pub(super) begun: Option<Instant>,
+    /// Late samples of sessions that have ended.
+    late_before: u64,
+    /// How the board fared when the session began, and when it last said so.
+    health: Option<(Health, Health)>,
+    /// Unanswered samples at that moment.
+    unanswered_then: u64,
+}
+
+impl Counts {
+    /// A session begins.
+    pub(super) fn begin(&mut self, health: Option<Health>) {
+        self.late_before = self.late();
+        self.health = health.map(|health| (health, health));
+    }
+
+    /// The board says how it fares.
+    pub(super) fn note(&mut self, health: Health) {
+        let (first, _) = self.health.unwrap_or((health, health));
+        self.health = Some((first, health));
+        self.unanswered_then = self.unanswered;
+    }
+
+    /// Samples that a newer one overtook before the board made a step with them.
+    pub(super) fn late(&self) -> u64 {
+        let now = self.health.map_or(0, |(first, last)| {
+            u64::from(last.late_samples.saturating_sub(first.late_samples))
+        });
+        self.late_before + now
+    }
+
+    /// Samples that did not reach the board, or whose poses did not come back.
+    pub(super) fn lost(&self) -> u64 {
+        let unanswered = match self.health {
+            Some(_) => self.unanswered_then,
+            None => self.unanswered,
+        };
+        unanswered.saturating_sub(self.late())
+    }
+
+    /// The last word of the board.
+    pub(super) fn health(&self) -> Option<&Health> {
+        self.health.as_ref().map(|(_, last)| last)
+    }
+
+    /// The stream is over: what is unanswered stays so.
+    pub(super) fn end(&mut self) {
+        self.unanswered_then = self.unanswered;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn health(late_samples: u32) -> Health {
+        Health {
+            late_samples,
+            ..Health::default()
+        }
+    }
+
+    #[test]
+    fn what_is_not_late_is_lost() {
+        let mut counts = Counts::default();
+        counts.begin(Some(health(100)));
+        counts.unanswered = 7;
+        counts.note(health(105));
+        assert_eq!((counts.late(), counts.lost()), (5, 2));
+        // A new session, with a board that counts from 0 again.
+        counts.begin(Some(health(0)));
+        counts.unanswered = 10;
+        counts.note(health(1));
+        assert_eq!((counts.late(), counts.lost()), (6, 4));
+    }
+
+    #[test]
+    fn without_a_word_of_the_board_all_are_lost() {
+        let counts = Counts {
+            unanswered: 3,
+            ..Counts::default()
+        };
+        assert_eq!((counts.late(), counts.lost()), (0, 3));
+    }
+}

@@ -1,0 +1,127 @@
+//! Where samples come from, in real time: a path, or the tracker as it goes.
+
+use std::collections::VecDeque;
+use std::iter::Peekable;
+use std::time::{Duration, Instant};
+
+use crate::hand_path::Sample;
+
+/// Samples in real time.
+pub(super) enum Feed<'a> {
+    /// A path, whose first sample is due at once.
+    Path {
+        rest: Peekable<Box<dyn Iterator<Item = Sample> + 'a>>,
+        /// When it began, and the time of its first sample.
+        begun: Option<(Instant, f64)>,
+    },
+    /// Samples as they come.
+    Live {
+        waiting: VecDeque<Sample>,
+        ended: bool,
+    },
+}
+
+impl<'a> Feed<'a> {
+    pub(super) fn path(samples: impl Iterator<Item = Sample> + 'a) -> Self {
+        let rest: Box<dyn Iterator<Item = Sample> + 'a> = Box::new(samples);
+        Self::Path {
+            rest: rest.peekable(),
+            begun: None,
+        }
+    }
+
+    pub(super) const fn live() -> Self {
+        Self::Live {
+            waiting: VecDeque::new(),
+            ended: false,
+        }
+    }
+
+    /// When the next sample is due; nothing where that is not known.
+    pub(super) fn next_due(&mut self, now: Instant) -> Option<Instant> {
+        match self {
+            Self::Path { rest, begun } => {
+                let next = rest.peek()?;
+                let (start, first) = *begun.get_or_insert((now, next.t));
+                Some(start + Duration::from_secs_f64((next.t - first).max(0.0)))
+            }
+            Self::Live { waiting, .. } => (!waiting.is_empty()).then_some(now),
+        }
+    }
+
+    /// The next sample, if it is due.
+    pub(super) fn take(&mut self, now: Instant) -> Option<Sample> {
+        if self.next_due(now)? > now {
+            return None;
+        }
+        match self {
+            Self::Path { rest, .. } => rest.next(),
+            Self::Live { waiting, .. } => waiting.pop_front(),
+        }
+    }
+
+    /// A sample of the tracker.
+    pub(super) fn push(&mut self, sample: Sample) {
+        if let Self::Live { waiting, .. } = self {
+            waiting.push_back(sample);
+        }
+    }
+
+    /// There are no more samples.
+    pub(super) fn is_over(&mut self) -> bool {
+        match self {
+            Self::Path { rest, .. } => rest.peek().is_none(),
+            Self::Live { waiting, ended } => *ended && waiting.is_empty(),
+        }
+    }
+
+    /// Ends where it is.
+    pub(super) fn end(&mut self) {
+        match self {
+            Self::Path { rest, .. } => {
+                let nothing: Box<dyn Iterator<Item = Sample> + 'a> = Box::new(std::iter::empty());
+                *rest = nothing.peekable();
+            }
+            Self::Live { waiting, ended } => {
+                waiting.clear();
+                *ended = true;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stiction_core::Hand;
+
+    fn sample(t: f64) -> Sample {
+        Sample {
+            t,
+            hand: Hand::new(0.0, 0.0, 0.0),
+        }
+    }
+
+    #[test]
+    fn samples_of_a_path_are_due_at_their_times() {
+        let mut feed = Feed::path([5.0, 5.25, 6.0].into_iter().map(sample));
+        let begun = Instant::now();
+        let after = |ms| begun + Duration::from_millis(ms);
+        let mut taken = |ms| feed.take(after(ms)).map(|sample| sample.t);
+        assert_eq!((taken(0), taken(0)), (Some(5.0), None));
+        assert_eq!((taken(249), taken(250)), (None, Some(5.25)));
+        assert_eq!((taken(2000), taken(3000)), (Some(6.0), None));
+        assert!(feed.is_over());
+    }
+
+    #[test]
+    fn samples_of_a_tracker_are_due_when_they_come() {
+        let (mut feed, now) = (Feed::live(), Instant::now());
+        assert!(feed.take(now).is_none() && !feed.is_over());
+        feed.push(sample(1.0));
+        assert_eq!(feed.next_due(now), Some(now));
+        assert!(feed.take(now).is_some());
+        feed.end();
+        assert!(feed.is_over());
+    }
+}

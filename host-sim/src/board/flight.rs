@@ -1,0 +1,139 @@
+//! Samples that are on their way: which one a pose answers, and which ones none will answer any more.
+
+use std::collections::VecDeque;
+use std::time::{Duration, Instant};
+
+use stiction_core::frame::Pose;
+use stiction_core::{Hand, Status};
+
+use super::verify::Expected;
+use crate::hand_path::Sample;
+
+/// Sequence numbers repeat after 256: an older sample can no longer be told from a newer one.
+const MOST: usize = 128;
+
+/// A sample that was sent.
+#[derive(Clone, Debug)]
+pub(super) struct Sent {
+    /// The sequence number of its frame.
+    pub(super) number: u8,
+    /// Which sample it is, from 0.
+    pub(super) index: u64,
+    pub(super) sample: Sample,
+    /// The sample as it was sent.
+    pub(super) hand: Hand<f32>,
+    pub(super) at: Instant,
+    /// What the host's solver makes of it, where that is wanted.
+    pub(super) expected: Option<Box<Expected>>,
+}
+
+/// The samples on their way, in the order in which they were sent.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flight {
+    waiting: VecDeque<Sent>,
+}
+
+impl Flight {
+    /// Adds one. Those that are too old to be answered.
+    pub(super) fn add(&mut self, sent: Sent) -> Vec<Sent> {
+        self.waiting.push_back(sent);
+        let beyond = self.waiting.len().saturating_sub(MOST);
+        self.waiting.drain(..beyond).collect()
+    }
+
+    /// The sample that a pose answers first, and the ones before it, which it overtakes.
+    pub(super) fn answer(&mut self, pose: &Pose) -> Option<(Sent, Vec<Sent>)> {
+        let place = self.waiting.iter().position(|sent| {
+            // A pose that is held for want of samples repeats the number of one of before.
+            let held = pose.status == Status::HeldLast && sent.hand.is_finite();
+            sent.number == pose.sample && !held
+        })?;
+        let overtaken = self.waiting.drain(..place).collect();
+        let answered = self.waiting.pop_front()?;
+        Some((answered, overtaken))
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.waiting.len()
+    }
+
+    /// When the oldest one will have waited for so long.
+    pub(super) fn overdue(&self, patience: Duration) -> Option<Instant> {
+        self.waiting.front().map(|sent| sent.at + patience)
+    }
+
+    /// No pose will answer them.
+    pub(super) fn give_up(&mut self) -> Vec<Sent> {
+        self.waiting.drain(..).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sent(index: u64) -> Sent {
+        let hand = Hand::new(0.0, 0.0, 0.0);
+        Sent {
+            number: index as u8,
+            index,
+            sample: Sample {
+                t: index as f64,
+                hand: Hand::new(0.0, 0.0, 0.0),
+            },
+            hand,
+            at: Instant::now(),
+            expected: None,
+        }
+    }
+
+    fn pose(sample: u8) -> Pose {
+        Pose {
+            sample,
+            ..Pose::default()
+        }
+    }
+
+    #[test]
+    fn a_pose_answers_its_sample_once_and_overtakes_those_before() {
+        let mut flight = Flight::default();
+        (0..5).for_each(|index| assert!(flight.add(sent(index)).is_empty()));
+        let (answered, overtaken) = flight.answer(&pose(2)).expect("it waits");
+        assert_eq!((answered.index, overtaken.len()), (2, 2));
+        assert!(flight.answer(&pose(2)).is_none(), "a pose of the next tick");
+        assert!(flight.answer(&pose(1)).is_none(), "a pose that came late");
+        assert_eq!(flight.len(), 2);
+    }
+
+    #[test]
+    fn a_pose_held_in_silence_answers_no_sample() {
+        let mut flight = Flight::default();
+        flight.add(sent(9));
+        let held = Pose {
+            status: Status::HeldLast,
+            ..pose(9)
+        };
+        assert!(flight.answer(&held).is_none());
+        let mut lost = sent(10);
+        lost.hand.position[0] = f32::NAN;
+        flight.add(lost);
+        let held = Pose { sample: 10, ..held };
+        assert!(
+            flight.answer(&held).is_some(),
+            "a sample that was not finite"
+        );
+    }
+
+    #[test]
+    fn a_number_comes_again_after_256() {
+        let mut flight = Flight::default();
+        let old: Vec<u64> = (0..300)
+            .flat_map(|index| flight.add(sent(index)))
+            .map(|sent| sent.index)
+            .collect();
+        assert_eq!(old, (0..172).collect::<Vec<_>>());
+        let (answered, _) = flight.answer(&pose(255)).expect("it waits");
+        assert_eq!(answered.index, 255);
+    }
+}

@@ -1,0 +1,137 @@
+//! What a board says about itself, as a table.
+
+use stiction_core::frame::{FaultKind, Health, Mode};
+use stiction_core::{Axis, Evolution};
+
+use super::heard::About;
+use super::print::table;
+
+/// What it is and how it works.
+pub(super) fn about(about: &About) -> String {
+    let [major, minor, patch] = about.version;
+    let parts = match (about.friction, about.weight) {
+        (true, true) => "friction and weight",
+        (true, false) => "friction, no weight",
+        (false, true) => "weight, no friction",
+        (false, false) => "neither friction nor weight",
+    };
+    let mode = &about.mode;
+    let mut rows = vec![
+        ("firmware", format!("{major}.{minor}.{patch}")),
+        ("solver", format!("{}, {parts}", about.number.name())),
+        (
+            "room for",
+            format!(
+                "{} vertices, {} surfaces, frames of {} bytes",
+                about.vertices, about.surfaces, about.longest_frame
+            ),
+        ),
+        ("actuators", actuators(about)),
+        (
+            "ticks",
+            format!("{} Hz, at most {} Hz", mode.tick_rate, about.fastest_tick),
+        ),
+        (
+            "springs now",
+            format!(
+                "k_h {} N/m, k_theta {} N·m/rad",
+                about.stiffness[0], about.stiffness[1]
+            ),
+        ),
+        (
+            "friction now",
+            format!(
+                "mu_s {}, mu_d {}",
+                about.friction_now[0], about.friction_now[1]
+            ),
+        ),
+    ];
+    rows.extend(works(mode));
+    table(&about.name, &rows)
+}
+
+fn actuators(about: &About) -> String {
+    let [k_h, k_theta] = about.stiffest;
+    if about.actuators {
+        format!("yes, passive up to k_h {k_h} N/m, k_theta {k_theta} N·m/rad")
+    } else {
+        "none".to_owned()
+    }
+}
+
+fn works(mode: &Mode) -> [(&'static str, String); 5] {
+    let evolution = match mode.evolution {
+        Evolution::Path => "path",
+        Evolution::Frame => "frame",
+    };
+    let tolerance = match mode.tolerance {
+        0.0 => "exact".to_owned(),
+        radians => format!("tolerance {radians} rad"),
+    };
+    let every = |count: u16, unit: &str| match count {
+        0 => "none".to_owned(),
+        1 => format!("every {unit}"),
+        count => format!("every {count} {unit}s"),
+    };
+    let events = if mode.events { "yes" } else { "no" };
+    let [x, y] = mode.plane.map(axis);
+    [
+        ("evolution", format!("{evolution}, {tolerance}")),
+        ("stepping", mode.stepping.name().to_owned()),
+        ("tracker's plane", format!("{x}{y}")),
+        (
+            "poses, forces",
+            format!(
+                "{}, {}; events: {events}",
+                every(mode.pose_every, "step"),
+                every(mode.forces_every, "step")
+            ),
+        ),
+        ("health", every(mode.health_every, "ms")),
+    ]
+}
+
+fn axis(axis: Axis) -> String {
+    let sign = if axis.negative { "-" } else { "" };
+    let letter = ["x", "y", "z"].get(axis.index).unwrap_or(&"?");
+    format!("{sign}{letter}")
+}
+
+/// How it fares.
+pub(super) fn health(health: &Health) -> String {
+    let faults: Vec<String> = FaultKind::ALL
+        .iter()
+        .filter(|kind| health.faults.of(**kind) > 0)
+        .map(|kind| format!("{} {}", kind.name(), health.faults.of(*kind)))
+        .collect();
+    let faults = match faults.is_empty() {
+        true => "none".to_owned(),
+        false => faults.join(", "),
+    };
+    let microseconds = |nanoseconds: u32| f64::from(nanoseconds) / 1000.0;
+    table(
+        "since it was switched on",
+        &[
+            ("force to the hand", health.drive.name().to_owned()),
+            (
+                "ticks",
+                format!("{}, {} missed", health.ticks, health.missed_ticks),
+            ),
+            (
+                "samples",
+                format!("{}, {} late", health.samples, health.late_samples),
+            ),
+            ("lost frames", health.lost_frames.to_string()),
+            ("reports not sent", health.unsent.to_string()),
+            ("faulty frames", faults),
+            (
+                "worst step, tick",
+                format!(
+                    "{:.1} µs, {:.1} µs",
+                    microseconds(health.worst_step),
+                    microseconds(health.worst_tick)
+                ),
+            ),
+        ],
+    )
+}

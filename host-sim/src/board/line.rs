@@ -1,0 +1,112 @@
+//! Frames over a link: commands out, what the board says in, and what was lost or garbled on the way.
+
+use std::time::Instant;
+
+use stiction_core::frame::{
+    Command, Decoder, FaultKind, Faults, Frame, Report, Sequence, frame_bytes, scene_bytes,
+    wire_bytes,
+};
+
+use super::heard::Heard;
+use super::link::Open;
+
+/// Room for the longest report: forces with 255 contacts.
+const LONGEST_REPORT: usize = frame_bytes(5000);
+/// Room for the longest command: a scene of 255 vertices and 255 surfaces.
+const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255));
+
+/// A link that carries frames.
+#[derive(Debug)]
+pub(super) struct Line {
+    open: Open,
+    begun: Instant,
+    sequence: u8,
+    decoder: Box<Decoder<LONGEST_REPORT>>,
+    order: Sequence,
+    /// Frames of the board that did not arrive.
+    pub(super) lost: u64,
+    /// Bytes that came.
+    pub(super) bytes: u64,
+    /// Frames that came.
+    pub(super) frames: u64,
+    /// Frames of the other direction that came: the line sends back what is sent.
+    pub(super) echoes: u64,
+}
+
+impl Line {
+    /// `begun`: zero of the clock that goes into the frames.
+    pub(super) fn new(open: Open, begun: Instant) -> Self {
+        Self {
+            open,
+            begun,
+            sequence: 0,
+            decoder: Box::default(),
+            order: Sequence::new(),
+            lost: 0,
+            bytes: 0,
+            frames: 0,
+            echoes: 0,
+        }
+    }
+
+    pub(super) const fn link(&self) -> u32 {
+        self.open.number()
+    }
+
+    /// The sequence number of the next frame.
+    pub(super) const fn next_number(&self) -> u8 {
+        self.sequence
+    }
+
+    pub(super) fn faults(&self) -> &Faults {
+        self.decoder.faults()
+    }
+
+    /// A 0 before the first frame: noise before it is no part of it.
+    pub(super) fn wake(&mut self) -> Result<(), String> {
+        self.open.write(&[0])
+    }
+
+    /// Sends a command; its sequence number.
+    pub(super) fn send(&mut self, message: Command<'_>) -> Result<u8, String> {
+        let number = self.sequence;
+        self.sequence = number.wrapping_add(1);
+        let frame = Frame {
+            sequence: number,
+            // Wraps as the format says.
+            time: self.begun.elapsed().as_micros() as u32,
+            message,
+        };
+        let mut wire = [0; LONGEST_COMMAND];
+        match frame.encode(&mut wire) {
+            Some(wire) => self.open.write(wire).map(|()| number),
+            None => Err("a command is longer than any frame".to_owned()),
+        }
+    }
+
+    /// What these bytes say.
+    pub(super) fn hear(&mut self, at: Instant, bytes: &[u8]) -> Vec<Heard> {
+        let mut heard = Vec::new();
+        self.bytes += bytes.len() as u64;
+        for &byte in bytes {
+            match self.decoder.push::<Report<'_>>(byte) {
+                None => {}
+                Some(Ok(frame)) => {
+                    self.frames += 1;
+                    self.lost += u64::from(self.order.lost_before(frame.sequence));
+                    heard.push(Heard {
+                        at,
+                        time: frame.time,
+                        said: frame.message.into(),
+                    });
+                }
+                Some(Err(fault)) => {
+                    let of_client = fault.frame.is_some_and(|frame| frame.code < 0x80);
+                    let echo = of_client && fault.kind == FaultKind::UnknownType;
+                    self.echoes += u64::from(echo);
+                }
+            }
+        }
+        heard
+    }
+}

@@ -1,0 +1,57 @@
+//! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it.
+
+use stiction_core::{Angle, Hand, Status};
+
+use super::flight::Sent;
+use super::steps::Step;
+use crate::record::{ContactRecord, Frame};
+
+/// Makes frames of answers; remembers the last hand that was of use.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Recorder {
+    hand: Hand<f32>,
+}
+
+impl Recorder {
+    /// The frame of an answer; nothing where a part of it was lost.
+    pub(super) fn frame(&mut self, sent: &Sent, step: &Step) -> Option<Frame> {
+        let pose = &step.pose;
+        if !matches!(pose.status, Status::HeldLast | Status::Saturated) {
+            self.hand = sent.hand;
+        }
+        if !step.is_whole() {
+            return None;
+        }
+        let forces = step.forces.as_ref()?;
+        let events = step.events.clone().unwrap_or_default();
+        let angle = Angle {
+            turns: forces.turns,
+            rest: pose.rest,
+        };
+        let placed = |[x, y]: [f32; 2], angle: f32| [f64::from(x), f64::from(y), f64::from(angle)];
+        Some(Frame {
+            t: sent.sample.t,
+            hand: placed(self.hand.position, self.hand.angle.radians()),
+            held: pose.held,
+            pose: placed(pose.position, angle.radians()),
+            depth: f64::from(pose.depth),
+            state: pose.state,
+            contacts: forces
+                .contacts
+                .iter()
+                .map(|contact| ContactRecord {
+                    vertex: contact.vertex,
+                    surface: contact.surface,
+                    point: contact.point.map(f64::from),
+                    normal: f64::from(contact.normal),
+                    friction: f64::from(contact.friction),
+                })
+                .collect(),
+            wrench: placed(forces.wrench.force, forces.wrench.moment),
+            slips: events.slips,
+            longest_slip: f64::from(events.longest_slip),
+            events: events.list,
+            status: pose.status,
+        })
+    }
+}

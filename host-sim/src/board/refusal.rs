@@ -1,0 +1,143 @@
+//! What a board refuses, in words.
+
+use stiction_core::Parameter;
+use stiction_core::frame::{Reason, Subject};
+
+use super::heard::Answer;
+
+/// What was refused, its value, what is allowed, and the nearest allowed value. `surfaces`: their names.
+pub(super) fn explain(command: &str, answer: &Answer, surfaces: &[String]) -> String {
+    let mut text = format!("the board refuses the {command}");
+    let subject = subject(answer.subject, surfaces);
+    let unit = unit(answer.subject);
+    match (&subject, answer.reason) {
+        (None, reason) => {
+            text.push_str(": ");
+            text.push_str(meaning(reason));
+        }
+        (Some(subject), reason) => {
+            text.push_str(&format!(": {subject} is {:?}{unit}", answer.value));
+            if reason != Reason::Number {
+                text.push_str(", ");
+                text.push_str(meaning(reason));
+            }
+        }
+    }
+    if !answer.allowed.is_empty() {
+        text.push_str(&format!(", allowed: {}", answer.allowed));
+    }
+    if !answer.limit.is_nan() && subject.is_some() {
+        text.push_str(&format!(", the nearest: {:?}{unit}", answer.limit));
+    }
+    text
+}
+
+const fn meaning(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Done => "it is done",
+        Reason::Version => "it speaks another version of the wire format",
+        Reason::UnknownType => "it does not know this command",
+        Reason::Length => "its length is not that of this command",
+        Reason::Code => "it holds a code without a meaning",
+        Reason::Number => "a number is not allowed",
+        Reason::NotPassive => "the haptic device would not be passive",
+        Reason::Unsupported => "the board has no time or no room for it",
+        Reason::NotNow => "not now: it is stopped by a fault, or another command is under way",
+    }
+}
+
+fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
+    let parameter = match subject {
+        Subject::Command => return None,
+        Subject::TickRate => return Some("the tick rate".to_owned()),
+        Subject::LineRate => return Some("the load of the line".to_owned()),
+        Subject::Tolerance => return Some("the tolerance".to_owned()),
+        Subject::Scene(parameter) => parameter,
+    };
+    let surface = match parameter {
+        Parameter::Normal(i)
+        | Parameter::Offset(i)
+        | Parameter::FrictionStatic(i)
+        | Parameter::FrictionDynamic(i)
+        | Parameter::Penetration { surface: i, .. } => surfaces.get(i),
+        _ => None,
+    };
+    Some(match surface {
+        Some(name) => format!("the {parameter} ({name:?})"),
+        None => format!("the {parameter}"),
+    })
+}
+
+const fn unit(subject: Subject) -> &'static str {
+    match subject {
+        Subject::Command => "",
+        Subject::TickRate => " Hz",
+        Subject::LineRate => " bytes per second",
+        Subject::Tolerance => " rad",
+        Subject::Scene(parameter) => match parameter {
+            Parameter::Weight => " N",
+            Parameter::Reach
+            | Parameter::Offset(_)
+            | Parameter::HoldingPoint
+            | Parameter::Vertex(_)
+            | Parameter::Penetration { .. } => " m",
+            Parameter::StiffnessTranslation => " N/m",
+            Parameter::StiffnessRotation => " N·m/rad",
+            _ => "",
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stiction_core::frame::Reference;
+
+    fn answer(reason: Reason, subject: Subject, value: f32, limit: f32, allowed: &str) -> Answer {
+        Answer {
+            command: Reference {
+                code: 4,
+                sequence: 1,
+            },
+            reason,
+            subject,
+            value,
+            limit,
+            allowed: allowed.to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_refused_number_is_told_with_what_is_allowed_and_the_nearest() {
+        let tick = answer(
+            Reason::Unsupported,
+            Subject::TickRate,
+            5000.0,
+            1000.0,
+            "1 to 1000",
+        );
+        assert_eq!(
+            explain("mode", &tick, &[]),
+            "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time or no room for it, allowed: 1 to \
+             1000, the nearest: 1000.0 Hz"
+        );
+    }
+
+    #[test]
+    fn a_surface_is_told_by_its_name() {
+        let subject = Subject::Scene(Parameter::FrictionDynamic(1));
+        let friction = answer(Reason::Number, subject, -0.5, f32::NAN, "0 or more");
+        let names = ["floor".to_owned(), "wall".to_owned()];
+        assert_eq!(
+            explain("scene", &friction, &names),
+            "the board refuses the scene: the dynamic friction of surface 1 (\"wall\") is -0.5, allowed: 0 or more"
+        );
+    }
+
+    #[test]
+    fn a_command_as_a_whole_is_refused_without_a_value() {
+        let not_now = answer(Reason::NotNow, Subject::Command, 0.0, f32::NAN, "");
+        let text = explain("scene", &not_now, &[]);
+        assert!(text.ends_with("another command is under way"), "{text}");
+    }
+}

@@ -1,0 +1,228 @@
+//! A session with a board: hello, and commands that are sent again until they are answered (FRAME 7).
+
+use std::collections::VecDeque;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::time::{Duration, Instant};
+
+use stiction_core::frame::{Command, FaultKind, Health, Reason};
+
+use super::address::Address;
+use super::error::{BoardError, what_came};
+use super::heard::{About, Answer, Heard, Said};
+use super::line::Line;
+use super::link::{News, Open};
+use super::refusal::explain;
+use super::stop;
+
+/// A command without an answer is sent again.
+const AGAIN: Duration = Duration::from_millis(100);
+
+/// What links and tracker say, from their threads to this one.
+#[derive(Debug)]
+pub(super) struct Mail {
+    pub(super) sender: Sender<News>,
+    receiver: Receiver<News>,
+    /// What nobody wanted yet.
+    aside: VecDeque<News>,
+    links: u32,
+}
+
+impl Mail {
+    pub(super) fn new() -> Self {
+        let (sender, receiver) = mpsc::channel();
+        Self {
+            sender,
+            receiver,
+            aside: VecDeque::new(),
+            links: 0,
+        }
+    }
+
+    /// The next news, what was set aside first; nothing where none come until then.
+    pub(super) fn next(&mut self, until: Instant) -> Option<News> {
+        self.aside.pop_front().or_else(|| self.receive(until))
+    }
+
+    /// Sets news aside, for [`Self::next`].
+    pub(super) fn keep(&mut self, news: impl IntoIterator<Item = News>) {
+        self.aside.extend(news);
+    }
+
+    fn receive(&self, until: Instant) -> Option<News> {
+        let left = until.saturating_duration_since(Instant::now());
+        self.receiver.recv_timeout(left).ok()
+    }
+}
+
+/// A line with a board at its other end.
+#[derive(Debug)]
+pub(super) struct Session {
+    pub(super) line: Line,
+    /// How the board fared when it last said so.
+    pub(super) health: Option<Health>,
+    /// The sample of the last pose.
+    pub(super) last_sample: Option<u8>,
+    pub(super) address: String,
+    /// The board may be silent for so long.
+    pub(super) timeout: Duration,
+}
+
+impl Session {
+    /// Opens the line and says hello. `begun`: zero of the client's clock.
+    pub(super) fn begin(
+        address: &mut Address,
+        mail: &mut Mail,
+        timeout: Duration,
+        begun: Instant,
+    ) -> Result<(Self, About), BoardError> {
+        let name = address.to_string();
+        let gone = |problem| BoardError::Gone {
+            address: name.clone(),
+            problem,
+        };
+        mail.links += 1;
+        let link = address.open()?;
+        let open = Open::new(link, mail.links, mail.sender.clone())
+            .map_err(|error| gone(error.to_string()))?;
+        let mut line = Line::new(open, begun);
+        line.wake().map_err(gone)?;
+        let mut session = Self {
+            line,
+            health: None,
+            last_sample: None,
+            address: name,
+            timeout,
+        };
+        let about = session.ask(mail, Command::Hello, |said, _| match said {
+            Said::About(about) => Some(about.clone()),
+            _ => None,
+        })?;
+        Ok((session, about))
+    }
+
+    /// Sends a command that is answered by a reply. The reply, if it is a refusal.
+    pub(super) fn order(
+        &mut self,
+        mail: &mut Mail,
+        command: Command<'_>,
+    ) -> Result<Option<Answer>, BoardError> {
+        let answer = self.ask(mail, command, |said, sent| match said {
+            Said::Answer(answer) if sent.contains(&answer.command.sequence) => Some(answer.clone()),
+            _ => None,
+        })?;
+        Ok((answer.reason != Reason::Done).then_some(answer))
+    }
+
+    /// As [`Self::order`]; a refusal is an error. `surfaces`: their names.
+    pub(super) fn demand(
+        &mut self,
+        mail: &mut Mail,
+        command: Command<'_>,
+        surfaces: &[String],
+    ) -> Result<(), BoardError> {
+        let name = command.name();
+        match self.order(mail, command)? {
+            None => Ok(()),
+            Some(refusal) => Err(BoardError::Refused(explain(name, &refusal, surfaces))),
+        }
+    }
+
+    /// Sends a command until `pick` finds the answer to it; it is told under which numbers the command was sent.
+    fn ask<T>(
+        &mut self,
+        mail: &mut Mail,
+        command: Command<'_>,
+        mut pick: impl FnMut(&Said, &[u8]) -> Option<T>,
+    ) -> Result<T, BoardError> {
+        let end = Instant::now() + self.timeout;
+        let mut sent = Vec::new();
+        while Instant::now() < end {
+            sent.push(self.send(command)?);
+            let again = end.min(Instant::now() + AGAIN);
+            while let Some(news) = mail.receive(again) {
+                for heard in self.read(mail, news)? {
+                    self.note(&heard.said);
+                    if let Some(answer) = pick(&heard.said, &sent) {
+                        return Ok(answer);
+                    }
+                }
+                if self.line.faults().of(FaultKind::Version) > 0 {
+                    return Err(BoardError::Version(self.address.clone()));
+                }
+                if Instant::now() >= again {
+                    break;
+                }
+            }
+            if stop::asked() {
+                return Err(BoardError::Stopped);
+            }
+        }
+        Err(self.silent(&format!("answer to {}", command.name())))
+    }
+
+    /// Waits for the next health, not longer than `patience`.
+    pub(super) fn wait_for_health(
+        &mut self,
+        mail: &mut Mail,
+        patience: Duration,
+    ) -> Result<Option<Health>, BoardError> {
+        self.health = None;
+        let until = Instant::now() + patience;
+        while self.health.is_none()
+            && !stop::asked()
+            && let Some(news) = mail.receive(until)
+        {
+            for heard in self.read(mail, news)? {
+                self.note(&heard.said);
+            }
+        }
+        Ok(self.health)
+    }
+
+    /// The frames in news of this line; other news are set aside.
+    pub(super) fn read(&mut self, mail: &mut Mail, news: News) -> Result<Vec<Heard>, BoardError> {
+        match news {
+            News::Bytes(link, at, bytes) if link == self.line.link() => {
+                Ok(self.line.hear(at, &bytes))
+            }
+            News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
+            // Of a line of before.
+            News::Bytes(..) | News::Gone(..) => Ok(Vec::new()),
+            News::Sample(_) | News::NoTracker(_) => {
+                mail.keep([news]);
+                Ok(Vec::new())
+            }
+        }
+    }
+
+    /// Keeps what is of later use.
+    pub(super) fn note(&mut self, said: &Said) {
+        match said {
+            Said::Health(health) => self.health = Some(*health),
+            Said::Pose(pose) => self.last_sample = Some(pose.sample),
+            _ => {}
+        }
+    }
+
+    pub(super) fn send(&mut self, command: Command<'_>) -> Result<u8, BoardError> {
+        let sent = self.line.send(command);
+        sent.map_err(|problem| self.gone(problem))
+    }
+
+    fn gone(&self, problem: String) -> BoardError {
+        BoardError::Gone {
+            address: self.address.clone(),
+            problem,
+        }
+    }
+
+    /// What was waited for did not come.
+    pub(super) fn silent(&self, what: &str) -> BoardError {
+        BoardError::Silent {
+            address: self.address.clone(),
+            what: what.to_owned(),
+            seconds: self.timeout.as_secs_f64(),
+            came: what_came(&self.line),
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Pose, forces and events of a step, which come as frames of their own, put together by their time (FRAME 7).
+
+use std::collections::VecDeque;
+use std::time::Instant;
+
+use stiction_core::frame::{EventSet, Pose};
+
+use super::heard::{Events, Forces, Heard, Said};
+
+/// So many later steps may begin before one is given up as it is.
+const PATIENCE: usize = 4;
+
+/// A step of the board, as far as it arrived.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    /// Its pose came then.
+    pub(super) at: Instant,
+    pub(super) pose: Pose,
+    pub(super) forces: Option<Forces>,
+    /// None where nothing happened.
+    pub(super) events: Option<Events>,
+}
+
+impl Step {
+    /// Nothing of it was lost.
+    pub(super) fn is_whole(&self) -> bool {
+        let told = self.events.is_some() || self.pose.events == EventSet::default();
+        told && self.forces.is_some()
+    }
+}
+
+/// Parts with the same time.
+#[derive(Clone, Debug)]
+struct Parts {
+    time: u32,
+    pose: Option<(Instant, Pose)>,
+    forces: Option<Forces>,
+    events: Option<Events>,
+}
+
+impl Parts {
+    fn is_whole(&self) -> bool {
+        let told = |pose: &Pose| self.events.is_some() || pose.events == EventSet::default();
+        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| told(&pose))
+    }
+
+    fn lacks(&self, said: &Said) -> bool {
+        match said {
+            Said::Pose(_) => self.pose.is_none(),
+            Said::Forces(_) => self.forces.is_none(),
+            Said::Events(_) => self.events.is_none(),
+            _ => false,
+        }
+    }
+}
+
+/// Puts the parts of steps together.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Steps {
+    pending: VecDeque<Parts>,
+    /// Events of steps whose pose was not sent: they are of the next one that is.
+    earlier: Option<Events>,
+}
+
+impl Steps {
+    /// Takes a part. The steps that nothing more will come of, in order.
+    pub(super) fn add(&mut self, heard: Heard) -> Vec<Step> {
+        let Heard { at, time, said } = heard;
+        let place = self
+            .pending
+            .iter()
+            .position(|parts| parts.time == time && parts.lacks(&said));
+        let place = place.unwrap_or_else(|| {
+            self.pending.push_back(Parts {
+                time,
+                pose: None,
+                forces: None,
+                events: None,
+            });
+            self.pending.len() - 1
+        });
+        let parts = &mut self.pending[place];
+        match said {
+            Said::Pose(pose) => parts.pose = Some((at, pose)),
+            Said::Forces(forces) => parts.forces = Some(forces),
+            Said::Events(events) => parts.events = Some(events),
+            _ => {}
+        }
+        let beyond = self.pending.len().saturating_sub(PATIENCE);
+        let whole = self.pending.iter().rposition(Parts::is_whole);
+        self.finish(beyond.max(whole.map_or(0, |last| last + 1)))
+    }
+
+    /// What is left, when nothing more will come.
+    pub(super) fn flush(&mut self) -> Vec<Step> {
+        self.finish(self.pending.len())
+    }
+
+    /// The first so many steps.
+    fn finish(&mut self, count: usize) -> Vec<Step> {
+        let mut steps = Vec::new();
+        for parts in self.pending.drain(..count) {
+            let events = match (self.earlier.take(), parts.events) {
+                (Some(mut earlier), Some(events)) => {
+                    earlier.merge(events);
+                    Some(earlier)
+                }
+                (earlier, events) => earlier.or(events),
+            };
+            match parts.pose {
+                Some((at, pose)) => steps.push(Step {
+                    at,
+                    pose,
+                    forces: parts.forces,
+                    events,
+                }),
+                None => self.earlier = events,
+            }
+        }
+        steps
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stiction_core::{Event, Wrench};
+
+    fn heard(time: u32, said: Said) -> Heard {
+        Heard {
+            at: Instant::now(),
+            time,
+            said,
+        }
+    }
+
+    fn pose(events: &[Event]) -> Said {
+        Said::Pose(Pose {
+            events: EventSet::of(events),
+            ..Pose::default()
+        })
+    }
+
+    fn forces(turns: i32) -> Said {
+        Said::Forces(Forces {
+            wrench: Wrench::default(),
+            turns,
+            contacts: Vec::new(),
+        })
+    }
+
+    fn events(list: &[Event]) -> Said {
+        Said::Events(Events {
+            slips: 1,
+            longest_slip: 0.5,
+            list: list.to_vec(),
+        })
+    }
+
+    #[test]
+    fn parts_come_in_any_order() {
+        let touch = [Event::Touch];
+        let parts = [pose(&touch), forces(1), events(&touch)];
+        for order in [
+            [0, 1, 2],
+            [0, 2, 1],
+            [1, 0, 2],
+            [1, 2, 0],
+            [2, 0, 1],
+            [2, 1, 0],
+        ] {
+            let mut steps = Steps::default();
+            let mut done = Vec::new();
+            for (k, i) in order.into_iter().enumerate() {
+                assert!(done.is_empty(), "{order:?} {k}");
+                done = steps.add(heard(7, parts[i].clone()));
+            }
+            assert!(done.len() == 1 && done[0].is_whole(), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn a_step_without_events_needs_none() {
+        let mut steps = Steps::default();
+        assert!(steps.add(heard(1, pose(&[]))).is_empty());
+        assert_eq!(steps.add(heard(1, forces(0))).len(), 1);
+    }
+
+    #[test]
+    fn a_step_with_a_lost_part_comes_before_the_next_whole_one() {
+        let mut steps = Steps::default();
+        steps.add(heard(1, pose(&[])));
+        steps.add(heard(2, pose(&[])));
+        let done = steps.add(heard(2, forces(0)));
+        let whole: Vec<_> = done.iter().map(Step::is_whole).collect();
+        assert_eq!(whole, [false, true]);
+    }
+
+    #[test]
+    fn events_without_a_pose_are_of_the_next_one() {
+        let mut steps = Steps::default();
+        steps.add(heard(1, events(&[Event::Touch])));
+        steps.add(heard(2, pose(&[Event::Touch, Event::Slip])));
+        steps.add(heard(2, events(&[Event::Slip])));
+        let done = steps.add(heard(2, forces(0)));
+        let told = done[0].events.clone().expect("events");
+        assert_eq!(
+            (told.slips, told.list),
+            (2, vec![Event::Touch, Event::Slip])
+        );
+    }
+
+    #[test]
+    fn what_is_lost_does_not_hold_back_the_others() {
+        let mut steps = Steps::default();
+        let done: usize = (0..100).map(|k| steps.add(heard(k, pose(&[]))).len()).sum();
+        assert_eq!(done + steps.flush().len(), 100);
+    }
+}

@@ -1,0 +1,302 @@
+//! Samples to the board in real time, and what comes back: the trace, the counts, the comparison.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use stiction_core::frame::Command;
+
+use super::address::Address;
+use super::counts::Counts;
+use super::error::BoardError;
+use super::feed::Feed;
+use super::flight::{Flight, Sent};
+use super::heard::{Heard, Said};
+use super::link::News;
+use super::print::Screen;
+use super::record::Recorder;
+use super::session::{Mail, Session};
+use super::setup::Setup;
+use super::steps::{Step, Steps};
+use super::stop;
+use super::trace::Trace;
+use super::verify::{Twin, Verdict};
+use crate::number::narrow_hand;
+
+/// A board that went away is looked for so often.
+const RETRY: Duration = Duration::from_secs(1);
+/// Samples on their way to a board that makes a step with each: its queue holds them.
+const WINDOW: usize = 4;
+/// Samples that are sent before what came is looked at.
+const BURST: usize = 32;
+/// The line on the screen is looked after so often.
+const BREATH: Duration = Duration::from_millis(50);
+
+/// A stream from a feed to a board and back.
+pub(super) struct Stream<'a> {
+    pub(super) setup: &'a Setup<'a>,
+    pub(super) address: Address,
+    pub(super) mail: Mail,
+    /// Zero of the client's clock.
+    pub(super) begun: Instant,
+    pub(super) timeout: Duration,
+    pub(super) feed: Feed<'a>,
+    pub(super) twin: Option<Box<dyn Twin>>,
+    pub(super) trace: Trace,
+    pub(super) screen: Screen,
+    pub(super) counts: Counts,
+    pub(super) verdict: Verdict,
+    pub(super) flight: Flight,
+    pub(super) steps: Steps,
+    pub(super) recorder: Recorder,
+}
+
+impl Stream<'_> {
+    /// Until the feed ends. A board that goes away is waited for, unless it is compared with the host.
+    pub(super) fn run(&mut self, mut session: Session) -> Result<(), BoardError> {
+        loop {
+            self.counts.begin(session.health);
+            match self.follow(&mut session) {
+                Err(error) if error.may_pass() && self.twin.is_none() => {
+                    session = self.come_back(error)?;
+                }
+                result => return result,
+            }
+        }
+    }
+
+    /// As long as the board is there.
+    fn follow(&mut self, session: &mut Session) -> Result<(), BoardError> {
+        self.number_anew(session)?;
+        // Since when the board owes a word.
+        let mut owed: Option<Instant> = None;
+        let faults = self.counts.faults;
+        loop {
+            if stop::asked() {
+                self.feed.end();
+            }
+            let sent = self.send_due(session)?;
+            if sent > 0 {
+                owed = owed.or(Some(Instant::now()));
+            }
+            self.give_up_overdue();
+            if self.feed.is_over() && self.flight.len() == 0 {
+                return self.finish(session);
+            }
+            let wake = self.wake();
+            if let Some(news) = self.mail.next(wake)
+                && self.hear(session, news)?
+            {
+                owed = None;
+            }
+            if owed.is_some_and(|since| since.elapsed() > self.timeout) {
+                return Err(session.silent("frame"));
+            }
+            self.counts.faults = faults + u64::from(session.line.faults().total());
+            self.screen.show(&self.counts);
+        }
+    }
+
+    /// A pose of before may carry the number that the first sample is about to get: a ping takes it away.
+    fn number_anew(&mut self, session: &mut Session) -> Result<(), BoardError> {
+        if session.last_sample == Some(session.line.next_number()) {
+            session.send(Command::Ping)?;
+        }
+        Ok(())
+    }
+
+    fn has_room(&self) -> bool {
+        !self.setup.per_sample || self.flight.len() < WINDOW
+    }
+
+    /// When there is something to do, even if nothing comes.
+    fn wake(&mut self) -> Instant {
+        let now = Instant::now();
+        let mut wake = now + BREATH;
+        if self.has_room()
+            && let Some(due) = self.feed.next_due(now)
+        {
+            wake = wake.min(due);
+        }
+        wake
+    }
+
+    /// Sends what is due. How many.
+    fn send_due(&mut self, session: &mut Session) -> Result<usize, BoardError> {
+        let mut count = 0;
+        while count < BURST && self.has_room() {
+            let at = Instant::now();
+            let Some(sample) = self.feed.take(at) else {
+                break;
+            };
+            let hand = narrow_hand(&sample.hand);
+            let sent = Sent {
+                number: session.line.next_number(),
+                index: self.counts.samples,
+                sample,
+                hand,
+                at,
+                expected: self.twin.as_mut().map(|twin| Box::new(twin.step(hand))),
+            };
+            self.counts.begun.get_or_insert(at);
+            self.counts.samples += 1;
+            let old = self.flight.add(sent);
+            self.lose(old);
+            session.send(Command::Hand(hand))?;
+            count += 1;
+        }
+        Ok(count)
+    }
+
+    /// Takes news; whether the board said something.
+    fn hear(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
+        match news {
+            News::Sample(sample) => {
+                self.feed.push(sample);
+                Ok(false)
+            }
+            News::NoTracker(error) => Err(error),
+            news => {
+                let heard = session.read(&mut self.mail, news)?;
+                let any = !heard.is_empty();
+                for heard in heard {
+                    self.take(session, heard)?;
+                }
+                Ok(any)
+            }
+        }
+    }
+
+    fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
+        match &heard.said {
+            Said::Health(health) => self.counts.note(*health),
+            Said::Pose(_) | Said::Forces(_) | Said::Events(_) => {
+                for step in self.steps.add(heard) {
+                    self.answer(&step)?;
+                }
+                return Ok(());
+            }
+            _ => {}
+        }
+        session.note(&heard.said);
+        Ok(())
+    }
+
+    /// A step that follows a sample.
+    fn answer(&mut self, step: &Step) -> Result<(), BoardError> {
+        let Some((sent, overtaken)) = self.flight.answer(&step.pose) else {
+            return Ok(());
+        };
+        self.lose(overtaken);
+        self.counts.poses += 1;
+        let latency = step.at.saturating_duration_since(sent.at);
+        self.counts.latency.add(latency);
+        if let Some(expected) = &sent.expected {
+            self.verdict
+                .add((sent.index, sent.sample.t), step, expected);
+        }
+        match self.recorder.frame(&sent, step) {
+            Some(frame) => self.trace.write(&frame)?,
+            None => self.counts.incomplete += 1,
+        }
+        Ok(())
+    }
+
+    /// No pose follows these samples.
+    fn lose(&mut self, lost: Vec<Sent>) {
+        self.counts.unanswered += lost.len() as u64;
+        for sent in lost {
+            if let Some(expected) = &sent.expected {
+                self.verdict.lose((sent.index, sent.sample.t), expected);
+            }
+        }
+    }
+
+    fn give_up_overdue(&mut self) {
+        let now = Instant::now();
+        if self
+            .flight
+            .overdue(self.timeout)
+            .is_some_and(|end| now > end)
+        {
+            let lost = self.flight.give_up();
+            self.lose(lost);
+        }
+    }
+
+    /// What is still under way, and the last word of the board.
+    fn finish(&mut self, session: &mut Session) -> Result<(), BoardError> {
+        for step in self.steps.flush() {
+            self.answer(&step)?;
+        }
+        let patience = Duration::from_millis(400);
+        if session.health.is_some()
+            && let Some(health) = session.wait_for_health(&mut self.mail, patience)?
+        {
+            self.counts.note(health);
+        }
+        self.counts.end();
+        Ok(())
+    }
+
+    /// Looks for a board that went away; what is due meanwhile is lost.
+    fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
+        self.screen
+            .note(&format!("{error}; looking for the board once a second"));
+        let lost = self.flight.give_up();
+        self.lose(lost);
+        self.steps = Steps::default();
+        loop {
+            let next = Instant::now() + RETRY;
+            match self.begin_again() {
+                Ok(session) => {
+                    self.skip_missed()?;
+                    self.screen.note("the board is back");
+                    return Ok(session);
+                }
+                Err(error) if error.may_pass() => {}
+                Err(error) => return Err(error),
+            }
+            while Instant::now() < next && !stop::asked() {
+                thread::sleep(BREATH);
+            }
+            self.skip_missed()?;
+            if stop::asked() || self.feed.is_over() {
+                self.counts.end();
+                return Err(error);
+            }
+        }
+    }
+
+    fn begin_again(&mut self) -> Result<Session, BoardError> {
+        let Self {
+            address,
+            mail,
+            begun,
+            timeout,
+            setup,
+            ..
+        } = self;
+        let (mut session, about) = Session::begin(address, mail, *timeout, *begun)?;
+        setup.apply(&mut session, &about, mail)?;
+        Ok(session)
+    }
+
+    /// Samples that were due while there was no board.
+    fn skip_missed(&mut self) -> Result<(), BoardError> {
+        let now = Instant::now();
+        let mut of_lines = Vec::new();
+        while let Some(news) = self.mail.next(now) {
+            match news {
+                News::Sample(sample) => self.feed.push(sample),
+                News::NoTracker(error) => return Err(error),
+                news => of_lines.push(news),
+            }
+        }
+        self.mail.keep(of_lines);
+        while self.feed.take(now).is_some() {
+            self.counts.samples += 1;
+            self.counts.unanswered += 1;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,256 @@
+//! The host's solver beside the board's, on the same samples: every bit of every answer is compared.
+
+use std::fmt;
+
+use stiction_core::frame::{EventSet, NumberType};
+use stiction_core::{
+    Contact, Evolution, Fixed, Hand, Model, Output, Parts, Real, Solver, State, Wrench,
+};
+
+use super::heard::About;
+use super::steps::Step;
+use crate::number::SiFloat;
+use crate::scene_file::{SURFACES, SceneFile, VERTICES};
+use crate::source::InputError;
+
+/// What the host's solver makes of a sample.
+#[derive(Clone, Debug)]
+pub(super) struct Expected {
+    output: Output<f32>,
+    wrench: Wrench<f32>,
+    contacts: Vec<Contact<f32>>,
+}
+
+/// The host's solver, of the number type and the model of a board.
+pub(super) trait Twin {
+    fn step(&mut self, hand: Hand<f32>) -> Expected;
+}
+
+struct Host<R: Real, M: Model> {
+    solver: Solver<R, VERTICES, SURFACES, M>,
+    state: Option<State<R>>,
+}
+
+impl<R: Real<Si = f32>, M: Model> Twin for Host<R, M> {
+    fn step(&mut self, hand: Hand<f32>) -> Expected {
+        let output = match &mut self.state {
+            Some(state) => self.solver.step(state, hand),
+            None => {
+                let (state, output) = self.solver.start(hand);
+                self.state = Some(state);
+                output
+            }
+        };
+        let state = self.state.as_ref();
+        let contacts = state.map(|state| self.solver.contacts(state).to_vec());
+        Expected {
+            output,
+            wrench: state.map_or_else(Wrench::default, |state| self.solver.wrench(state)),
+            contacts: contacts.unwrap_or_default(),
+        }
+    }
+}
+
+/// The twin of a board, before its first sample.
+pub(super) fn twin(
+    about: &About,
+    scene: &SceneFile,
+    evolution: Evolution,
+    tolerance: f32,
+) -> Result<Box<dyn Twin>, InputError> {
+    let of = (scene, evolution, tolerance);
+    match about.number {
+        NumberType::F32 => with_model::<f32>(about, of),
+        NumberType::Fixed => with_model::<Fixed>(about, of),
+    }
+}
+
+type Setting<'a> = (&'a SceneFile, Evolution, f32);
+
+fn with_model<R: Real<Si = f32> + 'static>(
+    about: &About,
+    of: Setting<'_>,
+) -> Result<Box<dyn Twin>, InputError>
+where
+    f32: SiFloat,
+{
+    match (about.friction, about.weight) {
+        (true, true) => host::<R, Parts<true, true>>(of),
+        (true, false) => host::<R, Parts<true, false>>(of),
+        (false, true) => host::<R, Parts<false, true>>(of),
+        (false, false) => host::<R, Parts<false, false>>(of),
+    }
+}
+
+fn host<R: Real<Si = f32> + 'static, M: Model>(
+    (scene, evolution, tolerance): Setting<'_>,
+) -> Result<Box<dyn Twin>, InputError> {
+    let solver = Solver::new(scene.scene_in::<R, M>()?, evolution).with_tolerance(tolerance);
+    Ok(Box::new(Host {
+        solver,
+        state: None,
+    }))
+}
+
+/// What is not equal, and both values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Difference(String);
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+fn same<T: PartialEq + fmt::Debug>(what: &str, board: T, host: T) -> Result<(), Difference> {
+    if board == host {
+        return Ok(());
+    }
+    let text = format!("{what}: board {board:?}, host {host:?}");
+    Err(Difference(text))
+}
+
+fn same_bits(what: &str, board: f32, host: f32) -> Result<(), Difference> {
+    if board.to_bits() == host.to_bits() {
+        return Ok(());
+    }
+    let shown = |value: f32| format!("{value:?} ({:#010x})", value.to_bits());
+    let text = format!("{what}: board {}, host {}", shown(board), shown(host));
+    Err(Difference(text))
+}
+
+/// Compares a whole step with what was expected. `before`: the events of steps whose poses did not come since the last one
+/// that did; the board adds them to this one where it did not send these.
+pub(super) fn compare(
+    step: &Step,
+    expected: &Expected,
+    before: EventSet,
+) -> Result<(), Difference> {
+    let (pose, output) = (&step.pose, &expected.output);
+    let ([x, y], [host_x, host_y]) = (pose.position, output.position);
+    same_bits("pose x", x, host_x)?;
+    same_bits("pose y", y, host_y)?;
+    same_bits("pose theta", pose.rest, output.angle.rest)?;
+    same_bits("depth", pose.depth, output.depth)?;
+    same(
+        "turns modulo 8",
+        i32::from(pose.turns),
+        output.angle.turns & 7,
+    )?;
+    same("state", pose.state.name(), output.state.name())?;
+    same("status", pose.status.name(), output.status.name())?;
+    same("held", pose.held, output.held)?;
+    let happened = EventSet::of(output.events());
+    if pose.events != happened.union(before) {
+        same("events of the pose", pose.events, happened)?;
+    }
+    if before == EventSet::default() {
+        compare_events(step, output)?;
+    }
+    compare_forces(step, expected)
+}
+
+fn compare_events(step: &Step, output: &Output<f32>) -> Result<(), Difference> {
+    let told = step.events.clone().unwrap_or_default();
+    same("slips", told.slips, output.slips)?;
+    same_bits("longest slip", told.longest_slip, output.longest_slip)?;
+    let names = |list: &[stiction_core::Event]| -> Vec<_> {
+        list.iter().map(|event| event.name()).collect()
+    };
+    same("events", names(&told.list), names(output.events()))
+}
+
+fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
+    let Some(forces) = &step.forces else {
+        return Err(Difference("the forces did not come".to_owned()));
+    };
+    let ([x, y], [host_x, host_y]) = (forces.wrench.force, expected.wrench.force);
+    same_bits("wrench x", x, host_x)?;
+    same_bits("wrench y", y, host_y)?;
+    same_bits(
+        "wrench moment",
+        forces.wrench.moment,
+        expected.wrench.moment,
+    )?;
+    same("turns", forces.turns, expected.output.angle.turns)?;
+    same("contacts", forces.contacts.len(), expected.contacts.len())?;
+    for (i, (board, host)) in forces.contacts.iter().zip(&expected.contacts).enumerate() {
+        let pair = |contact: &Contact<f32>| (contact.vertex, contact.surface);
+        same(
+            &format!("vertex and surface of contact {i}"),
+            pair(board),
+            pair(host),
+        )?;
+        for (what, board, host) in [
+            ("point x", board.point[0], host.point[0]),
+            ("point y", board.point[1], host.point[1]),
+            ("N", board.normal, host.normal),
+            ("T", board.friction, host.friction),
+        ] {
+            same_bits(&format!("{what} of contact {i}"), board, host)?;
+        }
+    }
+    Ok(())
+}
+
+/// How many frames are equal, and the first that is not.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Verdict {
+    frames: u64,
+    equal: u64,
+    lost: u64,
+    first: Option<(u64, f64, Difference)>,
+    missed: EventSet,
+}
+
+impl Verdict {
+    /// The answer to a sample (index, time) came.
+    pub(super) fn add(&mut self, (index, t): (u64, f64), step: &Step, expected: &Expected) {
+        self.frames += 1;
+        let missed = std::mem::take(&mut self.missed);
+        if !step.is_whole() {
+            self.lost += 1;
+        }
+        match compare(step, expected, missed) {
+            Ok(()) if step.is_whole() => self.equal += 1,
+            Ok(()) => self.note(index, t, "a part of the answer did not come"),
+            Err(difference) => self.note(index, t, &difference.0),
+        }
+    }
+
+    /// No answer to a sample came.
+    pub(super) fn lose(&mut self, (index, t): (u64, f64), expected: &Expected) {
+        self.frames += 1;
+        self.lost += 1;
+        self.missed = self.missed.union(EventSet::of(expected.output.events()));
+        self.note(index, t, "no pose came");
+    }
+
+    fn note(&mut self, index: u64, t: f64, what: &str) {
+        let found = (index, t, Difference(what.to_owned()));
+        match &self.first {
+            Some((first, ..)) if *first <= index => {}
+            _ => self.first = Some(found),
+        }
+    }
+
+    /// Every frame is equal, and there were some.
+    pub(super) const fn is_good(&self) -> bool {
+        self.frames > 0 && self.equal == self.frames
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} of {} frames equal", self.equal, self.frames)?;
+        if self.lost > 0 {
+            write!(f, ", {} lost", self.lost)?;
+        }
+        match &self.first {
+            Some((index, t, what)) => {
+                write!(f, "; first difference: frame {index} (t = {t} s), {what}")
+            }
+            None => Ok(()),
+        }
+    }
+}
