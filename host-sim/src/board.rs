@@ -114,6 +114,10 @@ pub struct InfoArgs {
 /// Input that cannot be used, a board that is not there, refuses something or goes away.
 pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     let scene = open_scene(&args.scene, Number::F32)?;
+    if !args.keep {
+        // Said with the key and the line, which the board does not know.
+        scene.scene::<f32>()?;
+    }
     let path = match args.tracker.is_wanted() {
         true => None,
         false => Some(open_path(&scene, args.hand.as_deref(), args.rate)?),

@@ -152,14 +152,12 @@ mod tests {
     #[test]
     fn a_line_tells_rate_latency_and_losses() {
         let begun = Instant::now();
-        let mut counts = Counts {
-            samples: 1000,
-            poses: 990,
-            unanswered: 10,
-            faults: 3,
-            begun: Some(begun),
-            ..Counts::default()
-        };
+        let mut counts = Counts::default();
+        counts.samples = 1000;
+        counts.poses = 990;
+        counts.unanswered = 10;
+        counts.faults = 3;
+        counts.begun = Some(begun);
         counts.latency.add(Duration::from_micros(1230));
         let text = line(&counts, begun + Duration::from_millis(1500), 990.4);
         assert_eq!(
