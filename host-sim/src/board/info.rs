@@ -87,7 +87,13 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
                 every(mode.forces_every, "step")
             ),
         ),
-        ("health", every(mode.health_every, "ms")),
+        (
+            "health",
+            match mode.health_every {
+                0 => "never".to_owned(),
+                period => format!("every {period} ms"),
+            },
+        ),
     ]
 }
 

@@ -16,6 +16,9 @@ use crate::scene_file::SceneFile;
 /// The board tells so often how it fares (ms).
 const HEALTH_EVERY: u16 = 250;
 
+/// A mode that is too much for the line is made less so often.
+const ATTEMPTS: usize = 8;
+
 /// The scene and how the board is to work.
 #[derive(Clone, Debug)]
 pub(super) struct Setup<'a> {
@@ -42,11 +45,7 @@ impl Setup<'_> {
         if !self.keep {
             self.send_scene(session, about, mail)?;
         }
-        let mode = self.mode(about);
-        let remark = match session.order(mail, Command::Mode(mode))? {
-            None => None,
-            Some(refusal) => Some(self.send_less(session, mail, mode, &refusal)?),
-        };
+        let remark = self.set_mode(session, mail, self.mode(about))?;
         let patience = Duration::from_millis(2 * u64::from(HEALTH_EVERY));
         session.wait_for_health(mail, patience)?;
         Ok(remark)
@@ -97,45 +96,60 @@ impl Setup<'_> {
         }
     }
 
-    /// The line is too slow for a pose with forces at every tick: fewer of them, or, where every step is wanted, fewer
-    /// ticks.
-    fn send_less(
+    /// Where the line is too slow for a pose with forces at every tick: fewer of them, or, where every step is wanted,
+    /// fewer ticks; which, is the remark.
+    fn set_mode(
         &self,
         session: &mut Session,
         mail: &mut Mail,
-        mode: Mode,
-        refusal: &Answer,
-    ) -> Result<String, BoardError> {
-        match less(&mode, refusal) {
-            Some((mode, remark)) => {
-                session.demand(mail, Command::Mode(mode), &[])?;
-                Ok(remark)
+        mut mode: Mode,
+    ) -> Result<Option<String>, BoardError> {
+        let mut remark = None;
+        for _ in 0..ATTEMPTS {
+            let Some(refusal) = session.order(mail, Command::Mode(mode))? else {
+                return Ok(remark);
+            };
+            match less(&mode, &refusal) {
+                Some(smaller) => mode = smaller,
+                None => return Err(BoardError::Refused(explain("mode", &refusal, &[]))),
             }
-            None => Err(BoardError::Refused(explain("mode", refusal, &[]))),
+            remark = Some(match mode.stepping {
+                Stepping::PerSample => {
+                    format!("the line carries {} steps a second", mode.tick_rate)
+                }
+                Stepping::Timed => {
+                    format!(
+                        "the line carries a pose with forces at every {} ticks",
+                        mode.pose_every
+                    )
+                }
+            });
         }
+        session.demand(mail, Command::Mode(mode), &[])?;
+        Ok(remark)
     }
 }
 
-/// The mode that a line carries, and what it means, where another one was refused for the load of the line.
-fn less(mode: &Mode, refusal: &Answer) -> Option<(Mode, String)> {
+/// A mode that is less for the line, where one was refused for that.
+fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
     let too_much = f64::from(refusal.value / refusal.limit);
     let of_line = refusal.subject == Subject::LineRate && refusal.reason == Reason::Unsupported;
     if !of_line || !(1.0..1e4).contains(&too_much) {
         return None;
     }
     Some(if mode.stepping == Stepping::PerSample {
-        let tick_rate = (f64::from(mode.tick_rate) / too_much).floor().max(1.0) as u16;
-        let mode = Mode { tick_rate, ..*mode };
-        (mode, format!("the line carries {tick_rate} steps a second"))
+        // A part of the load, the health, does not become less with the ticks.
+        let fitting = (f64::from(mode.tick_rate) / too_much).floor() as u16;
+        let tick_rate = fitting.min(mode.tick_rate.saturating_sub(1)).max(1);
+        Mode { tick_rate, ..*mode }
     } else {
-        let every = too_much.ceil() as u16;
-        let remark = format!("the line carries a pose with forces at every {every} ticks");
-        let mode = Mode {
+        let fitting = (f64::from(mode.pose_every) * too_much).ceil() as u16;
+        let every = fitting.max(mode.pose_every.saturating_add(1));
+        Mode {
             pose_every: every,
             forces_every: every,
             ..*mode
-        };
-        (mode, remark)
+        }
     })
 }
 
@@ -163,7 +177,7 @@ mod tests {
             ..Mode::default()
         };
         let refused = refusal(Subject::LineRate, 256_000.0, 92_160.0);
-        let (mode, _) = less(&timed, &refused).expect("a slower mode");
+        let mode = less(&timed, &refused).expect("a slower mode");
         assert_eq!(
             (mode.tick_rate, mode.pose_every, mode.forces_every),
             (1000, 3, 3)
@@ -172,11 +186,28 @@ mod tests {
             stepping: Stepping::PerSample,
             ..timed
         };
-        let (mode, _) = less(&per_sample, &refused).expect("a slower mode");
+        let mode = less(&per_sample, &refused).expect("a slower mode");
         assert_eq!(
             (mode.tick_rate, mode.pose_every, mode.forces_every),
             (360, 1, 1)
         );
+    }
+
+    #[test]
+    fn what_is_refused_by_little_becomes_less_all_the_same() {
+        let refused = refusal(Subject::LineRate, 11_521.0, 11_520.0);
+        let mode = Mode {
+            pose_every: 2,
+            forces_every: 2,
+            ..Mode::default()
+        };
+        assert_eq!(less(&mode, &refused).map(|mode| mode.forces_every), Some(3));
+        let mode = Mode {
+            stepping: Stepping::PerSample,
+            tick_rate: 70,
+            ..mode
+        };
+        assert_eq!(less(&mode, &refused).map(|mode| mode.tick_rate), Some(69));
     }
 
     #[test]
