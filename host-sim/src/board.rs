@@ -211,6 +211,7 @@ fn connected<'a>(
         flight: Flight::default(),
         steps: Steps::default(),
         recorder: Recorder::default(),
+        tracker_gone: None,
     };
     Ok(Connected {
         stream,

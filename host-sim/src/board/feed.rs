@@ -75,6 +75,13 @@ impl<'a> Feed<'a> {
         }
     }
 
+    /// The tracker is gone: what came of it is still to be sent.
+    pub(super) fn close(&mut self) {
+        if let Self::Live { ended, .. } = self {
+            *ended = true;
+        }
+    }
+
     /// Ends where it is.
     pub(super) fn end(&mut self) {
         match self {

@@ -48,6 +48,8 @@ pub(super) struct Stream<'a> {
     pub(super) flight: Flight,
     pub(super) steps: Steps,
     pub(super) recorder: Recorder,
+    /// Why the tracker is gone.
+    pub(super) tracker_gone: Option<BoardError>,
 }
 
 impl Stream<'_> {
@@ -154,7 +156,10 @@ impl Stream<'_> {
                 self.feed.push(sample);
                 Ok(false)
             }
-            News::NoTracker(error) => Err(error),
+            News::NoTracker(error) => {
+                self.end_tracker(error);
+                Ok(false)
+            }
             news => {
                 let heard = session.read(&mut self.mail, news)?;
                 let any = !heard.is_empty();
@@ -235,7 +240,7 @@ impl Stream<'_> {
             self.counts.note(health);
         }
         self.counts.end();
-        Ok(())
+        self.tracker_gone.take().map_or(Ok(()), Err)
     }
 
     /// Looks for a board that went away; what is due meanwhile is lost.
@@ -249,7 +254,7 @@ impl Stream<'_> {
             let next = Instant::now() + RETRY;
             match self.begin_again() {
                 Ok(session) => {
-                    self.skip_missed()?;
+                    self.skip_missed();
                     self.screen.note("the board is back");
                     return Ok(session);
                 }
@@ -259,7 +264,7 @@ impl Stream<'_> {
             while Instant::now() < next && !stop::asked() {
                 thread::sleep(BREATH);
             }
-            self.skip_missed()?;
+            self.skip_missed();
             if stop::asked() || self.feed.is_over() {
                 self.counts.end();
                 return Err(error);
@@ -282,13 +287,13 @@ impl Stream<'_> {
     }
 
     /// Samples that were due while there was no board.
-    fn skip_missed(&mut self) -> Result<(), BoardError> {
+    fn skip_missed(&mut self) {
         let now = Instant::now();
         let mut of_lines = Vec::new();
         while let Some(news) = self.mail.next(now) {
             match news {
                 News::Sample(sample) => self.feed.push(sample),
-                News::NoTracker(error) => return Err(error),
+                News::NoTracker(error) => self.end_tracker(error),
                 news => of_lines.push(news),
             }
         }
@@ -297,6 +302,11 @@ impl Stream<'_> {
             self.counts.samples += 1;
             self.counts.unanswered += 1;
         }
-        Ok(())
+    }
+
+    /// What is under way is still waited for, then this is the end.
+    fn end_tracker(&mut self, error: BoardError) {
+        self.feed.close();
+        self.tracker_gone = Some(error);
     }
 }

@@ -113,11 +113,10 @@ fn records_of_a_tracker_behind_a_socket_are_the_hand() {
         &output,
         &["tracker tracker: it was closed at the other end"],
     );
-    let seen = fake.join().expect("no panic").samples;
-    assert!(text(&output.stdout).contains(&format!("{seen} of {seen} frames equal")) || seen < 40);
-    let kept = records(&folder.read("trace.jsonl")).len();
-    assert!(kept >= 30, "{kept}");
-    assert_followed(&folder, kept);
+    assert_eq!(fake.join().expect("no panic").samples, 40);
+    let said = text(&output.stdout);
+    assert!(said.contains("40 of 40 frames equal"), "{said}");
+    assert_followed(&folder, 40);
 }
 
 #[test]
