@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
-/// Bins of a 50th of a millisecond, up to 200 ms.
-const BINS: usize = 10_000;
+/// Bins of a 50th of a millisecond, up to 2 s.
+const BINS: usize = 100_000;
 const PER_SECOND: f64 = 50_000.0;
 
 /// Latencies.
@@ -73,7 +73,7 @@ mod tests {
         latency.add(Duration::from_secs(7));
         assert_eq!(
             (latency.quantile(0.5), latency.worst()),
-            (Some(200.0), 7000.0)
+            (Some(2000.0), 7000.0)
         );
     }
 }

@@ -26,8 +26,12 @@ use crate::number::narrow_hand;
 const RETRY: Duration = Duration::from_secs(1);
 /// Samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;
-/// Samples that are sent before what came is looked at.
-const BURST: usize = 32;
+/// Samples on their way to a board that takes the newest one: more would wait in the line, and come late.
+const TIMED_WINDOW: usize = 32;
+/// Samples that are sent before what came is looked at: a full line makes each of them wait.
+const BURST: usize = 2;
+/// News that are looked at before samples are sent: an emulator sends byte by byte.
+const MOST_NEWS: usize = 256;
 /// The line on the screen is looked after so often.
 const BREATH: Duration = Duration::from_millis(50);
 
@@ -84,11 +88,16 @@ impl Stream<'_> {
             if self.feed.is_over() && self.flight.len() == 0 {
                 return self.finish(session);
             }
-            let wake = self.wake();
-            if let Some(news) = self.mail.next(wake)
-                && self.hear(session, news)?
-            {
-                owed = None;
+            let mut until = self.wake();
+            for _ in 0..MOST_NEWS {
+                let Some(news) = self.mail.next(until) else {
+                    break;
+                };
+                if self.hear(session, news)? {
+                    owed = None;
+                }
+                // What else is there already.
+                until = Instant::now();
             }
             if owed.is_some_and(|since| since.elapsed() > self.timeout) {
                 return Err(session.silent("frame"));
@@ -107,7 +116,11 @@ impl Stream<'_> {
     }
 
     fn has_room(&self) -> bool {
-        !self.setup.per_sample || self.flight.len() < WINDOW
+        let window = match self.setup.per_sample {
+            true => WINDOW,
+            false => TIMED_WINDOW,
+        };
+        self.flight.len() < window
     }
 
     /// When there is something to do, even if nothing comes.
