@@ -9,16 +9,17 @@ use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use stiction_core::frame::{
-    Command, Decoder, EventSet, Events, Forces, Frame, Health, Info, List, Mode, NumberType, Pong,
-    Pose, Reason, Reference, Reply, Report, SceneCommand, Subject, Text, frame_bytes, scene_bytes,
-    wire_bytes,
+    Command, Decoder, EventSet, Events, Forces, Frame, Health, List, Mode, Pong, Pose, Reason,
+    Reference, Reply, Report, SceneCommand, Subject, Text, frame_bytes, scene_bytes, wire_bytes,
 };
 use stiction_core::{Hand, Real, Scene, SceneError, Solver, State, SurfaceDescription};
 
-const VERTICES: usize = 16;
-const SURFACES: usize = 8;
-const LONGEST: usize = frame_bytes(scene_bytes(VERTICES, SURFACES));
-const FASTEST: u16 = 5000;
+use crate::made::{info, of_version};
+
+pub(crate) const VERTICES: usize = 16;
+pub(crate) const SURFACES: usize = 8;
+pub(crate) const LONGEST: usize = frame_bytes(scene_bytes(VERTICES, SURFACES));
+pub(crate) const FASTEST: u16 = 5000;
 
 /// What goes wrong.
 #[derive(Clone, Debug, Default)]
@@ -351,42 +352,4 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
             self.say(time, Report::Forces(forces));
         }
     }
-}
-
-fn info<R: Real>(mode: Mode) -> Info<'static> {
-    let fixed = std::any::type_name::<R>().ends_with("Fixed");
-    Info {
-        version: [0, 1, 0],
-        number: match fixed {
-            true => NumberType::Fixed,
-            false => NumberType::F32,
-        },
-        vertices: VERTICES as u8,
-        surfaces: SURFACES as u8,
-        friction: true,
-        weight: true,
-        actuators: false,
-        longest_frame: LONGEST as u16,
-        fastest_tick: FASTEST,
-        stiffest: [f32::INFINITY; 2],
-        stiffness: [500.0, 0.5],
-        friction_now: [0.5, 0.3],
-        mode,
-        name: Text::new("a thread"),
-    }
-}
-
-/// The same frame, undamaged, with another version in its first byte.
-fn of_version(wire: &[u8], version: u8) -> Vec<u8> {
-    let mut frame = wire[..wire.len() - 1].to_vec();
-    let length = cobs::decode_in_place(&mut frame).expect("COBS");
-    frame.truncate(length - 4);
-    frame[0] = version;
-    let crc = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(&frame);
-    frame.extend(crc.to_le_bytes());
-    let mut wire = vec![0; cobs::max_encoding_length(frame.len())];
-    let length = cobs::encode(&frame, &mut wire);
-    wire.truncate(length);
-    wire.push(0);
-    wire
 }

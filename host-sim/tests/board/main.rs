@@ -5,6 +5,7 @@
 mod common;
 mod fake;
 mod lines;
+mod made;
 mod streaming;
 mod tracker;
 mod verified;
