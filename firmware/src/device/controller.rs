@@ -24,6 +24,16 @@ pub struct Settings {
     pub passivity: Option<Passivity>,
 }
 
+impl Settings {
+    pub(super) fn check(&self) -> Result<(), LimitError> {
+        self.limits.check()?;
+        match &self.passivity {
+            Some(passivity) => passivity.check(),
+            None => Ok(()),
+        }
+    }
+}
+
 /// Why a scene, a parameter or a limit was refused. Nothing has changed then.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
@@ -135,9 +145,9 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: Model = Full> 
     /// The force that the statics wants on the hand.
     pub(super) wanted: Wrench<f32>,
     held_last: bool,
-    governor: Governor,
-    line: Line,
-    ticks: Ticks,
+    pub(super) governor: Governor,
+    pub(super) line: Line,
+    pub(super) ticks: Ticks,
     health: Health,
 }
 
@@ -146,19 +156,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     pub(super) fn new(d: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
         let solver = solver(d, settings)?;
         let store = Store::new(d).ok_or(Refusal::Unsettled(Status::Saturated))?;
-        let [x, y, theta] = d.start;
-        let pose = Pose {
-            position: [x, y],
-            angle: Angle::from_radians(theta),
-            ..Pose::default()
-        };
+        let (_, output) = solver.start(ABSENT);
         Ok(Self {
             store,
             solver,
             state: None,
             hold: Hold::Never,
             turns: 0,
-            pose,
+            pose: Pose::of(&output),
         })
     }
 
@@ -189,18 +194,29 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     }
 }
 
+/// No hand: the body stays at its start.
+const ABSENT: Hand<f32> = Hand {
+    position: [f32::NAN; 2],
+    angle: Angle {
+        turns: 0,
+        rest: 0.0,
+    },
+    depth: 0.0,
+    held: false,
+};
+
 /// The solver of a scene.
 pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
     description: &Description<'_, f32>,
     settings: &Settings,
 ) -> Result<Solver<R, V, S, M>, Refusal> {
+    let scene = Scene::new(description)?;
     if let Some(passivity) = &settings.passivity {
         passivity.admit(
             description.stiffness_translation,
             description.stiffness_rotation,
         )?;
     }
-    let scene = Scene::new(description)?;
     Ok(Solver::new(scene, settings.evolution).with_tolerance(settings.tolerance))
 }
 
@@ -222,10 +238,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// # Errors
     /// [`Refusal`] says what cannot be used, and what is allowed.
     pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
-        settings.limits.check()?;
-        if let Some(passivity) = &settings.passivity {
-            passivity.check()?;
-        }
+        settings.check()?;
         let limits = &settings.limits;
         Ok(Self {
             settings: *settings,
@@ -317,6 +330,16 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// How the device runs.
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// The scene as it was given, with the parameters of now.
+    pub fn scene(&self) -> Description<'_, f32> {
+        self.run.store.description()
+    }
+
+    /// The last good pose; the start of the scene before there is one.
+    pub fn pose(&self) -> &Pose {
+        &self.run.pose
     }
 
     /// The solver of the scene.
