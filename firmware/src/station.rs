@@ -12,6 +12,7 @@
 //! link.send <-------------------- outbox.rs <---------------------------+                 |
 //!             +---------------------------------------------------------------------------+
 //! setup.rs: what the board is; the modes that it has the time and the line for
+//! watch.rs: its health, for a log that is written elsewhere
 //! ```
 //!
 //! The work of a tick is bounded, whatever comes over the line: so many bytes, one command, one step.
@@ -22,9 +23,11 @@ mod outbox;
 mod refusal;
 mod report;
 mod setup;
+mod watch;
 
 pub use outbox::Link;
-pub use setup::Setup;
+pub use setup::{SceneType, Setup};
+pub use watch::{Seen, Watch};
 
 use crate::device::{Controller, Refusal, Sample};
 use crate::safety::Flags;
@@ -158,7 +161,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             Ok(frame) => frame,
             Err(fault) => return self.refuse(&fault, now_us, link),
         };
-        if frame.message == Command::Hello {
+        if matches!(frame.message, Command::Hello) {
             self.intake.greet();
         }
         self.intake.follow(frame.sequence);

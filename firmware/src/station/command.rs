@@ -68,7 +68,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
 
     /// Carries a command out. What the body did with it, if there was one.
     fn obey(&mut self, command: &Command<'_>) -> Result<Option<Output<f32>>, Trouble> {
-        if self.latched && *command != Command::Reset(Reset::Everything) {
+        if self.latched && !matches!(command, Command::Reset(Reset::Everything)) {
             let allowed = "hello, ping, and reset of everything: the board is stopped by a fault";
             return Err(Trouble::whole(Reason::NotNow, allowed));
         }

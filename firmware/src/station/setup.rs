@@ -3,8 +3,8 @@
 use super::refusal::Trouble;
 use crate::device::Settings;
 use crate::safety::{Limits, Passivity};
-use stiction_core::Description;
 use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
+use stiction_core::{Description, Model, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -25,6 +25,16 @@ pub struct Setup {
     pub mode: Mode,
     /// The scene after power-up.
     pub scene: Description<'static, f32>,
+}
+
+/// What a compiled-in scene says by its type: which parts of the solver are in the image.
+pub trait SceneType {
+    /// Its model.
+    type Model: Model;
+}
+
+impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V, S, M> {
+    type Model = M;
 }
 
 /// The fewest ticks with which silence is found in time (Hz).
