@@ -1,0 +1,1 @@
+//! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.

@@ -1,0 +1,1 @@
+//! Bad lines and bad clients: silence, floods, damaged bytes, commands in mid-contact.
