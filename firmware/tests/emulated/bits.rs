@@ -1,9 +1,10 @@
 //! Every pose of an emulated board has the bits of the solver beside it, each board against its own number type.
 
+use crate::beside::{Beside, assert_same};
 use crate::board::{Board, Chip, F405, MICROBIT};
-use crate::client::{BOX, Said, hand_path};
+use crate::client::{Said, hand_path};
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Stepping};
-use stiction_core::{Evolution, Fixed, Real, Scene, Solver};
+use stiction_core::{Evolution, Fixed, Real};
 
 const SAMPLES: u32 = 3_000;
 /// Samples on their way at once.
@@ -45,22 +46,11 @@ fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType, evoluti
     };
     assert_eq!(board.info().number, number);
     let poses = poses(&mut board, evolution);
-    let scene: Scene<R, 8, 4> = Scene::new(&BOX).unwrap();
-    let solver = Solver::new(scene, evolution);
-    let hands = hand_path(SAMPLES);
-    let (mut state, first) = solver.start(hands[0]);
-    let rest = hands[1..].iter().map(|hand| solver.step(&mut state, *hand));
-    let mut same = 0;
-    for (pose, output) in poses.iter().zip(std::iter::once(first).chain(rest)) {
-        let bits = |numbers: [f32; 4]| numbers.map(f32::to_bits);
-        let ([x, y], [ex, ey]) = (pose.position, output.position);
-        let equal = bits([x, y, pose.rest, pose.depth])
-            == bits([ex, ey, output.angle.rest, output.depth])
-            && (pose.state, pose.status, pose.held) == (output.state, output.status, output.held)
-            && i32::from(pose.turns) == output.angle.turns.rem_euclid(8);
-        same += u32::from(equal);
+    let mut beside = Beside::<R>::new(evolution);
+    for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
+        assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name));
     }
-    assert_eq!(same, SAMPLES);
+    let same = poses.len();
     println!("{}: {same} of {SAMPLES} poses, {evolution:?}", chip.name);
 }
 

@@ -125,6 +125,8 @@ pub(crate) struct Board {
     folder: PathBuf,
     emulator: Child,
     line: UnixStream,
+    /// Came while something was sent.
+    came: Vec<u8>,
     pub(crate) client: Client,
 }
 
@@ -160,6 +162,7 @@ impl Board {
             folder,
             emulator,
             line,
+            came: Vec::new(),
             client: Client::new(),
         };
         // Before its line is open, bytes are lost.
@@ -167,13 +170,16 @@ impl Board {
         Some(board)
     }
 
-    /// Sends bytes as they are, and listens meanwhile.
+    /// Sends bytes as they are.
     pub(crate) fn send_bytes(&mut self, mut bytes: &[u8]) {
         let begun = Instant::now();
         while !bytes.is_empty() {
             match self.line.write(bytes) {
                 Ok(count) => bytes = &bytes[count..],
-                Err(error) if error.kind() == ErrorKind::WouldBlock => self.listen(),
+                Err(error) if error.kind() == ErrorKind::WouldBlock => {
+                    let more = self.read();
+                    self.came.extend(more);
+                }
                 Err(error) => panic!("{error}"),
             }
             assert!(begun.elapsed() < PATIENCE);
@@ -187,6 +193,12 @@ impl Board {
 
     /// What has come meanwhile.
     pub(crate) fn bytes(&mut self) -> Vec<u8> {
+        let mut bytes = std::mem::take(&mut self.came);
+        bytes.extend(self.read());
+        bytes
+    }
+
+    fn read(&mut self) -> Vec<u8> {
         let mut bytes = vec![0; 4096];
         match self.line.read(&mut bytes) {
             Ok(count) => {
@@ -205,6 +217,15 @@ impl Board {
     pub(crate) fn listen(&mut self) {
         let bytes = self.bytes();
         self.client.listen(&bytes);
+    }
+
+    /// Nothing is on its way any more: what comes from now on answers what is sent from now on.
+    pub(crate) fn settle(&mut self) {
+        for _ in 0..20 {
+            std::thread::sleep(Duration::from_millis(25));
+            self.listen();
+        }
+        self.client.heard.clear();
     }
 
     /// Waits for a report of a kind; those before it are passed over.

@@ -1,6 +1,6 @@
 //! Every command and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4 and 5.4).
 
-use crate::bits::{Beside, assert_same};
+use crate::beside::{Beside, assert_same};
 use crate::client::{BOX, FLOOR, Known, Said, scene};
 use crate::rig::{Rig, driven, setup};
 use stiction_core::frame::{

@@ -1,39 +1,13 @@
 //! A line in both directions that flips bits, drops, doubles and inserts bytes: no wrong sample is stepped, no wrong pose is
 //! accepted, every loss shows in the counts, and the board never stops.
 
-use crate::bits::{Beside, assert_same};
+use crate::beside::{Beside, assert_same};
 use crate::client::{Client, Said, hand_path};
+use crate::random::{Random, garbled};
 use crate::rig::Rig;
 use std::collections::HashMap;
 use stiction_core::frame::{Command, Mode, Stepping};
 use stiction_core::{Evolution, Hand};
-
-/// xorshift*.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn bits(&mut self) -> u64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 32
-    }
-}
-
-/// Through a line that damages one byte in `per_byte / 4`.
-pub(crate) fn garbled(random: &mut Random, bytes: &[u8], per_byte: u64) -> Vec<u8> {
-    let mut out = Vec::new();
-    for &byte in bytes {
-        match random.bits() % per_byte {
-            0 => out.push(byte ^ (1 << (random.bits() % 8))),
-            1 => {}
-            2 => out.extend([byte, byte]),
-            3 => out.extend([byte, random.bits() as u8]),
-            _ => out.push(byte),
-        }
-    }
-    out
-}
 
 /// The number of a sample comes back as the depth of its pose: so every pose that is accepted can be told.
 fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {
