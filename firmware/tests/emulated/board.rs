@@ -1,8 +1,8 @@
-//! An emulated board: its image built, QEMU started, its serial line a socket, its RAM painted so that the deepest stack can
-//! be found. What is missing is told with the command that installs it; with CI=true it must be there.
+//! An emulated board: its image built, QEMU started, its serial line a socket, its RAM read when asked for. What is missing
+//! is told with the command that installs it; with CI=true it must be there.
 
 use crate::client::{Client, Known, Said};
-use crate::image::{Image, RAM, paint};
+use crate::image::{Image, RAM};
 use std::env;
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
@@ -15,8 +15,6 @@ use stiction_core::frame::{Command, Health};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// What no stack holds by chance.
-const PAINT: u8 = 0xA5;
 
 /// A board with its emulator.
 #[derive(Debug)]
@@ -138,7 +136,6 @@ impl Board {
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let folder = env::temp_dir().join(format!("stiction-{}-{number}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
-        fs::write(folder.join("paint.hex"), paint(PAINT, image.stack_top)).unwrap();
         let mut emulator = Process::new("qemu-system-arm");
         emulator.args(["-M", chip.machine, "-display", "none"]);
         for _ in 0..chip.unused_lines {
@@ -148,7 +145,6 @@ impl Board {
             .args(["-serial", "unix:line,server=on,wait=on"])
             .args(["-monitor", "unix:monitor,server=on,wait=off"])
             .args(["-icount", &format!("shift={}", chip.shift)])
-            .args(["-device", "loader,file=paint.hex"])
             .arg("-kernel")
             .arg(&image.path)
             .current_dir(&folder)
@@ -277,16 +273,17 @@ impl Board {
         ns >> self.chip.shift
     }
 
-    /// How deep the stack has been so far (bytes).
+    /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
+    /// than what was never touched.
     pub(crate) fn stack(&mut self) -> usize {
         let mut monitor = connected(&self.folder.join("monitor"));
         let size = usize::try_from(self.image.stack_top - RAM).unwrap();
-        writeln!(monitor, "pmemsave {RAM} {size} ram").unwrap();
+        writeln!(monitor, "memsave {RAM} {size} ram").unwrap();
         let begun = Instant::now();
         loop {
             let ram = fs::read(self.folder.join("ram")).unwrap_or_default();
             if ram.len() == size {
-                return size - ram.iter().take_while(|byte| **byte == PAINT).count();
+                return size - ram.iter().take_while(|byte| **byte == 0).count();
             }
             assert!(begun.elapsed() < PATIENCE);
             self.listen();

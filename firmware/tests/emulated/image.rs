@@ -64,28 +64,3 @@ impl Image {
         names.filter(of_panics).collect()
     }
 }
-
-/// Bytes of a value up to the top of the stack, in Intel's format: QEMU puts them into RAM before the image starts.
-pub(crate) fn paint(value: u8, top: u64) -> String {
-    let mut text = String::new();
-    let mut record = |kind: u8, address: u16, data: &[u8]| {
-        let [high, low] = address.to_be_bytes();
-        let mut bytes = vec![u8::try_from(data.len()).unwrap(), high, low, kind];
-        bytes.extend(data);
-        let sum = bytes.iter().fold(0_u8, |sum, byte| sum.wrapping_add(*byte));
-        bytes.push(sum.wrapping_neg());
-        text.push(':');
-        text.extend(bytes.iter().map(|byte| format!("{byte:02X}")));
-        text.push('\n');
-    };
-    for address in (RAM..top).step_by(16) {
-        if address % 0x1_0000 == 0 {
-            let [high, low, ..] = u32::try_from(address).unwrap().to_be_bytes();
-            record(4, 0, &[high, low]);
-        }
-        let count = usize::try_from((top - address).min(16)).unwrap();
-        record(0, (address & 0xFFFF) as u16, &vec![value; count]);
-    }
-    record(1, 0, &[]);
-    text
-}
