@@ -2,7 +2,8 @@
 //! stays where it is, contacts stick at first, and it settles anew under the hand that holds it at the same point; the
 //! force goes to the new one within its rate limit.
 
-use super::controller::{Controller, Hold, Refusal, Run, Settings, is_held_last, solver, turned};
+use super::controller::{Controller, Hold, Run, Settings, is_held_last, solver, turned};
+use super::refusal::Refusal;
 use crate::safety::Limits;
 use stiction_core::{Description, Evolution, Hand, Model, Output, Real, State, Wrench};
 
