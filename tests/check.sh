@@ -44,6 +44,8 @@ for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc
   command -v "${tool%:*}" || { apt-get update && $install; } || missing "${tool%:*}" "$install"
 done
 
+command -v flip-link || cargo install flip-link --locked || missing flip-link 'cargo install flip-link'
+
 stage 'tests, debug'
 cargo test --workspace --locked
 

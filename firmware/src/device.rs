@@ -4,6 +4,7 @@
 //! ```text
 //! controller.rs  Controller::tick(now, sample) -> pose, force, flags
 //! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles anew where it is
+//! refusal.rs     why something cannot be used
 //! store.rs       the scene as it was given, kept for that
 //! ports.rs       what a board implements: Source of samples, Actuators
 //! ```
@@ -46,8 +47,10 @@
 mod change;
 mod controller;
 mod ports;
+mod refusal;
 mod store;
 
 pub use change::{Parameters, Placement};
-pub use controller::{Controller, Pose, Refusal, Settings, Tick};
+pub use controller::{Controller, Pose, Settings, Tick};
 pub use ports::{Actuators, NoActuators, Sample, Source, run_tick};
+pub use refusal::Refusal;

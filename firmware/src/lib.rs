@@ -21,6 +21,7 @@
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! ring.rs        bytes between an interrupt and the program
+//! station.rs     the program of a board: bytes -> samples and commands -> control loop -> force and reports
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
@@ -40,3 +41,5 @@ pub mod ring;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod safety;
 pub mod si;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod station;

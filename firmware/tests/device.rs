@@ -555,12 +555,20 @@ fn a_scene_that_would_be_inside_the_body_is_refused() {
     assert!(bench.sample(deep()).output.is_some());
 }
 
+fn set_mode(bench: &mut Bench<f32>, evolution: Evolution, tolerance: f32) -> Result<(), Refusal> {
+    bench.controller.set_settings(&Settings {
+        evolution,
+        tolerance,
+        ..Settings::default()
+    })
+}
+
 #[test]
 fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
     let mut bench = Bench::<f32>::new();
     let first = bench.sample(deep());
     bench.pressed(Hand::new(0.05, 0.045, 0.2));
-    assert_eq!(bench.controller.set_mode(Evolution::Frame, 1e-4), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Frame, 1e-4), Ok(()));
     let before = bench.tick(None);
     assert_eq!(bench.sample(Hand::new(0.05, 0.045, 0.2)).pose, before.pose);
     bench.controller.reset();
@@ -569,7 +577,7 @@ fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
         (idle.force, idle.pose.position, idle.pose.held),
         (Wrench::default(), [0.0, 0.03], false)
     );
-    assert_eq!(bench.controller.set_mode(Evolution::Path, 0.0), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Path, 0.0), Ok(()));
     let again = bench.sample(deep());
     assert_eq!(again.output, first.output);
     assert!(size(&again.force) <= 0.1 + 1e-5);

@@ -58,25 +58,24 @@ const NEGATIVE: u8 = 4;
 
 impl Default for Mode {
     fn default() -> Self {
-        let axis = |index| Axis {
-            index,
-            negative: false,
-        };
-        Self {
-            evolution: Evolution::Path,
-            stepping: Stepping::Timed,
-            plane: [axis(0), axis(1)],
-            events: true,
-            tick_rate: 1000,
-            pose_every: 1,
-            forces_every: 0,
-            health_every: 1000,
-            tolerance: 0.0,
-        }
+        Self::DEFAULT
     }
 }
 
 impl Mode {
+    /// The default, for constants.
+    pub const DEFAULT: Self = Self {
+        evolution: Evolution::Path,
+        stepping: Stepping::Timed,
+        plane: [axis_along(0), axis_along(1)],
+        events: true,
+        tick_rate: 1000,
+        pose_every: 1,
+        forces_every: 0,
+        health_every: 1000,
+        tolerance: 0.0,
+    };
+
     pub(super) const BYTES: usize = 17;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
@@ -114,6 +113,13 @@ impl Mode {
             health_every: fields.u16(),
             tolerance: fields.f32(),
         })
+    }
+}
+
+const fn axis_along(index: usize) -> Axis {
+    Axis {
+        index,
+        negative: false,
     }
 }
 

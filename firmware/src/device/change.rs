@@ -2,7 +2,9 @@
 //! stays where it is, contacts stick at first, and it settles anew under the hand that holds it at the same point; the
 //! force goes to the new one within its rate limit.
 
-use super::controller::{Controller, Hold, Refusal, Run, Settings, is_held_last, solver, turned};
+use super::controller::{Controller, Hold, Run, Settings, is_held_last, solver, turned};
+use super::refusal::Refusal;
+use crate::safety::Limits;
 use stiction_core::{Description, Evolution, Hand, Model, Output, Real, State, Wrench};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
@@ -78,18 +80,24 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         Ok(Some(output))
     }
 
-    /// How frames are evolved from now on, and with which tolerance. The body stays as it is.
+    /// How the device runs from now on: evolution, tolerance, limits, the period of ticks. The body stays as it is; the force
+    /// goes on from where it is, the counts as well.
     ///
     /// # Errors
-    /// [`Refusal`] does not occur for a scene that was taken.
-    pub fn set_mode(&mut self, evolution: Evolution, tolerance: f32) -> Result<(), Refusal> {
-        let settings = Settings {
-            evolution,
-            tolerance,
-            ..self.settings
-        };
-        self.run.solver = solver(&self.run.present(), &settings)?;
-        self.settings = settings;
+    /// [`Refusal`] where a limit cannot be used, or the stiffnesses of the scene would not be passive; then nothing has
+    /// changed.
+    pub fn set_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
+        settings.check()?;
+        self.run.solver = solver(&self.run.present(), settings)?;
+        self.settings = *settings;
+        let Limits {
+            silence_us,
+            period_us,
+            ..
+        } = settings.limits;
+        self.governor.set_limits(&settings.limits);
+        self.line.set_times(silence_us, period_us);
+        self.ticks.set_period(period_us);
         Ok(())
     }
 }

@@ -1,14 +1,14 @@
 //! One tick: is the sample new, what does the solver make of it, what force may go to the hand.
 
 use super::ports::Sample;
+use super::refusal::Refusal;
 use super::store::Store;
 use crate::safety::{
     Arrival, Flags, Given, Governor, Health, LimitError, Limits, Line, Passivity, Ticks,
 };
-use core::fmt;
 use stiction_core::{
-    Angle, Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, SceneError,
-    Solver, State, StateKind, Status, Wrench,
+    Angle, Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
+    StateKind, Status, Wrench,
 };
 
 /// How a device runs.
@@ -24,43 +24,13 @@ pub struct Settings {
     pub passivity: Option<Passivity>,
 }
 
-/// Why a scene, a parameter or a limit was refused. Nothing has changed then.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Refusal {
-    /// The scene, or the body's present pose in it.
-    Scene(SceneError<f32>),
-    /// A limit of the device, or a stiffness that it cannot show passively.
-    Limit(LimitError),
-    /// The body cannot be held on to where it is.
-    Unsettled(Status),
-    /// The point at which the hand holds the body would be out of reach.
-    OutOfReach,
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Scene(error) => error.fmt(f),
-            Self::Limit(error) => error.fmt(f),
-            Self::Unsettled(status) => {
-                write!(f, "the body cannot settle where it is: {}", status.name())
-            }
-            Self::OutOfReach => f.write_str("the hand's hold on the body would be out of reach"),
+impl Settings {
+    pub(super) fn check(&self) -> Result<(), LimitError> {
+        self.limits.check()?;
+        match &self.passivity {
+            Some(passivity) => passivity.check(),
+            None => Ok(()),
         }
-    }
-}
-
-impl core::error::Error for Refusal {}
-
-impl From<SceneError<f32>> for Refusal {
-    fn from(error: SceneError<f32>) -> Self {
-        Self::Scene(error)
-    }
-}
-
-impl From<LimitError> for Refusal {
-    fn from(error: LimitError) -> Self {
-        Self::Limit(error)
     }
 }
 
@@ -135,9 +105,9 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: Model = Full> 
     /// The force that the statics wants on the hand.
     pub(super) wanted: Wrench<f32>,
     held_last: bool,
-    governor: Governor,
-    line: Line,
-    ticks: Ticks,
+    pub(super) governor: Governor,
+    pub(super) line: Line,
+    pub(super) ticks: Ticks,
     health: Health,
 }
 
@@ -146,19 +116,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     pub(super) fn new(d: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
         let solver = solver(d, settings)?;
         let store = Store::new(d).ok_or(Refusal::Unsettled(Status::Saturated))?;
-        let [x, y, theta] = d.start;
-        let pose = Pose {
-            position: [x, y],
-            angle: Angle::from_radians(theta),
-            ..Pose::default()
-        };
+        let (_, output) = solver.start(ABSENT);
         Ok(Self {
             store,
             solver,
             state: None,
             hold: Hold::Never,
             turns: 0,
-            pose,
+            pose: Pose::of(&output),
         })
     }
 
@@ -189,18 +154,29 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     }
 }
 
+/// No hand: the body stays at its start.
+const ABSENT: Hand<f32> = Hand {
+    position: [f32::NAN; 2],
+    angle: Angle {
+        turns: 0,
+        rest: 0.0,
+    },
+    depth: 0.0,
+    held: false,
+};
+
 /// The solver of a scene.
 pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
     description: &Description<'_, f32>,
     settings: &Settings,
 ) -> Result<Solver<R, V, S, M>, Refusal> {
+    let scene = Scene::new(description)?;
     if let Some(passivity) = &settings.passivity {
         passivity.admit(
             description.stiffness_translation,
             description.stiffness_rotation,
         )?;
     }
-    let scene = Scene::new(description)?;
     Ok(Solver::new(scene, settings.evolution).with_tolerance(settings.tolerance))
 }
 
@@ -222,10 +198,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// # Errors
     /// [`Refusal`] says what cannot be used, and what is allowed.
     pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
-        settings.limits.check()?;
-        if let Some(passivity) = &settings.passivity {
-            passivity.check()?;
-        }
+        settings.check()?;
         let limits = &settings.limits;
         Ok(Self {
             settings: *settings,
@@ -317,6 +290,16 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// How the device runs.
     pub fn settings(&self) -> &Settings {
         &self.settings
+    }
+
+    /// The scene as it was given, with the parameters of now.
+    pub fn scene(&self) -> Description<'_, f32> {
+        self.run.store.description()
+    }
+
+    /// The last good pose; the start of the scene before there is one.
+    pub fn pose(&self) -> &Pose {
+        &self.run.pose
     }
 
     /// The solver of the scene.

@@ -54,6 +54,14 @@ impl Governor {
         }
     }
 
+    /// Other limits, checked as well. The force goes on from where it is.
+    pub fn set_limits(&mut self, limits: &Limits) {
+        *self = Self {
+            given: self.given,
+            ..Self::new(limits)
+        };
+    }
+
     /// What goes to the hand in this tick, where `wanted` would be right.
     pub fn toward(&mut self, wanted: &Wrench<f32>) -> Given {
         let [x, y] = wanted.force;

@@ -33,21 +33,23 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 5 N, 0.1 N·m, both from nothing in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
     fn default() -> Self {
-        Self {
-            force: 5.0,
-            moment: 0.1,
-            force_rate: 100.0,
-            moment_rate: 2.0,
-            period_us: 1_000,
-            silence_us: 20_000,
-            missed_ticks: 0,
-        }
+        Self::DEFAULT
     }
 }
 
 impl Limits {
+    /// 5 N, 0.1 N·m, both from nothing in 50 ms; 1 kHz; silence after 20 ms; every overrun makes the force zero.
+    pub const DEFAULT: Self = Self {
+        force: 5.0,
+        moment: 0.1,
+        force_rate: 100.0,
+        moment_rate: 2.0,
+        period_us: 1_000,
+        silence_us: 20_000,
+        missed_ticks: 0,
+    };
+
     /// # Errors
     /// [`LimitError`] names the first limit that is not finite or out of its range.
     pub fn check(&self) -> Result<(), LimitError> {

@@ -50,6 +50,12 @@ impl Line {
         }
     }
 
+    /// Another silence, another period of ticks (µs).
+    pub fn set_times(&mut self, silence_us: u32, period_us: u32) {
+        self.silence_us = silence_us;
+        self.period_us = period_us;
+    }
+
     /// A sample with the sender's number has come. Of longer numbers the lower 16 bits will do.
     ///
     /// A sender that counts anew is believed in silence only, and with its second sample: one alone could be an old one

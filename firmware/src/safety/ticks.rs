@@ -25,6 +25,12 @@ impl Ticks {
         }
     }
 
+    /// Another period (µs), from the next tick on. The counts go on.
+    pub fn set_period(&mut self, period_us: u32) {
+        self.period_us = period_us;
+        self.last_us = None;
+    }
+
     /// A tick at a time (µs, wrapping) of the device: how many are missing between the one before and this one, to the
     /// nearest.
     pub fn tick(&mut self, now_us: u32) -> u32 {

@@ -3,7 +3,7 @@
 //! | what | where |
 //! |---|---|
 //! | serial line, 115200 8N1, over USB | UART0: P0.24 out, P0.25 in |
-//! | ticks and clock | TIMER0, 32 bits, 1 MHz |
+//! | ticks and clock | TIMER0, 32 bits, 16 MHz |
 //! | motors | none; all pins become inputs when it stops |
 #![allow(unsafe_code)]
 
@@ -15,6 +15,11 @@ use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
 use portable_atomic::{AtomicBool, AtomicU32, Ordering};
 
+/// Of the serial line.
+pub(crate) const BAUD: u32 = 115_200;
+/// Counts of TIMER0 in a second, and in a µs.
+const COUNTS: u32 = 16_000_000;
+const PER_US: u32 = 16;
 const TX: u32 = 24;
 const RX: u32 = 25;
 /// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
@@ -34,33 +39,44 @@ pub(crate) struct Board {
 
 impl Board {
     /// Everything running, with so many ticks a second.
-    pub(crate) fn start(device: pac::Peripherals, rate: u32) -> Self {
+    pub(crate) fn start(device: pac::Peripherals, rate: u16) -> Self {
         // The crystal: the oscillator inside is too far off for a serial line.
         let _ = Clocks::new(device.CLOCK).enable_ext_hfosc();
         Self {
             uart: Uart::new(device.UART0, &device.GPIO),
-            clock: Clock::new(device.TIMER0, 1_000_000 / rate),
+            clock: Clock::new(device.TIMER0, rate),
             watchdog: Watchdog::new(device.WDT),
         }
     }
 }
 
-/// Ticks and time in µs, both from one counter that never stops.
+/// Ticks and time, both from one counter that never stops.
 pub(crate) struct Clock {
     timer: TIMER0,
-    period_us: u32,
-    next_us: u32,
+    /// Ticks of a second.
+    rate: u16,
+    /// Counts between them.
+    period: u32,
+    /// The count of the next tick.
+    next: u32,
+    last: u32,
+    /// Counts that do not make a µs yet.
+    rest: u32,
+    now_us: u32,
+    /// The count at the last look at [`Self::now_ns`].
+    looked: u32,
+    now_ns: u32,
 }
 
 impl Clock {
-    fn new(timer: TIMER0, period_us: u32) -> Self {
+    fn new(timer: TIMER0, rate: u16) -> Self {
+        let period = period(rate);
         timer.mode.write(|w| w.mode().timer());
         timer.bitmode.write(|w| w.bitmode()._32bit());
-        // 16 MHz / 2^4.
-        // SAFETY: 4 is one of the prescaler's values, and every compare value is allowed.
+        // SAFETY: 0 is one of the prescaler's values, and every compare value is allowed.
         unsafe {
-            timer.prescaler.write(|w| w.prescaler().bits(4));
-            timer.cc[0].write(|w| w.bits(period_us));
+            timer.prescaler.write(|w| w.prescaler().bits(0));
+            timer.cc[0].write(|w| w.bits(period));
         }
         timer.intenset.write(|w| w.compare0().set());
         // SAFETY: starts the timer.
@@ -70,33 +86,66 @@ impl Clock {
         }
         Self {
             timer,
-            period_us,
-            next_us: period_us,
+            rate,
+            period,
+            next: period,
+            last: 0,
+            rest: 0,
+            now_us: 0,
+            looked: 0,
+            now_ns: 0,
         }
     }
 
-    fn now_us(&self) -> u32 {
+    fn count(&self) -> u32 {
         // SAFETY: copies the counter to CC[1].
         unsafe { self.timer.tasks_capture[1].write(|w| w.bits(1)) };
         self.timer.cc[1].read().bits()
     }
 
+    /// Ticks of a second from the one after the next on.
+    pub(crate) fn set_rate(&mut self, rate: u16) {
+        if rate != self.rate {
+            self.rate = rate;
+            self.period = period(rate);
+        }
+    }
+
     /// A tick has come: what time it is (µs, wrapping). The next one is a whole number of periods after the first, and not
-    /// before now: a compare value of the past would come in 71 minutes.
+    /// before now: a compare value of the past would come in 4 minutes.
     pub(crate) fn tick(&mut self) -> u32 {
-        let now = self.now_us();
-        self.next_us = self.next_us.wrapping_add(self.period_us);
+        let now = self.count();
+        self.next = self.next.wrapping_add(self.period);
         // Time enough to write the compare value.
-        const MARGIN_US: u32 = 20;
-        while self.next_us.wrapping_sub(now.wrapping_add(MARGIN_US)) > i32::MAX as u32 {
-            self.next_us = self.next_us.wrapping_add(self.period_us);
+        const MARGIN: u32 = 20 * PER_US;
+        while self.next.wrapping_sub(now.wrapping_add(MARGIN)) > i32::MAX as u32 {
+            self.next = self.next.wrapping_add(self.period);
         }
         // SAFETY: every compare value is allowed.
-        unsafe { self.timer.cc[0].write(|w| w.bits(self.next_us)) };
+        unsafe { self.timer.cc[0].write(|w| w.bits(self.next)) };
         // Last: as long as the compare value is the present one, QEMU lets a capture set the event again.
         self.timer.events_compare[0].reset();
-        now
+        let counts = now.wrapping_sub(self.last).saturating_add(self.rest);
+        self.last = now;
+        self.rest = counts % PER_US;
+        self.now_us = self.now_us.wrapping_add(counts / PER_US);
+        self.now_us
     }
+
+    /// The time (ns, wrapping), for what takes no longer than a second.
+    pub(crate) fn now_ns(&mut self) -> u32 {
+        let count = self.count();
+        // 62.5 ns each; the half may be left out.
+        let passed = count.wrapping_sub(self.looked).saturating_mul(125) / 2;
+        self.looked = count;
+        self.now_ns = self.now_ns.wrapping_add(passed);
+        self.now_ns
+    }
+}
+
+/// Counts between the ticks of a rate.
+fn period(rate: u16) -> u32 {
+    COUNTS / u32::from(rate.max(1))
 }
 
 /// The serial line.
@@ -194,7 +243,7 @@ fn actuators_off() {
 }
 
 /// Zero force, and nothing more until the watchdog resets the chip.
-fn stop() -> ! {
+pub(crate) fn stop() -> ! {
     cortex_m::interrupt::disable();
     actuators_off();
     // Once: what stopped it may have been the log.

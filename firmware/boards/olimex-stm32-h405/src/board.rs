@@ -20,6 +20,8 @@ use stm32f4xx_hal::rcc::{Config, Enable};
 use stm32f4xx_hal::serial::{self, Rx, RxISR, RxListen, Tx, TxISR, TxListen};
 use stm32f4xx_hal::watchdog::IndependentWatchdog;
 
+/// Of the serial line.
+pub(crate) const BAUD: u32 = 921_600;
 /// Of the core (Hz).
 const CORE: u32 = 168_000_000;
 /// Counts of TIM5 in a µs: on the chip, and in QEMU, whose timers run at 1 GHz whatever their clock is.
@@ -41,7 +43,7 @@ pub(crate) struct Board {
 
 impl Board {
     /// Everything running, with so many ticks a second.
-    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u32) -> Self {
+    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u16) -> Self {
         prime(&device.RCC);
         let config = Config::hse(8.MHz())
             .sysclk(CORE.Hz())
@@ -53,15 +55,11 @@ impl Board {
         device.TIM5.cr1().modify(|_, w| w.cen().set_bit());
 
         systick.set_clock_source(SystClkSource::Core);
-        systick.set_reload(CORE / rate - 1);
-        systick.clear_current();
-        systick.enable_counter();
-        let clock = Clock::new(device.TIM5, &mut systick, rate);
-        systick.enable_interrupt();
+        let clock = Clock::start(device.TIM5, systick, rate);
 
         let pins = device.GPIOA.split(&mut rcc);
-        let config = serial::Config::default().baudrate(921_600.bps());
-        // 42 MHz carries 921600 baud.
+        let config = serial::Config::default().baudrate(BAUD.bps());
+        // 42 MHz carries it.
         let Ok(line) = device.USART2.serial((pins.pa2, pins.pa3), config, &mut rcc) else {
             stop()
         };
@@ -91,38 +89,72 @@ fn prime(rcc: &pac::RCC) {
     }
 }
 
-/// Time in µs, from a counter of its own: SysTick alone cannot tell how many ticks were missed.
+/// Ticks, and time from a counter of its own: SysTick alone cannot tell how many ticks were missed.
 pub(crate) struct Clock {
+    systick: SYST,
+    /// Ticks of a second.
+    rate: u16,
     timer: TIM5,
     per_us: u32,
     last: u32,
     /// Counts that do not make a µs yet.
     rest: u32,
     now_us: u32,
+    /// The count at the last look at [`Self::now_ns`].
+    looked: u32,
+    now_ns: u32,
 }
 
 impl Clock {
-    /// Finds out which of the two speeds the counter has, within two ticks.
-    fn new(timer: TIM5, systick: &mut SYST, rate: u32) -> Self {
-        let wrapped = |systick: &mut SYST| while !systick.has_wrapped() {};
-        wrapped(systick);
-        let begun = timer.cnt().read().bits();
-        wrapped(systick);
-        let counts = timer.cnt().read().bits().wrapping_sub(begun);
-        let (chip, emulator) = COUNTS;
-        let middle = (chip + emulator) / 2 * (1_000_000 / rate);
-        Self {
-            per_us: if counts < middle { chip } else { emulator },
-            last: timer.cnt().read().bits(),
-            timer,
+    /// Finds out which of the two speeds the counter has, within two ticks; then they become interrupts.
+    fn start(timer: TIM5, systick: SYST, rate: u16) -> Self {
+        let mut clock = Self {
+            systick,
+            rate: 0,
+            per_us: 1,
+            last: 0,
             rest: 0,
             now_us: 0,
+            looked: 0,
+            now_ns: 0,
+            timer,
+        };
+        clock.set_rate(rate);
+        clock.systick.enable_counter();
+        clock.wrapped();
+        let begun = clock.count();
+        clock.wrapped();
+        let counts = clock.count().wrapping_sub(begun);
+        let (chip, emulator) = COUNTS;
+        let middle = (chip + emulator) / 2 * (1_000_000 / u32::from(rate.max(1)));
+        clock.per_us = if counts < middle { chip } else { emulator };
+        clock.last = clock.count();
+        clock.looked = clock.last;
+        clock.systick.enable_interrupt();
+        clock
+    }
+
+    fn wrapped(&mut self) {
+        while !self.systick.has_wrapped() {}
+    }
+
+    fn count(&self) -> u32 {
+        self.timer.cnt().read().bits()
+    }
+
+    /// Ticks of a second from now on, at least 11.
+    pub(crate) fn set_rate(&mut self, rate: u16) {
+        if rate != self.rate {
+            self.rate = rate;
+            self.systick
+                .set_reload((CORE / u32::from(rate.max(11))).saturating_sub(1));
+            self.systick.clear_current();
         }
     }
 
     /// The time, wrapping. To be asked for once in 4 s at least.
     pub(crate) fn now_us(&mut self) -> u32 {
-        let count = self.timer.cnt().read().bits();
+        let count = self.count();
         let passed = count.wrapping_sub(self.last);
         self.last = count;
         let counts = passed.saturating_add(self.rest);
@@ -131,6 +163,15 @@ impl Clock {
         self.rest = counts % per_us;
         self.now_us = self.now_us.wrapping_add(counts / per_us);
         self.now_us
+    }
+
+    /// The time (ns, wrapping), for what takes no longer than 50 ms.
+    pub(crate) fn now_ns(&mut self) -> u32 {
+        let count = self.count();
+        let passed = count.wrapping_sub(self.looked).saturating_mul(1_000);
+        self.looked = count;
+        self.now_ns = self.now_ns.wrapping_add(passed / self.per_us.max(1));
+        self.now_ns
     }
 }
 
@@ -202,7 +243,7 @@ fn actuators_off() {
 }
 
 /// Zero force, and nothing more until the watchdog resets the chip.
-fn stop() -> ! {
+pub(crate) fn stop() -> ! {
     cortex_m::interrupt::disable();
     actuators_off();
     // Once: what stopped it may have been the log.

@@ -1,0 +1,145 @@
+//! Commands (FRAME 4.3 to 4.8): carried out, or refused with the reason; what is refused changes nothing.
+
+use super::intake::Intake;
+use super::refusal::Trouble;
+use super::{Desk, Link, Told};
+use crate::device::{Controller, Parameters, Placement};
+use stiction_core::frame::{
+    self, Command, Frame, Mode, Pong, Reason, Reply, Report, Reset, SceneCommand,
+};
+use stiction_core::{Model, Output, Real, SurfaceDescription};
+
+/// What comes after a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Next {
+    /// The next one.
+    More,
+    /// Nothing more in this tick.
+    Enough,
+    /// Nothing more in this tick, and the faults of the line are forgotten.
+    Anew,
+}
+
+const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
+    normal: [0.0, 1.0],
+    offset: 0.0,
+    friction_static: 0.0,
+    friction_dynamic: 0.0,
+};
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
+    /// A command came that is no sample.
+    #[inline(never)]
+    pub(super) fn command(
+        &mut self,
+        frame: &Frame<Command<'_>>,
+        now_us: u32,
+        link: &mut impl Link,
+    ) -> Next {
+        match frame.message {
+            Command::Hello => {
+                self.tell_info(self.longest_frame, now_us, link);
+                return Next::Enough;
+            }
+            Command::Ping => {
+                let pong = Pong {
+                    sequence: frame.sequence,
+                    time: frame.time,
+                };
+                self.outbox.send(now_us, Report::Pong(pong), link);
+                return Next::Enough;
+            }
+            _ => {}
+        }
+        let command = frame.reference();
+        let (reply, settled) = match self.obey(&frame.message) {
+            Ok(settled) => (Reply::done(command), settled),
+            Err(trouble) => (trouble.reply(command), None),
+        };
+        self.outbox.send(now_us, Report::Reply(reply), link);
+        if let Some(output) = settled {
+            self.happened(&output, now_us, link);
+        }
+        match frame.message {
+            Command::Reset(Reset::Everything) => Next::Anew,
+            _ => Next::Enough,
+        }
+    }
+
+    /// Carries a command out. What the body did with it, if there was one.
+    fn obey(&mut self, command: &Command<'_>) -> Result<Option<Output<f32>>, Trouble> {
+        if self.latched && !matches!(command, Command::Reset(Reset::Everything)) {
+            let allowed = "hello, ping, and reset of everything: the board is stopped by a fault";
+            return Err(Trouble::whole(Reason::NotNow, allowed));
+        }
+        match command {
+            Command::Parameters(parameters) => return self.parameters(parameters),
+            Command::Scene(scene) => self.scene(scene)?,
+            Command::Mode(mode) => self.set_mode(mode)?,
+            Command::Reset(Reset::Body) => {
+                self.controller.reset();
+                self.begin_anew();
+            }
+            Command::Reset(Reset::Everything) => self.power_up()?,
+            Command::Hand(_) | Command::Tracker(_) | Command::Hello | Command::Ping => {}
+        }
+        Ok(None)
+    }
+
+    fn parameters(&mut self, new: &frame::Parameters) -> Result<Option<Output<f32>>, Trouble> {
+        let parameters = Parameters {
+            stiffness_translation: new.stiffness_translation,
+            stiffness_rotation: new.stiffness_rotation,
+            friction_static: new.friction_static,
+            friction_dynamic: new.friction_dynamic,
+        };
+        let settled = self.controller.set_parameters(&parameters);
+        settled.map_err(|refusal| Trouble::of::<V, S, M>(&refusal))
+    }
+
+    fn scene(&mut self, scene: &SceneCommand<'_>) -> Result<(), Trouble> {
+        let mut vertices = [[0.0; 2]; V];
+        let mut surfaces = [NOWHERE; S];
+        let refused = |refusal| Trouble::of::<V, S, M>(&refusal);
+        let description = scene
+            .description(&mut vertices, &mut surfaces)
+            .map_err(|error| refused(error.into()))?;
+        self.controller
+            .set_scene(&description, Placement::Start)
+            .map_err(refused)?;
+        self.begin_anew();
+        Ok(())
+    }
+
+    fn set_mode(&mut self, mode: &Mode) -> Result<(), Trouble> {
+        self.setup.check(mode)?;
+        self.controller
+            .set_settings(&self.setup.settings(mode))
+            .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
+        self.mode = *mode;
+        self.bytes_per_tick = self.setup.bytes_per_tick(mode);
+        self.intake.look_at(mode.plane);
+        self.told.count_anew();
+        Ok(())
+    }
+
+    /// As after power-up, but for the numbers of frames: they go on.
+    fn power_up(&mut self) -> Result<(), Trouble> {
+        let mode = self.setup.mode;
+        self.controller = Controller::new(&self.setup.scene, &self.setup.settings(&mode))
+            .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
+        self.mode = mode;
+        self.bytes_per_tick = self.setup.bytes_per_tick(&mode);
+        self.intake = Intake::new(&mode);
+        self.told = Told::new();
+        self.outbox.unsent = 0;
+        self.worst_tick = 0;
+        self.latched = false;
+        Ok(())
+    }
+
+    fn begin_anew(&mut self) {
+        self.intake.begin_anew();
+        self.told.begin_anew();
+    }
+}

@@ -1,0 +1,101 @@
+//! Samples on their way in (FRAME 4.1, 4.2): from the plane of the mode and the frames that came to the one sample that a
+//! step is made with, and the counts of those that were overtaken or lost.
+
+use stiction_core::frame::{Mode, Sequence};
+use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
+
+/// What a sample without usable numbers is to the solver: the last pose is held.
+const LOST: Hand<f32> = Hand {
+    position: [f32::NAN; 2],
+    angle: Angle {
+        turns: 0,
+        rest: 0.0,
+    },
+    depth: 0.0,
+    held: false,
+};
+
+/// A sample of the planar hand and the sequence number of its frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arrived {
+    pub(super) hand: Hand<f32>,
+    pub(super) sequence: u8,
+}
+
+/// The samples' way in.
+#[derive(Clone, Debug)]
+pub(super) struct Intake {
+    plane: [Axis; 2],
+    projection: Option<Projection<f32>>,
+    waiting: Option<Arrived>,
+    sequence: Sequence,
+    /// Samples that came.
+    pub(super) samples: u32,
+    /// Samples that no step was made with.
+    pub(super) late: u32,
+    /// Frames that did not come.
+    pub(super) lost: u32,
+}
+
+impl Intake {
+    pub(super) fn new(mode: &Mode) -> Self {
+        Self {
+            plane: mode.plane,
+            projection: Projection::new(mode.plane),
+            waiting: None,
+            sequence: Sequence::new(),
+            samples: 0,
+            late: 0,
+            lost: 0,
+        }
+    }
+
+    /// A client comes: the gap before its first frame is none.
+    pub(super) fn greet(&mut self) {
+        self.sequence = Sequence::new();
+    }
+
+    /// A frame with this sequence number came.
+    pub(super) fn follow(&mut self, sequence: u8) {
+        let lost = self.sequence.lost_before(sequence);
+        self.lost = self.lost.saturating_add(u32::from(lost));
+    }
+
+    /// A sample of the hand came; one that still waits is overtaken.
+    pub(super) fn hand(&mut self, hand: Hand<f32>, sequence: u8) {
+        self.samples = self.samples.saturating_add(1);
+        self.drop_waiting();
+        self.waiting = Some(Arrived { hand, sequence });
+    }
+
+    /// A sample of a tracker came. Its turns are counted with every one, the overtaken ones too.
+    pub(super) fn tracker(&mut self, sample: &TrackerSample<f32>, sequence: u8) {
+        let planar = self.projection.as_mut().and_then(|p| p.planar(sample));
+        self.hand(planar.unwrap_or(LOST), sequence);
+    }
+
+    /// The sample for the next step.
+    pub(super) fn take(&mut self) -> Option<Arrived> {
+        self.waiting.take()
+    }
+
+    /// The body begins anew: what came before is of the past, and the tracker's turns are counted from none.
+    pub(super) fn begin_anew(&mut self) {
+        self.drop_waiting();
+        self.projection = Projection::new(self.plane);
+    }
+
+    /// The plane of a mode. The turns go on in the one that was there already.
+    pub(super) fn look_at(&mut self, plane: [Axis; 2]) {
+        if plane != self.plane {
+            self.plane = plane;
+            self.projection = Projection::new(plane);
+        }
+    }
+
+    fn drop_waiting(&mut self) {
+        if self.waiting.take().is_some() {
+            self.late = self.late.saturating_add(1);
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Frames on their way out: numbered, encoded, and counted where the line has no room for them (FRAME 7).
+
+use stiction_core::frame::{Frame, Report};
+
+/// The line of a board, and a clock to measure with.
+pub trait Link {
+    /// The next byte that came. Must not wait.
+    fn take(&mut self) -> Option<u8>;
+    /// Sends all of a frame, or, where there is no room for it, nothing: false. Must not wait.
+    fn send(&mut self, frame: &[u8]) -> bool;
+    /// A clock (ns, wrapping) with which the work of a tick is measured.
+    fn now_ns(&mut self) -> u32;
+}
+
+/// The longest frame: a reply with its text.
+const LONGEST: usize = stiction_core::frame::wire_bytes(14 + 200);
+
+/// Numbers and encodes frames.
+#[derive(Clone, Debug)]
+pub(super) struct Outbox {
+    /// Of the next frame.
+    sequence: u8,
+    /// Frames for which the line had no room.
+    pub(super) unsent: u32,
+    bytes: [u8; LONGEST],
+}
+
+impl Outbox {
+    pub(super) fn new() -> Self {
+        Self {
+            sequence: 0,
+            unsent: 0,
+            bytes: [0; LONGEST],
+        }
+    }
+
+    /// Sends a report of a time (µs). One that is not sent takes no number.
+    pub(super) fn send(&mut self, time: u32, message: Report<'_>, link: &mut impl Link) -> bool {
+        let frame = Frame {
+            sequence: self.sequence,
+            time,
+            message,
+        };
+        let sent = frame
+            .encode(&mut self.bytes)
+            .is_some_and(|bytes| link.send(bytes));
+        if sent {
+            self.sequence = self.sequence.wrapping_add(1);
+        } else {
+            self.unsent = self.unsent.saturating_add(1);
+        }
+        sent
+    }
+}

@@ -1,0 +1,100 @@
+//! Why a command is refused (FRAME 5.4): from what the control loop says to reason, subject, value, limit and words.
+
+use crate::device::Refusal;
+use crate::safety::{Allowed, LimitError, LimitParameter};
+use stiction_core::frame::{Reason, Reference, Reply, Subject, Text};
+use stiction_core::{Model, Parameter, SceneError};
+
+/// A reply that is not yet addressed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trouble {
+    pub(super) reason: Reason,
+    pub(super) subject: Subject,
+    /// The value that is refused; 0 where there is none.
+    pub(super) value: f32,
+    /// The nearest value that is allowed; NaN where it is not known.
+    pub(super) limit: f32,
+    pub(super) allowed: &'static str,
+}
+
+impl Trouble {
+    /// Of the command as a whole.
+    pub(super) const fn whole(reason: Reason, allowed: &'static str) -> Self {
+        Self {
+            reason,
+            subject: Subject::Command,
+            value: 0.0,
+            limit: f32::NAN,
+            allowed,
+        }
+    }
+
+    pub(super) const fn reply(&self, command: Reference) -> Reply<'static> {
+        Reply {
+            command,
+            reason: self.reason,
+            subject: self.subject,
+            value: self.value,
+            limit: self.limit,
+            allowed: Text::new(self.allowed),
+        }
+    }
+
+    /// Of a board with room for V vertices and S surfaces and the model M.
+    pub(super) fn of<const V: usize, const S: usize, M: Model>(refusal: &Refusal) -> Self {
+        match refusal {
+            Refusal::Scene(error) => scene::<V, S, M>(error),
+            Refusal::Limit(error) => limit(error),
+            Refusal::Unsettled(_) => Self::whole(
+                Reason::NotNow,
+                "the body cannot settle where it is: reset it, or release it",
+            ),
+            Refusal::OutOfReach => Self::whole(
+                Reason::NotNow,
+                "the hold of the hand would be out of reach: reset the body, or release it",
+            ),
+        }
+    }
+}
+
+/// A scene that is wrong, or right but too much for the board.
+fn scene<const V: usize, const S: usize, M: Model>(error: &SceneError<f32>) -> Trouble {
+    let value = error.value;
+    let room = match error.parameter {
+        Parameter::VertexCount => Some(V as f32),
+        Parameter::SurfaceCount => Some(S as f32),
+        Parameter::Weight if !M::WEIGHT => Some(0.0),
+        Parameter::FrictionStatic(_) if !M::FRICTION => Some(0.0),
+        _ => None,
+    };
+    let beyond = room.filter(|room| value > *room);
+    Trouble {
+        reason: match beyond {
+            Some(_) => Reason::Unsupported,
+            None => Reason::Number,
+        },
+        subject: Subject::Scene(error.parameter),
+        value,
+        limit: beyond.unwrap_or(f32::NAN),
+        allowed: error.allowed,
+    }
+}
+
+/// A stiffness that the device cannot show passively. The limits themselves are those of the setup and of checked modes.
+fn limit(error: &LimitError) -> Trouble {
+    let subject = match error.parameter {
+        LimitParameter::StiffnessTranslation => Subject::Scene(Parameter::StiffnessTranslation),
+        LimitParameter::StiffnessRotation => Subject::Scene(Parameter::StiffnessRotation),
+        _ => Subject::Command,
+    };
+    match error.allowed {
+        Allowed::PassiveBelow(bound) => Trouble {
+            reason: Reason::NotPassive,
+            subject,
+            value: error.value,
+            limit: bound,
+            allowed: "0, or less than the limit, from which on the device would not be passive",
+        },
+        Allowed::Within(..) => Trouble::whole(Reason::Unsupported, "other limits of the device"),
+    }
+}

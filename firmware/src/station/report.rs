@@ -1,0 +1,211 @@
+//! What a board says by itself (FRAME 5.1 to 5.3, 5.6): pose, forces, events, health, each so often as the mode asks; and
+//! what it says of itself when asked (5.5).
+
+use super::{Desk, Link};
+use crate::device::Tick;
+use stiction_core::frame::{
+    Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
+};
+use stiction_core::{Model, Output, Real, Status};
+
+/// The version of the firmware.
+const VERSION: [u8; 3] = [
+    number(env!("CARGO_PKG_VERSION_MAJOR")),
+    number(env!("CARGO_PKG_VERSION_MINOR")),
+    number(env!("CARGO_PKG_VERSION_PATCH")),
+];
+
+const fn number(text: &str) -> u8 {
+    match u8::from_str_radix(text, 10) {
+        Ok(number) => number,
+        Err(_) => u8::MAX,
+    }
+}
+
+/// What was told and what is still to be told.
+#[derive(Clone, Debug)]
+pub(super) struct Told {
+    /// What happened since the last pose that was sent.
+    events: EventSet,
+    /// Of the last answer of the solver.
+    status: Status,
+    /// The sequence number of the newest sample in it.
+    sample: u8,
+    /// Steps since a pose and since forces were due.
+    since_pose: u16,
+    since_forces: u16,
+    /// When health was due last (µs).
+    health_us: Option<u32>,
+}
+
+impl Told {
+    pub(super) fn new() -> Self {
+        Self {
+            events: EventSet::default(),
+            status: Status::HeldLast,
+            sample: 0,
+            since_pose: 0,
+            since_forces: 0,
+            health_us: None,
+        }
+    }
+
+    /// The body begins anew, and waits for a sample.
+    pub(super) fn begin_anew(&mut self) {
+        self.events = EventSet::default();
+        self.status = Status::HeldLast;
+    }
+
+    /// The pose follows this sample.
+    pub(super) fn follows(&mut self, sample: u8) {
+        self.sample = sample;
+    }
+
+    /// Another mode: everything is due at its own pace from now on.
+    pub(super) fn count_anew(&mut self) {
+        self.since_pose = 0;
+        self.since_forces = 0;
+        self.health_us = None;
+    }
+}
+
+/// One more step: it is due.
+fn due(since: &mut u16, every: u16) -> bool {
+    *since = since.saturating_add(1);
+    let is_due = every != 0 && *since >= every;
+    if is_due {
+        *since = 0;
+    }
+    is_due
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
+    /// An answer of the solver: what happened in it is told at once, or with the next pose.
+    pub(super) fn happened(&mut self, output: &Output<f32>, now_us: u32, link: &mut impl Link) {
+        self.told.status = output.status;
+        let list = output.events();
+        if list.is_empty() {
+            return;
+        }
+        self.told.events = self.told.events.union(EventSet::of(list));
+        if self.mode.events {
+            let events = Events {
+                slips: output.slips,
+                longest_slip: output.longest_slip,
+                list: List::from(list),
+            };
+            self.outbox.send(now_us, Report::Events(events), link);
+        }
+    }
+
+    /// What is due after a step.
+    pub(super) fn tell_step(&mut self, tick: &Tick, now_us: u32, link: &mut impl Link) {
+        if due(&mut self.told.since_pose, self.mode.pose_every) {
+            let pose = Report::Pose(self.pose(tick));
+            if self.outbox.send(now_us, pose, link) {
+                self.told.events = EventSet::default();
+            }
+        }
+        if due(&mut self.told.since_forces, self.mode.forces_every) {
+            self.tell_forces(tick, now_us, link);
+        }
+    }
+
+    fn pose(&self, tick: &Tick) -> Pose {
+        let pose = &tick.pose;
+        Pose {
+            position: pose.position,
+            rest: pose.angle.rest,
+            // 0 to 7.
+            turns: u8::try_from(pose.angle.turns.rem_euclid(8)).unwrap_or(0),
+            depth: pose.depth,
+            state: pose.state,
+            status: if tick.flags.silent {
+                Status::HeldLast
+            } else {
+                self.told.status
+            },
+            held: pose.held,
+            force_off: self.latched || tick.flags.is_safe_state(),
+            events: self.told.events,
+            sample: self.told.sample,
+        }
+    }
+
+    #[inline(never)]
+    fn tell_forces(&mut self, tick: &Tick, now_us: u32, link: &mut impl Link) {
+        let solver = self.controller.solver();
+        let state = self.controller.state();
+        let contacts = state.map(|state| solver.contacts(state));
+        let forces = Forces {
+            wrench: state.map(|state| solver.wrench(state)).unwrap_or_default(),
+            feedback: tick.force,
+            turns: tick.pose.angle.turns,
+            contacts: List::from(contacts.as_deref().unwrap_or_default()),
+        };
+        self.outbox.send(now_us, Report::Forces(forces), link);
+    }
+
+    /// Health, if it is due.
+    pub(super) fn tell_health(&mut self, faults: &Faults, now_us: u32, link: &mut impl Link) {
+        let every_us = u32::from(self.mode.health_every).saturating_mul(1_000);
+        let last = *self.told.health_us.get_or_insert(now_us);
+        if every_us == 0 || now_us.wrapping_sub(last) < every_us {
+            return;
+        }
+        self.told.health_us = Some(last.wrapping_add(every_us));
+        let health = self.health(faults);
+        self.outbox.send(now_us, Report::Health(health), link);
+    }
+
+    pub(super) fn health(&self, faults: &Faults) -> Health {
+        let loops = self.controller.health();
+        Health {
+            drive: self.drive(),
+            ticks: loops.ticks,
+            missed_ticks: loops.missed_ticks,
+            samples: self.intake.samples,
+            late_samples: self.intake.late,
+            lost_frames: self.intake.lost,
+            unsent: self.outbox.unsent,
+            worst_step: loops.worst_step,
+            worst_tick: self.worst_tick,
+            faults: *faults,
+        }
+    }
+
+    fn drive(&self) -> Drive {
+        if self.latched {
+            Drive::Latched
+        } else if self.flags.is_safe_state() {
+            Drive::Silent
+        } else {
+            Drive::On
+        }
+    }
+
+    /// What the board is and how it works now.
+    #[inline(never)]
+    pub(super) fn tell_info(&mut self, longest_frame: usize, now_us: u32, link: &mut impl Link) {
+        let scene = self.controller.scene();
+        let passivity = self.controller.settings().passivity;
+        let surface = scene.surfaces.first();
+        let info = Info {
+            version: VERSION,
+            number: self.setup.number,
+            vertices: u8::try_from(V).unwrap_or(u8::MAX),
+            surfaces: u8::try_from(S).unwrap_or(u8::MAX),
+            friction: M::FRICTION,
+            weight: M::WEIGHT,
+            actuators: passivity.is_some(),
+            longest_frame: u16::try_from(longest_frame).unwrap_or(u16::MAX),
+            fastest_tick: self.setup.fastest_tick,
+            stiffest: passivity.map_or([f32::INFINITY; 2], |passivity| passivity.bounds()),
+            stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
+            friction_now: surface.map_or([0.0; 2], |s| [s.friction_static, s.friction_dynamic]),
+            mode: self.mode,
+            name: Text::new(self.setup.name),
+        };
+        self.outbox.send(now_us, Report::Info(info), link);
+    }
+}

@@ -1,0 +1,140 @@
+//! What a board is, and which modes it takes (FRAME 4.5): from ticks and bytes per second to yes, or no and why.
+
+use super::refusal::Trouble;
+use crate::device::Settings;
+use crate::safety::{Limits, Passivity};
+use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
+use stiction_core::{Description, Model, Real, Scene};
+
+/// What a board is and how it works after power-up.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Its name, printable ASCII.
+    pub name: &'static str,
+    /// The number type of its solver.
+    pub number: NumberType,
+    /// What its line carries in each direction (bytes per second): a tenth of the baud.
+    pub line_rate: u32,
+    /// The most ticks for which it has the time (Hz).
+    pub fastest_tick: u16,
+    /// What may go to the hand; the period of ticks is that of the mode.
+    pub limits: Limits,
+    /// What its device damps, at the shortest hold of a force; `None` where it drives no motors.
+    pub passivity: Option<Passivity>,
+    /// How it works after power-up.
+    pub mode: Mode,
+    /// The scene after power-up.
+    pub scene: Description<'static, f32>,
+}
+
+/// What a compiled-in scene says by its type: which parts of the solver are in the image.
+pub trait SceneType {
+    /// Its model.
+    type Model: Model;
+}
+
+impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V, S, M> {
+    type Model = M;
+}
+
+/// The fewest ticks with which silence is found in time (Hz).
+const SLOWEST_TICK: u16 = 100;
+/// The largest tolerance (rad).
+const LARGEST_TOLERANCE: f32 = 0.01;
+/// On the wire: a sample of the hand, a pose, the forces of two contacts, health.
+const SAMPLE: u32 = wire_bytes(21) as u32;
+const POSE: u32 = wire_bytes(19) as u32;
+const FORCES: u32 = wire_bytes(29 + 2 * 18) as u32;
+const HEALTH: u32 = wire_bytes(61) as u32;
+
+impl Setup {
+    /// The mode is one that the board has the time and the line for.
+    pub(super) fn check(&self, mode: &Mode) -> Result<(), Trouble> {
+        let rate = mode.tick_rate;
+        if rate < SLOWEST_TICK {
+            return Err(Trouble {
+                reason: Reason::Number,
+                subject: Subject::TickRate,
+                value: f32::from(rate),
+                limit: f32::from(SLOWEST_TICK),
+                allowed: "100 or more: silence must be found in time",
+            });
+        }
+        if rate > self.fastest_tick {
+            return Err(Trouble {
+                reason: Reason::Unsupported,
+                subject: Subject::TickRate,
+                value: f32::from(rate),
+                limit: f32::from(self.fastest_tick),
+                allowed: "what the board has the time for",
+            });
+        }
+        let tolerance = mode.tolerance;
+        if !(0.0..=LARGEST_TOLERANCE).contains(&tolerance) {
+            return Err(Trouble {
+                reason: Reason::Number,
+                subject: Subject::Tolerance,
+                value: tolerance,
+                limit: if tolerance < 0.0 {
+                    0.0
+                } else {
+                    LARGEST_TOLERANCE
+                },
+                allowed: "0 to 0.01",
+            });
+        }
+        let bytes = self.bytes_per_second(mode);
+        if bytes > self.line_rate {
+            return Err(Trouble {
+                reason: Reason::Unsupported,
+                subject: Subject::LineRate,
+                value: bytes as f32,
+                limit: self.line_rate as f32,
+                allowed: "what the line carries: fewer poses or forces, or a slower tick",
+            });
+        }
+        Ok(())
+    }
+
+    /// What a mode sends, but for events and replies (bytes per second).
+    fn bytes_per_second(&self, mode: &Mode) -> u32 {
+        let ticks = u32::from(mode.tick_rate);
+        let steps = match mode.stepping {
+            Stepping::Timed => ticks,
+            // As many as samples come.
+            Stepping::PerSample => ticks.min(self.line_rate / SAMPLE),
+        };
+        let every = |much: u32, every: u16| much.checked_div(u32::from(every)).unwrap_or(0);
+        let poses = every(steps.saturating_mul(POSE), mode.pose_every);
+        let forces = every(steps.saturating_mul(FORCES), mode.forces_every);
+        let health = every(HEALTH.saturating_mul(1_000), mode.health_every);
+        poses.saturating_add(forces).saturating_add(health)
+    }
+
+    /// So many bytes are taken from the line in a tick, at most: what comes in one, twice, so that a queue becomes shorter,
+    /// and the longest sample.
+    pub(super) fn bytes_per_tick(&self, mode: &Mode) -> u32 {
+        let ticks = u32::from(mode.tick_rate).max(1);
+        let arriving = self.line_rate.checked_div(ticks).unwrap_or(0);
+        arriving.saturating_mul(2).saturating_add(64)
+    }
+
+    /// The settings of the control loop in a mode.
+    pub(super) fn settings(&self, mode: &Mode) -> Settings {
+        let period_us = 1_000_000_u32
+            .checked_div(u32::from(mode.tick_rate))
+            .unwrap_or(u32::MAX);
+        Settings {
+            evolution: mode.evolution,
+            tolerance: mode.tolerance,
+            limits: Limits {
+                period_us,
+                ..self.limits
+            },
+            passivity: self.passivity.map(|passivity| Passivity {
+                hold_us: passivity.hold_us.max(period_us),
+                ..passivity
+            }),
+        }
+    }
+}

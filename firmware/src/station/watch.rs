@@ -1,0 +1,92 @@
+//! Health on its way from the tick to a context that waits for nothing and logs it: each number whole, but not all of the
+//! same tick.
+
+use core::sync::atomic::{AtomicU32, Ordering};
+use stiction_core::frame::{Drive, Health};
+
+/// What a log shows of [`Health`].
+#[derive(Debug, Default)]
+pub struct Watch {
+    drive: AtomicU32,
+    ticks: AtomicU32,
+    missed_ticks: AtomicU32,
+    samples: AtomicU32,
+    lost_frames: AtomicU32,
+    faults: AtomicU32,
+    unsent: AtomicU32,
+    worst_tick: AtomicU32,
+}
+
+/// What a log shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seen {
+    /// See [`Health`].
+    pub drive: Drive,
+    /// See [`Health`].
+    pub ticks: u32,
+    /// See [`Health`].
+    pub missed_ticks: u32,
+    /// See [`Health`].
+    pub samples: u32,
+    /// See [`Health`].
+    pub lost_frames: u32,
+    /// Frames that were not accepted, of all kinds.
+    pub faults: u32,
+    /// See [`Health`].
+    pub unsent: u32,
+    /// See [`Health`].
+    pub worst_tick: u32,
+}
+
+impl Watch {
+    /// Nothing seen yet.
+    pub const fn new() -> Self {
+        Self {
+            drive: AtomicU32::new(0),
+            ticks: AtomicU32::new(0),
+            missed_ticks: AtomicU32::new(0),
+            samples: AtomicU32::new(0),
+            lost_frames: AtomicU32::new(0),
+            faults: AtomicU32::new(0),
+            unsent: AtomicU32::new(0),
+            worst_tick: AtomicU32::new(0),
+        }
+    }
+
+    /// After a tick.
+    pub fn show(&self, health: &Health) {
+        let drive = match health.drive {
+            Drive::On => 0,
+            Drive::Silent => 1,
+            Drive::Latched => 2,
+        };
+        let put = |place: &AtomicU32, value| place.store(value, Ordering::Relaxed);
+        put(&self.drive, drive);
+        put(&self.missed_ticks, health.missed_ticks);
+        put(&self.samples, health.samples);
+        put(&self.lost_frames, health.lost_frames);
+        put(&self.faults, health.faults.total());
+        put(&self.unsent, health.unsent);
+        put(&self.worst_tick, health.worst_tick);
+        put(&self.ticks, health.ticks);
+    }
+
+    /// What was shown last.
+    pub fn seen(&self) -> Seen {
+        let get = |place: &AtomicU32| place.load(Ordering::Relaxed);
+        Seen {
+            drive: match get(&self.drive) {
+                0 => Drive::On,
+                1 => Drive::Silent,
+                _ => Drive::Latched,
+            },
+            ticks: get(&self.ticks),
+            missed_ticks: get(&self.missed_ticks),
+            samples: get(&self.samples),
+            lost_frames: get(&self.lost_frames),
+            faults: get(&self.faults),
+            unsent: get(&self.unsent),
+            worst_tick: get(&self.worst_tick),
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Every pose of an emulated board has the bits of the solver beside it, each board against its own number type.
+
+use crate::beside::{Beside, assert_same};
+use crate::board::{Board, Chip, F405, MICROBIT};
+use crate::client::{Said, hand_path};
+use stiction_core::frame::{Command, Mode, NumberType, Pose, Stepping};
+use stiction_core::{Evolution, Fixed, Real};
+
+const SAMPLES: u32 = 3_000;
+/// Samples on their way at once.
+const WINDOW: usize = 5;
+
+/// The poses of a board along a path, a step with every sample; and its counts at the end.
+fn poses(board: &mut Board, evolution: Evolution) -> Vec<Pose> {
+    let mode = Mode {
+        evolution,
+        stepping: Stepping::PerSample,
+        health_every: 0,
+        events: false,
+        ..board.info().mode
+    };
+    board.done(Command::Mode(mode));
+    let mut poses = Vec::new();
+    for (sent, hand) in hand_path(SAMPLES).into_iter().enumerate() {
+        board.send(Command::Hand(hand));
+        while sent >= poses.len() + WINDOW {
+            poses.push(next_pose(board));
+        }
+    }
+    while poses.len() < SAMPLES as usize {
+        poses.push(next_pose(board));
+    }
+    poses
+}
+
+fn next_pose(board: &mut Board) -> Pose {
+    board.wait(|_, said| match said {
+        Said::Pose(pose) if pose.status != stiction_core::Status::HeldLast => Some(*pose),
+        _ => None,
+    })
+}
+
+fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType, evolution: Evolution) {
+    let Some(mut board) = Board::start(chip) else {
+        return;
+    };
+    assert_eq!(board.info().number, number);
+    let poses = poses(&mut board, evolution);
+    let mut beside = Beside::<R>::new(evolution);
+    for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
+        assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name));
+    }
+    let same = poses.len();
+    println!("{}: {same} of {SAMPLES} poses, {evolution:?}", chip.name);
+}
+
+#[test]
+fn poses_of_the_f405_are_those_of_f32() {
+    same_bits::<f32>(&F405, NumberType::F32, Evolution::Path);
+}
+
+#[test]
+fn poses_of_the_microbit_are_those_of_fixed() {
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, Evolution::Path);
+}

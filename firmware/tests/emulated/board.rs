@@ -1,0 +1,311 @@
+//! An emulated board: its image built, QEMU started, its serial line a socket, its RAM read when asked for. What is missing
+//! is told with the command that installs it; with CI=true it must be there.
+
+use crate::client::{Client, Known, Said};
+use crate::image::{Image, RAM};
+use std::env;
+use std::fs;
+use std::io::{ErrorKind, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command as Process, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+use stiction_core::frame::{Command, Health};
+
+/// Nothing takes longer.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A board with its emulator.
+#[derive(Debug)]
+pub(crate) struct Chip {
+    /// Its folder in firmware/boards, and its name.
+    pub(crate) name: &'static str,
+    /// QEMU's name of it.
+    machine: &'static str,
+    /// Serial lines before the one that is used.
+    unused_lines: usize,
+    /// An instruction takes 2^N ns: near to what it takes on the chip.
+    pub(crate) shift: u32,
+}
+
+pub(crate) const F405: Chip = Chip {
+    name: "olimex-stm32-h405",
+    machine: "olimex-stm32-h405",
+    unused_lines: 1,
+    shift: 3,
+};
+
+pub(crate) const MICROBIT: Chip = Chip {
+    name: "microbit",
+    machine: "microbit",
+    unused_lines: 0,
+    shift: 6,
+};
+
+impl Chip {
+    /// The release image without logs; nothing where something is missing.
+    pub(crate) fn image(&self) -> Option<Image> {
+        self.installed()?;
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("boards")
+            .join(self.name);
+        // Cargo of the test sets what is not for this one.
+        let output = Process::new("cargo")
+            .args([
+                "build",
+                "--profile",
+                "device",
+                "--no-default-features",
+                "--locked",
+            ])
+            .arg("--message-format=json-render-diagnostics")
+            .current_dir(folder)
+            .env_remove("STICTION_SCENE")
+            .output()
+            .unwrap();
+        let (said, errors) = (
+            String::from_utf8_lossy(&output.stdout),
+            String::from_utf8_lossy(&output.stderr),
+        );
+        if errors.contains("target may not be installed") {
+            return missing(
+                "a target",
+                "rustup target add thumbv7em-none-eabihf thumbv6m-none-eabi",
+            );
+        }
+        assert!(output.status.success(), "{errors}");
+        let (_, path) = said.rsplit_once("\"executable\":\"").expect("an image");
+        let (path, _) = path.split_once('"').unwrap();
+        Some(Image::of(path.into()))
+    }
+
+    fn installed(&self) -> Option<()> {
+        if !is_there("flip-link") {
+            return missing("flip-link", "cargo install flip-link");
+        }
+        let machines = Process::new("qemu-system-arm")
+            .args(["-M", "help"])
+            .output();
+        let knows = machines.is_ok_and(|output| {
+            String::from_utf8_lossy(&output.stdout)
+                .lines()
+                .any(|line| line.split(' ').next() == Some(self.machine))
+        });
+        if knows {
+            Some(())
+        } else {
+            missing(
+                "qemu-system-arm 10",
+                "apt-get install -y --no-install-recommends qemu-system-arm (Debian 12: -t bookworm-backports)",
+            )
+        }
+    }
+}
+
+fn is_there(program: &str) -> bool {
+    let path = env::var_os("PATH").unwrap_or_default();
+    env::split_paths(&path).any(|folder| folder.join(program).is_file())
+}
+
+fn missing<T>(what: &str, install: &str) -> Option<T> {
+    let message = format!("missing: {what}; to install it: {install}");
+    assert_ne!(env::var("CI").as_deref(), Ok("true"), "{message}");
+    // Not `println!`, which is silent in a test that passes.
+    let _ = writeln!(std::io::stderr(), "skipped: {message}");
+    None
+}
+
+/// A board that runs.
+pub(crate) struct Board {
+    chip: &'static Chip,
+    pub(crate) image: Image,
+    folder: PathBuf,
+    emulator: Child,
+    line: UnixStream,
+    /// Came while something was sent.
+    came: Vec<u8>,
+    pub(crate) client: Client,
+}
+
+impl Board {
+    /// From power-up; nothing where something is missing.
+    pub(crate) fn start(chip: &'static Chip) -> Option<Self> {
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        let image = chip.image()?;
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let folder = env::temp_dir().join(format!("stiction-{}-{number}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let mut emulator = Process::new("qemu-system-arm");
+        emulator.args(["-M", chip.machine, "-display", "none"]);
+        for _ in 0..chip.unused_lines {
+            emulator.args(["-serial", "null"]);
+        }
+        emulator
+            .args(["-serial", "unix:line,server=on,wait=on"])
+            .args(["-monitor", "unix:monitor,server=on,wait=off"])
+            .args(["-icount", &format!("shift={}", chip.shift)])
+            .arg("-kernel")
+            .arg(&image.path)
+            .current_dir(&folder)
+            .stdin(Stdio::null());
+        let emulator = emulator.spawn().unwrap();
+        let line = connected(&folder.join("line"));
+        line.set_nonblocking(true).unwrap();
+        let mut board = Self {
+            chip,
+            image,
+            folder,
+            emulator,
+            line,
+            came: Vec::new(),
+            client: Client::new(),
+        };
+        // Before its line is open, bytes are lost.
+        board.wait(|_, said| matches!(said, Said::Pose(_)).then_some(()));
+        Some(board)
+    }
+
+    /// Sends bytes as they are.
+    pub(crate) fn send_bytes(&mut self, mut bytes: &[u8]) {
+        let begun = Instant::now();
+        while !bytes.is_empty() {
+            match self.line.write(bytes) {
+                Ok(count) => bytes = &bytes[count..],
+                Err(error) if error.kind() == ErrorKind::WouldBlock => {
+                    let more = self.read();
+                    self.came.extend(more);
+                }
+                Err(error) => panic!("{error}"),
+            }
+            assert!(begun.elapsed() < PATIENCE);
+        }
+    }
+
+    pub(crate) fn send(&mut self, command: Command<'_>) {
+        let bytes = self.client.encode(command);
+        self.send_bytes(&bytes);
+    }
+
+    /// What has come meanwhile.
+    pub(crate) fn bytes(&mut self) -> Vec<u8> {
+        let mut bytes = std::mem::take(&mut self.came);
+        bytes.extend(self.read());
+        bytes
+    }
+
+    fn read(&mut self) -> Vec<u8> {
+        let mut bytes = vec![0; 4096];
+        match self.line.read(&mut bytes) {
+            Ok(count) => {
+                assert_ne!(count, 0, "the emulator ended");
+                bytes.truncate(count);
+                bytes
+            }
+            Err(error) if error.kind() == ErrorKind::WouldBlock => {
+                std::thread::sleep(Duration::from_millis(1));
+                Vec::new()
+            }
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    pub(crate) fn listen(&mut self) {
+        let bytes = self.bytes();
+        self.client.listen(&bytes);
+    }
+
+    /// Nothing is on its way any more: what comes from now on answers what is sent from now on.
+    pub(crate) fn settle(&mut self) {
+        for _ in 0..20 {
+            std::thread::sleep(Duration::from_millis(25));
+            self.listen();
+        }
+        self.client.heard.clear();
+    }
+
+    /// Waits for a report of a kind; those before it are passed over.
+    pub(crate) fn wait<T>(&mut self, mut wanted: impl FnMut(u32, &Said) -> Option<T>) -> T {
+        let begun = Instant::now();
+        loop {
+            while let Some(heard) = self.client.heard.pop_front() {
+                if let Some(found) = wanted(heard.time, &heard.said) {
+                    return found;
+                }
+            }
+            assert!(
+                begun.elapsed() < PATIENCE,
+                "{} does not answer",
+                self.chip.name
+            );
+            self.listen();
+        }
+    }
+
+    /// A command that is carried out.
+    pub(crate) fn done(&mut self, command: Command<'_>) {
+        self.send(command);
+        let reason = self.wait(|_, said| match said {
+            Said::Reply(answer) => Some((answer.reason, answer.allowed.clone())),
+            _ => None,
+        });
+        assert_eq!(reason.0, stiction_core::frame::Reason::Done, "{}", reason.1);
+    }
+
+    pub(crate) fn info(&mut self) -> Known {
+        self.send(Command::Hello);
+        self.wait(|_, said| match said {
+            Said::Info(info) => Some(info.clone()),
+            _ => None,
+        })
+    }
+
+    /// The next health.
+    pub(crate) fn health(&mut self) -> Health {
+        self.wait(|_, said| match said {
+            Said::Health(health) => Some(*health),
+            _ => None,
+        })
+    }
+
+    /// Time on the board's clock as instructions.
+    pub(crate) fn instructions(&self, ns: u32) -> u32 {
+        ns >> self.chip.shift
+    }
+
+    /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
+    /// than what was never touched.
+    pub(crate) fn stack(&mut self) -> usize {
+        let mut monitor = connected(&self.folder.join("monitor"));
+        let size = usize::try_from(self.image.stack_top - RAM).unwrap();
+        writeln!(monitor, "memsave {RAM} {size} ram").unwrap();
+        let begun = Instant::now();
+        loop {
+            let ram = fs::read(self.folder.join("ram")).unwrap_or_default();
+            if ram.len() == size {
+                return size - ram.iter().take_while(|byte| **byte == 0).count();
+            }
+            assert!(begun.elapsed() < PATIENCE);
+            self.listen();
+        }
+    }
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        let _ = self.emulator.kill();
+        let _ = self.emulator.wait();
+        let _ = fs::remove_dir_all(&self.folder);
+    }
+}
+
+fn connected(path: &Path) -> UnixStream {
+    let begun = Instant::now();
+    loop {
+        if let Ok(stream) = UnixStream::connect(path) {
+            return stream;
+        }
+        assert!(begun.elapsed() < PATIENCE, "{}", path.display());
+        std::thread::sleep(Duration::from_millis(10));
+    }
+}

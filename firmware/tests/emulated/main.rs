@@ -1,0 +1,14 @@
+//! The images of the boards in QEMU, talked to over their serial lines.
+#![cfg(unix)]
+
+#[path = "../station/beside.rs"]
+mod beside;
+mod bits;
+mod board;
+mod budgets;
+#[path = "../station/client.rs"]
+mod client;
+mod image;
+mod line;
+#[path = "../station/random.rs"]
+mod random;

@@ -1,0 +1,55 @@
+//! The solver of the board's scene on this machine, and whether a pose of the board has its bits.
+
+use crate::client::BOX;
+use stiction_core::frame::Pose;
+use stiction_core::{Event, Evolution, Hand, Output, Real, Scene, Solver, State};
+
+/// The solver of the board's scene, beside it.
+pub(crate) struct Beside<R: Real> {
+    pub(crate) solver: Solver<R, 8, 4>,
+    pub(crate) state: Option<State<R>>,
+}
+
+impl<R: Real<Si = f32>> Beside<R> {
+    pub(crate) fn new(evolution: Evolution) -> Self {
+        let scene: Scene<R, 8, 4> = Scene::new(&BOX).unwrap();
+        Self {
+            solver: Solver::new(scene, evolution),
+            state: None,
+        }
+    }
+    pub(crate) fn step(&mut self, hand: Hand<f32>) -> Output<f32> {
+        match &mut self.state {
+            Some(state) => self.solver.step(state, hand),
+            None => {
+                let (state, output) = self.solver.start(hand);
+                self.state = Some(state);
+                output
+            }
+        }
+    }
+}
+
+/// Bit for bit, what a pose tells of an answer; its events are those of this answer alone.
+pub(crate) fn assert_same(pose: &Pose, output: &Output<f32>, case: &str) {
+    let bits = |numbers: [f32; 4]| numbers.map(f32::to_bits);
+    let ([x, y], [ex, ey]) = (pose.position, output.position);
+    assert_eq!(
+        bits([x, y, pose.rest, pose.depth]),
+        bits([ex, ey, output.angle.rest, output.depth]),
+        "{case}: {pose:?} {output:?}"
+    );
+    assert_eq!(
+        i32::from(pose.turns),
+        output.angle.turns.rem_euclid(8),
+        "{case}"
+    );
+    assert_eq!(
+        (pose.state, pose.status, pose.held),
+        (output.state, output.status, output.held),
+        "{case}"
+    );
+    for event in Event::ALL {
+        assert_eq!(pose.saw(event), output.events().contains(&event), "{case}");
+    }
+}

@@ -1,0 +1,242 @@
+//! A client beside a station: commands to bytes, ticks of a clock, bytes to what the board said. Shared by the tests on this
+//! machine and those on emulated boards.
+
+use std::collections::VecDeque;
+use stiction_core::frame::{
+    Command, Decoder, Faults, Forces, Frame, Health, Info, Mode, NumberType, Pose, Reason,
+    Reference, Reply, Report, SceneCommand, Subject,
+};
+use stiction_core::{Contact, Description, Event, Hand, SurfaceDescription, Wrench};
+
+/// Reports of a board, on their own.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Said {
+    Pose(Pose),
+    Forces {
+        wrench: Wrench<f32>,
+        feedback: Wrench<f32>,
+        turns: i32,
+        contacts: Vec<Contact<f32>>,
+    },
+    Events {
+        slips: u32,
+        longest_slip: f32,
+        list: Vec<Event>,
+    },
+    Reply(Answer),
+    Info(Known),
+    Health(Health),
+    Pong {
+        sequence: u8,
+        time: u32,
+    },
+}
+
+/// A reply.
+#[derive(Clone, Debug)]
+pub(crate) struct Answer {
+    pub(crate) command: Reference,
+    pub(crate) reason: Reason,
+    pub(crate) subject: Subject,
+    pub(crate) value: f32,
+    pub(crate) limit: f32,
+    pub(crate) allowed: String,
+}
+
+impl PartialEq for Answer {
+    /// NaN is NaN.
+    fn eq(&self, other: &Self) -> bool {
+        let key = |a: &Self| {
+            let bits = [a.value.to_bits(), a.limit.to_bits()];
+            (a.command, a.reason, a.subject, bits, a.allowed.clone())
+        };
+        key(self) == key(other)
+    }
+}
+
+/// What a board says of itself.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Known {
+    pub(crate) version: [u8; 3],
+    pub(crate) number: NumberType,
+    pub(crate) room: [u8; 2],
+    pub(crate) has: [bool; 3],
+    pub(crate) longest_frame: u16,
+    pub(crate) fastest_tick: u16,
+    pub(crate) stiffest: [f32; 2],
+    pub(crate) stiffness: [f32; 2],
+    pub(crate) friction: [f32; 2],
+    pub(crate) mode: Mode,
+    pub(crate) name: String,
+}
+
+impl From<Report<'_>> for Said {
+    fn from(report: Report<'_>) -> Self {
+        match report {
+            Report::Pose(pose) => Self::Pose(pose),
+            Report::Forces(forces) => said_forces(&forces),
+            Report::Events(events) => Self::Events {
+                slips: events.slips,
+                longest_slip: events.longest_slip,
+                list: events.list.iter().collect(),
+            },
+            Report::Reply(reply) => Self::Reply(answer(&reply)),
+            Report::Info(info) => Self::Info(known(&info)),
+            Report::Health(health) => Self::Health(health),
+            Report::Pong(pong) => Self::Pong {
+                sequence: pong.sequence,
+                time: pong.time,
+            },
+        }
+    }
+}
+
+fn said_forces(forces: &Forces<'_>) -> Said {
+    Said::Forces {
+        wrench: forces.wrench,
+        feedback: forces.feedback,
+        turns: forces.turns,
+        contacts: forces.contacts.iter().collect(),
+    }
+}
+
+fn answer(reply: &Reply<'_>) -> Answer {
+    Answer {
+        command: reply.command,
+        reason: reply.reason,
+        subject: reply.subject,
+        value: reply.value,
+        limit: reply.limit,
+        allowed: reply.allowed.to_string(),
+    }
+}
+
+fn known(info: &Info<'_>) -> Known {
+    Known {
+        version: info.version,
+        number: info.number,
+        room: [info.vertices, info.surfaces],
+        has: [info.friction, info.weight, info.actuators],
+        longest_frame: info.longest_frame,
+        fastest_tick: info.fastest_tick,
+        stiffest: info.stiffest,
+        stiffness: info.stiffness,
+        friction: info.friction_now,
+        mode: info.mode,
+        name: info.name.to_string(),
+    }
+}
+
+/// A report with its head.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Heard {
+    pub(crate) sequence: u8,
+    pub(crate) time: u32,
+    pub(crate) said: Said,
+}
+
+/// Numbers commands, and listens.
+pub(crate) struct Client {
+    /// Of the next command.
+    pub(crate) sequence: u8,
+    decoder: Decoder<512>,
+    /// What was heard and not yet taken.
+    pub(crate) heard: VecDeque<Heard>,
+}
+
+impl Client {
+    pub(crate) fn new() -> Self {
+        Self {
+            sequence: 0,
+            decoder: Decoder::new(),
+            heard: VecDeque::new(),
+        }
+    }
+
+    /// The next command as it goes over the wire.
+    pub(crate) fn encode(&mut self, message: Command<'_>) -> Vec<u8> {
+        let sequence = self.sequence;
+        self.sequence = sequence.wrapping_add(1);
+        let mut wire = [0; 512];
+        let frame = Frame {
+            sequence,
+            time: 7,
+            message,
+        };
+        frame.encode(&mut wire).unwrap().to_vec()
+    }
+
+    pub(crate) fn listen(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            if let Some(Ok(frame)) = self.decoder.push::<Report>(byte) {
+                self.heard.push_back(Heard {
+                    sequence: frame.sequence,
+                    time: frame.time,
+                    said: frame.message.into(),
+                });
+            }
+        }
+    }
+
+    /// Frames of the board that were not accepted.
+    pub(crate) fn faults(&self) -> &Faults {
+        self.decoder.faults()
+    }
+}
+
+/// A box of 0.10 m by 0.06 m on a floor.
+pub(crate) const FLOOR: SurfaceDescription<f32> = SurfaceDescription {
+    normal: [0.0, 1.0],
+    offset: 0.0,
+    friction_static: 0.5,
+    friction_dynamic: 0.3,
+};
+
+pub(crate) const BOX: Description<'static, f32> = Description {
+    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+    start: [0.0, 0.03, 0.0],
+    weight: 0.0,
+    holding_point: Some([0.0, 0.02]),
+    reach: 0.02,
+    stiffness_translation: 500.0,
+    stiffness_rotation: 0.5,
+    surfaces: &[FLOOR],
+};
+
+/// The command of a scene.
+pub(crate) fn scene(description: &'static Description<'static, f32>) -> Command<'static> {
+    Command::Scene(SceneCommand::from(description))
+}
+
+/// A way of the hand along keyframes (s; m, m, rad), pressing, dragging, turning, letting go and taking again.
+pub(crate) fn hand_path(samples: u32) -> Vec<Hand<f32>> {
+    const KEYS: [(f32, [f32; 3]); 9] = [
+        (0.0, [0.0, 0.055, 0.0]),
+        (0.1, [0.0, 0.042, 0.0]),
+        (0.3, [0.08, 0.041, 0.1]),
+        (0.45, [0.05, 0.060, 0.9]),
+        (0.55, [0.04, 0.045, 1.2]),
+        (0.7, [-0.06, 0.043, 1.7]),
+        (0.8, [-0.06, 0.075, 3.0]),
+        (0.9, [-0.02, 0.050, 6.1]),
+        (1.0, [0.0, 0.055, 6.3]),
+    ];
+    (0..samples)
+        .map(|i| {
+            let t = i as f32 / samples as f32;
+            let next = KEYS.iter().position(|(at, _)| *at > t).unwrap();
+            let ((from, a), (to, b)) = (KEYS[next - 1], KEYS[next]);
+            let part = (t - from) / (to - from);
+            let [x, y, phi]: [f32; 3] = std::array::from_fn(|k| a[k] + (b[k] - a[k]) * part);
+            let hand = Hand {
+                depth: 0.3 * t,
+                ..Hand::new(x, y, phi)
+            };
+            if (0.60..0.63).contains(&t) {
+                hand.released()
+            } else {
+                hand
+            }
+        })
+        .collect()
+}

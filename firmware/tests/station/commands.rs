@@ -1,0 +1,563 @@
+//! Every command and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4 and 5.4).
+
+use crate::beside::{Beside, assert_same};
+use crate::client::{BOX, FLOOR, Known, Said, scene};
+use crate::rig::{Rig, driven, setup};
+use stiction_core::frame::{
+    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, SceneCommand, Stepping,
+    Subject,
+};
+use stiction_core::{
+    Bare, Description, Evolution, Hand, Parameter, StateKind, Status, SurfaceDescription,
+};
+
+const PARAMETERS: Parameters = Parameters {
+    stiffness_translation: 400.0,
+    stiffness_rotation: 0.3,
+    friction_static: 0.8,
+    friction_dynamic: 0.2,
+};
+
+const DEEP: [f32; 3] = [0.001, 0.045, 0.0];
+
+fn deep() -> Hand<f32> {
+    let [x, y, phi] = DEEP;
+    Hand::new(x, y, phi)
+}
+
+/// What a client can see of the board's state: what it says of itself, and its pose.
+fn seen(rig: &mut Rig) -> (Known, Pose) {
+    let info = rig.info();
+    rig.hand(deep());
+    let pose = rig.pose();
+    (info, Pose { sample: 0, ..pose })
+}
+
+/// The command is refused, the subject named with value and limit, and nothing changes.
+fn refused(rig: &mut Rig, command: Command<'_>, expected: (Reason, Subject, f32, f32)) {
+    let before = seen(rig);
+    let answer = rig.ask(command);
+    let said = (answer.reason, answer.subject);
+    let (reason, subject, value, limit) = expected;
+    assert_eq!(said, (reason, subject), "{answer:?}");
+    let same = |a: f32, b: f32| a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan();
+    assert!(same(answer.value, value), "{answer:?}");
+    assert!(same(answer.limit, limit), "{answer:?}");
+    assert!(!answer.allowed.is_empty() && answer.allowed.len() <= 200);
+    assert_eq!(seen(rig), before);
+}
+
+#[test]
+fn hello_is_answered_by_info() {
+    let mut rig = Rig::<f32>::new();
+    let expected = Known {
+        version: [0, 1, 0],
+        number: NumberType::F32,
+        room: [8, 4],
+        has: [true, true, false],
+        // 11 + 39 + 8·8 + 20·4.
+        longest_frame: 194,
+        fastest_tick: 5_000,
+        stiffest: [f32::INFINITY; 2],
+        stiffness: [500.0, 0.5],
+        friction: [0.5, 0.3],
+        mode: Mode::DEFAULT,
+        name: "bench".to_owned(),
+    };
+    assert_eq!(rig.info(), expected);
+    let mut rig = Rig::<f32>::of(driven());
+    let info = rig.info();
+    assert_eq!(info.has, [true, true, true]);
+    // 2 b / T
+    assert_eq!(info.stiffest, [4_000.0, 1.953_125]);
+}
+
+#[test]
+fn hello_begins_the_count_of_lost_frames_anew() {
+    let mut rig = Rig::<f32>::new();
+    rig.send(Command::Ping);
+    rig.client.sequence += 3;
+    rig.send(Command::Ping);
+    rig.tick();
+    rig.tick();
+    assert_eq!(rig.health().lost_frames, 3);
+    rig.client.sequence += 100;
+    rig.send(Command::Hello);
+    rig.send(Command::Ping);
+    rig.tick();
+    rig.tick();
+    assert_eq!(rig.health().lost_frames, 3);
+}
+
+#[test]
+fn ping_is_answered_by_pong() {
+    let mut rig = Rig::<f32>::new();
+    let sequence = rig.send(Command::Ping);
+    let now_us = rig.now_us;
+    rig.tick();
+    let heard = rig.heard();
+    assert_eq!(heard[0].said, Said::Pong { sequence, time: 7 });
+    assert_eq!(heard[0].time, now_us);
+}
+
+#[test]
+fn parameters_in_mid_contact_leave_the_body_where_it_is() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 10);
+    rig.stay(Hand::new(0.03, 0.045, 0.3), 100);
+    let before = rig.pose();
+    assert_ne!(before.state, StateKind::NonContact);
+    rig.done(Command::Parameters(PARAMETERS));
+    let info = rig.info();
+    assert_eq!((info.stiffness, info.friction), ([400.0, 0.3], [0.8, 0.2]));
+    rig.tick();
+    let after = rig.pose();
+    assert!(after.held && after.status == Status::Ok);
+    let [dx, dy] = std::array::from_fn(|i| after.position[i] - before.position[i]);
+    // Sticking feet: it turns a little about them, as the balance of the springs is another one.
+    assert!(
+        dx.hypot(dy) < 2e-3 && (after.rest - before.rest).abs() < 0.03,
+        "{before:?} {after:?}"
+    );
+    // The force goes to that of the new springs.
+    let force = rig.stay(Hand::new(0.03, 0.045, 0.3), 200);
+    let normal = force.force[1];
+    assert!(normal > 0.5 && normal < 0.9 * 500.0 * 5e-3, "{force:?}");
+}
+
+#[test]
+fn parameters_before_the_first_sample_are_those_of_the_start() {
+    let mut rig = Rig::<f32>::new();
+    rig.done(Command::Parameters(Parameters {
+        stiffness_translation: 1_000.0,
+        ..PARAMETERS
+    }));
+    let force = rig.stay(Hand::new(0.0, 0.046, 0.0), 200);
+    assert!(
+        (force.force[1] - 4.0).abs() < 1e-3,
+        "4 mm of 1000 N/m: {force:?}"
+    );
+}
+
+#[test]
+fn parameters_that_are_no_numbers_for_them_are_refused() {
+    use Parameter as P;
+    let nan = f32::NAN;
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 30);
+    let cases = [
+        (P::StiffnessTranslation, 0.0, [0.0, 0.3, 0.8, 0.2]),
+        (P::StiffnessTranslation, -1.0, [-1.0, 0.3, 0.8, 0.2]),
+        (P::StiffnessTranslation, nan, [nan, 0.3, 0.8, 0.2]),
+        (P::StiffnessRotation, -0.1, [400.0, -0.1, 0.8, 0.2]),
+        (
+            P::StiffnessRotation,
+            f32::INFINITY,
+            [400.0, f32::INFINITY, 0.8, 0.2],
+        ),
+        (P::FrictionStatic(0), 0.1, [400.0, 0.3, 0.1, 0.2]),
+        (P::FrictionDynamic(0), -0.2, [400.0, 0.3, 0.8, -0.2]),
+        (P::FrictionDynamic(0), nan, [400.0, 0.3, 0.8, nan]),
+    ];
+    for (parameter, value, [k_h, k_theta, mu_s, mu_d]) in cases {
+        let command = Command::Parameters(Parameters {
+            stiffness_translation: k_h,
+            stiffness_rotation: k_theta,
+            friction_static: mu_s,
+            friction_dynamic: mu_d,
+        });
+        refused(
+            &mut rig,
+            command,
+            (Reason::Number, Subject::Scene(parameter), value, nan),
+        );
+    }
+}
+
+#[test]
+fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
+    let mut rig = Rig::<f32>::of(driven());
+    rig.stay(deep(), 30);
+    let stiff = Parameters {
+        stiffness_translation: 4_000.0,
+        ..PARAMETERS
+    };
+    let subject = Subject::Scene(Parameter::StiffnessTranslation);
+    refused(
+        &mut rig,
+        Command::Parameters(stiff),
+        (Reason::NotPassive, subject, 4_000.0, 4_000.0),
+    );
+    let twisting = Parameters {
+        stiffness_rotation: 3.0,
+        ..PARAMETERS
+    };
+    let subject = Subject::Scene(Parameter::StiffnessRotation);
+    refused(
+        &mut rig,
+        Command::Parameters(twisting),
+        (Reason::NotPassive, subject, 3.0, 1.953_125),
+    );
+    // A number that is none is not too stiff.
+    let nan = Parameters {
+        stiffness_translation: f32::NAN,
+        ..PARAMETERS
+    };
+    let subject = Subject::Scene(Parameter::StiffnessTranslation);
+    refused(
+        &mut rig,
+        Command::Parameters(nan),
+        (Reason::Number, subject, f32::NAN, f32::NAN),
+    );
+    // A slower tick holds the force longer: what is passive now would not be. 2 b / T = 400 N/m at 100 Hz.
+    let slow = Command::Mode(Mode {
+        tick_rate: 100,
+        ..Mode::DEFAULT
+    });
+    refused(&mut rig, slow, (Reason::NotPassive, subject, 500.0, 400.0));
+    rig.done(Command::Parameters(Parameters {
+        stiffness_translation: 300.0,
+        stiffness_rotation: 0.1,
+        ..PARAMETERS
+    }));
+    rig.done(slow);
+    assert_eq!(rig.info().stiffest, [400.0, 0.195_312_5]);
+}
+
+const WALL: SurfaceDescription<f32> = SurfaceDescription {
+    normal: [1.0, 0.0],
+    offset: -0.2,
+    ..FLOOR
+};
+
+const TRIANGLE: Description<'static, f32> = Description {
+    vertices: &[[-0.04, -0.02], [0.04, -0.02], [0.0, 0.03]],
+    start: [0.0, 0.05, 0.0],
+    weight: 1.0,
+    holding_point: None,
+    surfaces: &[FLOOR, WALL],
+    ..BOX
+};
+
+#[test]
+fn a_scene_in_mid_contact_begins_at_its_start() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(Hand::new(0.05, 0.045, 0.2), 60);
+    rig.done(scene(&TRIANGLE));
+    let pose = rig.pose();
+    assert!(!pose.held && pose.status == Status::HeldLast);
+    assert!((pose.position[1] - 0.05).abs() < 1e-6);
+    assert_eq!(rig.force.force, [0.0, 0.0], "what the hand felt is gone");
+    rig.hand(Hand::new(0.0, 0.05, 0.0));
+    let pose = rig.pose();
+    assert!(pose.held && pose.status == Status::Ok && !pose.force_off);
+    // The same as power-up with that scene.
+    let mut other = Rig::<f32>::of(stiction_firmware::station::Setup {
+        scene: TRIANGLE,
+        ..setup()
+    });
+    other.hand(Hand::new(0.0, 0.05, 0.0));
+    let expected = other.pose();
+    assert_eq!(
+        (pose.position, pose.rest),
+        (expected.position, expected.rest)
+    );
+}
+
+#[test]
+fn scenes_that_cannot_be_used_are_refused() {
+    use Parameter as P;
+    let nan = f32::NAN;
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 30);
+    let many: Vec<[f32; 2]> = (0..9)
+        .map(|i| {
+            let (sin, cos) = (std::f32::consts::TAU * i as f32 / 9.0).sin_cos();
+            [cos * 0.05, sin * 0.05]
+        })
+        .collect();
+    let wrong = SurfaceDescription {
+        normal: [0.0, 0.0],
+        ..FLOOR
+    };
+    let number = Reason::Number;
+    let cases = [
+        (
+            Description {
+                vertices: &many,
+                ..BOX
+            },
+            Reason::Unsupported,
+            P::VertexCount,
+            9.0,
+            8.0,
+        ),
+        (
+            Description {
+                vertices: &[],
+                ..BOX
+            },
+            number,
+            P::VertexCount,
+            0.0,
+            nan,
+        ),
+        (
+            Description {
+                surfaces: &[FLOOR; 5],
+                ..BOX
+            },
+            Reason::Unsupported,
+            P::SurfaceCount,
+            5.0,
+            4.0,
+        ),
+        (
+            Description {
+                vertices: &[[0.0, 0.0], [0.05, nan]],
+                ..BOX
+            },
+            number,
+            P::Vertex(1),
+            nan,
+            nan,
+        ),
+        (
+            Description {
+                start: [0.0, nan, 0.0],
+                ..BOX
+            },
+            number,
+            P::Start,
+            nan,
+            nan,
+        ),
+        (
+            Description {
+                weight: -1.0,
+                ..BOX
+            },
+            number,
+            P::Weight,
+            -1.0,
+            nan,
+        ),
+        (
+            Description {
+                holding_point: Some([nan, 0.0]),
+                ..BOX
+            },
+            number,
+            P::HoldingPoint,
+            nan,
+            nan,
+        ),
+        (
+            Description { reach: -0.5, ..BOX },
+            number,
+            P::Reach,
+            -0.5,
+            nan,
+        ),
+        (
+            Description {
+                stiffness_translation: 0.0,
+                ..BOX
+            },
+            number,
+            P::StiffnessTranslation,
+            0.0,
+            nan,
+        ),
+        (
+            Description {
+                stiffness_rotation: -1.0,
+                ..BOX
+            },
+            number,
+            P::StiffnessRotation,
+            -1.0,
+            nan,
+        ),
+        (
+            Description {
+                surfaces: &[FLOOR, wrong],
+                ..BOX
+            },
+            number,
+            P::Normal(1),
+            0.0,
+            nan,
+        ),
+    ];
+    for (description, reason, parameter, value, limit) in cases {
+        let command = Command::Scene(SceneCommand::from(&description));
+        refused(
+            &mut rig,
+            command,
+            (reason, Subject::Scene(parameter), value, limit),
+        );
+    }
+    let inside = Description {
+        start: [0.0, 0.02, 0.0],
+        ..BOX
+    };
+    let before = seen(&mut rig);
+    let answer = rig.ask(Command::Scene(SceneCommand::from(&inside)));
+    assert_eq!(answer.reason, Reason::Number);
+    let vertex = |vertex| Subject::Scene(P::Penetration { surface: 0, vertex });
+    assert!((0..2).any(|v| answer.subject == vertex(v)), "{answer:?}");
+    assert_eq!(seen(&mut rig), before);
+}
+
+#[test]
+fn what_the_solver_lacks_is_not_supported() {
+    let smooth = SurfaceDescription {
+        friction_static: 0.0,
+        friction_dynamic: 0.0,
+        ..FLOOR
+    };
+    let mut rig = Rig::<f32, Bare>::of(stiction_firmware::station::Setup {
+        scene: Description {
+            surfaces: Box::leak(Box::new([smooth])),
+            ..BOX
+        },
+        ..setup()
+    });
+    assert_eq!(rig.info().has, [false; 3]);
+    let answer = rig.ask(Command::Parameters(PARAMETERS));
+    assert_eq!(answer.reason, Reason::Unsupported);
+    assert_eq!(answer.subject, Subject::Scene(Parameter::FrictionStatic(0)));
+    assert_eq!((answer.value, answer.limit), (0.8, 0.0));
+    let answer = rig.ask(scene(&TRIANGLE));
+    assert_eq!(answer.subject, Subject::Scene(Parameter::Weight));
+    assert_eq!((answer.reason, answer.limit), (Reason::Unsupported, 0.0));
+}
+
+#[test]
+fn reset_of_the_body_keeps_scene_parameters_and_mode() {
+    let mut rig = Rig::<f32>::new();
+    let mode = Mode {
+        evolution: Evolution::Frame,
+        ..Mode::DEFAULT
+    };
+    rig.mode(mode);
+    rig.done(Command::Parameters(PARAMETERS));
+    rig.stay(Hand::new(0.08, 0.045, 0.5), 60);
+    let samples = rig.health().samples;
+    rig.done(Command::Reset(Reset::Body));
+    assert_eq!(rig.force.force, [0.0, 0.0]);
+    let pose = rig.pose();
+    assert!(!pose.held && (pose.position[1] - 0.03).abs() < 1e-7);
+    let info = rig.info();
+    assert_eq!((info.mode, info.stiffness), (mode, [400.0, 0.3]));
+    assert_eq!(rig.health().samples, samples, "counts go on");
+    // Taken at the scene's holding point again.
+    rig.hand(deep());
+    assert!(rig.pose().held);
+}
+
+#[test]
+fn reset_of_everything_is_power_up() {
+    let mut rig = Rig::<f32>::new();
+    rig.mode(Mode {
+        stepping: Stepping::PerSample,
+        tick_rate: 500,
+        ..Mode::DEFAULT
+    });
+    rig.done(scene(&TRIANGLE));
+    rig.line.to_board.extend([3, 1, 1, 1, 0]);
+    rig.stay(Hand::new(0.0, 0.05, 0.0), 60);
+    rig.client.sequence += 9;
+    let before = rig.health();
+    assert!(before.faults.total() == 1 && before.samples == 60);
+    rig.client.heard.clear();
+    rig.done(Command::Reset(Reset::Everything));
+    let replied = rig.heard()[0].sequence;
+    let health = rig.health();
+    assert_eq!(
+        (health.samples, health.ticks, health.lost_frames),
+        (0, 1, 0)
+    );
+    assert_eq!((health.faults.total(), health.drive), (0, Drive::Silent));
+    assert!(health.worst_step < 10_000);
+    let info = rig.info();
+    assert_eq!((info.mode, info.friction), (Mode::DEFAULT, [0.5, 0.3]));
+    // Sequence numbers go on: for the client nothing is lost.
+    rig.tick();
+    let next = rig.heard();
+    assert_ne!(replied, 0);
+    assert!(!next.is_empty());
+    let mut beside = Beside::<f32>::new(Evolution::Path);
+    rig.hand(deep());
+    assert_same(&rig.pose(), &beside.step(deep()), "power-up");
+}
+
+#[test]
+fn undamaged_frames_that_are_no_commands_are_answered() {
+    let mut rig = Rig::<f32>::new();
+    // FRAME 2: version, type, sequence, time, payload, CRC; COBS by hand is the codec's own test: here by its encoder.
+    let frame = |bytes: &[u8]| {
+        let mut frame = bytes.to_vec();
+        frame.extend(crc32(bytes).to_le_bytes());
+        cobs_of(&frame)
+    };
+    let cases: [(&[u8], Reason); 6] = [
+        (&[2, 7, 40, 0, 0, 0, 0], Reason::Version),
+        (&[1, 0x55, 41, 0, 0, 0, 0], Reason::UnknownType),
+        (&[1, 0x80, 42, 0, 0, 0, 0], Reason::UnknownType),
+        (&[1, 7, 43, 0, 0, 0, 0, 9], Reason::Length),
+        (&[1, 8, 44, 0, 0, 0, 0], Reason::Length),
+        (&[1, 8, 45, 0, 0, 0, 0, 2], Reason::Code),
+    ];
+    for (bytes, reason) in cases {
+        rig.line.to_board.extend(frame(bytes));
+        rig.client.heard.clear();
+        rig.tick();
+        let heard = rig.heard();
+        let Said::Reply(answer) = &heard[0].said else {
+            panic!("{heard:?}")
+        };
+        assert_eq!(answer.reason, reason, "{bytes:?}");
+        assert_eq!(
+            (answer.command.code, answer.command.sequence),
+            (bytes[1], bytes[2])
+        );
+    }
+    // They are frames of the line all the same: none is lost.
+    assert_eq!(rig.health().lost_frames, 0);
+    assert_eq!(rig.health().faults.total(), 6);
+    // A damaged one is not answered.
+    let mut damaged = frame(&[1, 7, 46, 0, 0, 0, 0]);
+    damaged[3] ^= 0x10;
+    rig.line.to_board.extend(damaged);
+    rig.tick();
+    assert!(rig.heard().iter().all(|h| matches!(h.said, Said::Pose(_))));
+}
+
+/// CRC-32/ISO-HDLC, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    let mut crc = u32::MAX;
+    for &byte in bytes {
+        crc ^= u32::from(byte);
+        for _ in 0..8 {
+            crc = if crc & 1 == 1 {
+                crc >> 1 ^ 0xedb8_8320
+            } else {
+                crc >> 1
+            };
+        }
+    }
+    !crc
+}
+
+/// COBS of less than 254 bytes, with its delimiter.
+fn cobs_of(bytes: &[u8]) -> Vec<u8> {
+    let mut out = Vec::new();
+    for part in bytes.split(|&byte| byte == 0) {
+        out.push(part.len() as u8 + 1);
+        out.extend(part);
+    }
+    out.push(0);
+    out
+}

@@ -1,0 +1,87 @@
+//! A line in both directions that flips bits, drops, doubles and inserts bytes: no wrong sample is stepped, no wrong pose is
+//! accepted, every loss shows in the counts, and the board never stops.
+
+use crate::beside::{Beside, assert_same};
+use crate::client::{Client, Said, hand_path};
+use crate::random::{Random, garbled};
+use crate::rig::Rig;
+use std::collections::HashMap;
+use stiction_core::frame::{Command, Mode, Stepping};
+use stiction_core::{Evolution, Hand};
+
+/// The number of a sample comes back as the depth of its pose: so every pose that is accepted can be told.
+fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {
+    Hand {
+        depth: number as f32,
+        ..hand
+    }
+}
+
+fn run(seed: u64, per_byte: u64, frames: u32) {
+    let mut rig = Rig::<f32>::new();
+    rig.mode(Mode {
+        stepping: Stepping::PerSample,
+        events: false,
+        health_every: 0,
+        ..Mode::DEFAULT
+    });
+    rig.heard();
+    let mut random = Random(seed);
+    let path = hand_path(5_000);
+    let hand = |number: u32| numbered(path[number as usize % path.len()], number);
+    let mut beside = Beside::<f32>::new(Evolution::Path);
+    // What the board says, before the line to the client.
+    let mut at_board = Client::new();
+    let (mut stepped, mut told) = (0_u32, HashMap::new());
+    let mut accepted = 0_u32;
+    for number in 0..frames {
+        let wire = rig.client.encode(Command::Hand(hand(number)));
+        let arrived = garbled(&mut random, &wire, per_byte);
+        rig.line.to_board.extend(arrived);
+        rig.station.tick(rig.now_us, &mut rig.line);
+        rig.now_us = rig.now_us.wrapping_add(1_000);
+        let answers = std::mem::take(&mut rig.line.from_board);
+        at_board.listen(&answers);
+        rig.client.listen(&garbled(&mut random, &answers, per_byte));
+        for heard in at_board.heard.drain(..) {
+            let Said::Pose(pose) = heard.said else {
+                panic!("{heard:?}")
+            };
+            // The sample of this tick, or one that waited for its end.
+            let stepped_number = pose.depth as u32;
+            assert!(stepped_number <= number && !told.contains_key(&stepped_number));
+            let output = beside.step(hand(stepped_number));
+            assert_same(&pose, &output, &format!("frame {number}"));
+            told.insert(stepped_number, pose);
+            stepped += 1;
+        }
+        for heard in rig.heard() {
+            let Said::Pose(pose) = heard.said else {
+                panic!("{heard:?}")
+            };
+            accepted += 1;
+            assert_eq!(told.get(&(pose.depth as u32)), Some(&pose));
+        }
+    }
+    let health = rig.health();
+    assert_eq!(stepped, health.samples);
+    assert!(accepted <= stepped);
+    assert!(health.faults.total() > 0 && rig.client.faults().total() > 0);
+    // What was lost at the end is told by the next frame.
+    rig.line.to_board.push_back(0);
+    rig.send(Command::Ping);
+    rig.tick();
+    rig.tick();
+    assert_eq!(rig.health().samples + rig.health().lost_frames, frames);
+    println!(
+        "a byte in {}: {stepped} of {frames} stepped, {accepted} poses accepted",
+        per_byte / 4
+    );
+}
+
+#[test]
+fn no_wrong_pose_in_hundred_thousand_frames() {
+    run(1, 4_000, 50_000);
+    run(2, 400, 30_000);
+    run(3, 200, 20_000);
+}

@@ -1,0 +1,214 @@
+//! A station with a client, a line between them and a clock, all on this machine.
+
+use crate::client::{Answer, BOX, Client, Heard, Known, Said};
+use std::collections::VecDeque;
+use stiction_core::frame::{
+    Command, Health, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,
+};
+use stiction_core::{Full, Hand, Model, Real, Wrench};
+use stiction_firmware::safety::{Limits, Passivity};
+use stiction_firmware::station::{Link, Setup, Station};
+
+const V: usize = 8;
+const S: usize = 4;
+const LONGEST: usize = frame_bytes(scene_bytes(V, S));
+
+pub(crate) fn setup() -> Setup {
+    Setup {
+        name: "bench",
+        number: NumberType::F32,
+        line_rate: 92_160,
+        fastest_tick: 5_000,
+        limits: Limits::DEFAULT,
+        passivity: None,
+        mode: Mode::DEFAULT,
+        scene: BOX,
+    }
+}
+
+/// One with motors, passive below 2 b / T = 4000 N/m and 1.95 N·m/rad at 1 kHz.
+pub(crate) fn driven() -> Setup {
+    Setup {
+        passivity: Some(Passivity {
+            damping_translation: 2.0,
+            damping_rotation: 1.0 / 1024.0,
+            hold_us: 1_000,
+            delay_us: 0,
+        }),
+        ..setup()
+    }
+}
+
+/// Both directions, as queues.
+pub(crate) struct Line {
+    pub(crate) to_board: VecDeque<u8>,
+    pub(crate) from_board: Vec<u8>,
+    /// Bytes that fit into the queue to the client.
+    pub(crate) room: usize,
+    /// Bytes taken in this tick.
+    pub(crate) taken: usize,
+    ns: u32,
+}
+
+impl Link for Line {
+    fn take(&mut self) -> Option<u8> {
+        let byte = self.to_board.pop_front();
+        self.taken += usize::from(byte.is_some());
+        byte
+    }
+    fn send(&mut self, frame: &[u8]) -> bool {
+        let fits = frame.len() <= self.room;
+        if fits {
+            self.room -= frame.len();
+            self.from_board.extend(frame);
+        }
+        fits
+    }
+    fn now_ns(&mut self) -> u32 {
+        self.ns = self.ns.wrapping_add(1_000);
+        self.ns
+    }
+}
+
+pub(crate) struct Rig<R: Real = f32, M: Model = Full> {
+    pub(crate) station: Station<R, V, S, M, LONGEST>,
+    pub(crate) client: Client,
+    pub(crate) line: Line,
+    pub(crate) now_us: u32,
+    pub(crate) force: Wrench<f32>,
+}
+
+impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
+    pub(crate) fn of(setup: Setup) -> Self {
+        Self {
+            station: Station::new(Box::leak(Box::new(setup))).unwrap(),
+            client: Client::new(),
+            line: Line {
+                to_board: VecDeque::new(),
+                from_board: Vec::new(),
+                room: usize::MAX,
+                taken: 0,
+                ns: u32::MAX - 10_000,
+            },
+            // The clock wraps on the way.
+            now_us: u32::MAX - 50_000,
+            force: Wrench::default(),
+        }
+    }
+
+    pub(crate) fn new() -> Self {
+        Self::of(setup())
+    }
+
+    /// The command is on its way; its sequence number.
+    pub(crate) fn send(&mut self, message: Command<'_>) -> u8 {
+        let sequence = self.client.sequence;
+        let bytes = self.client.encode(message);
+        self.line.to_board.extend(bytes);
+        sequence
+    }
+
+    /// The next tick of the board's clock.
+    pub(crate) fn tick(&mut self) -> Wrench<f32> {
+        self.line.taken = 0;
+        self.force = self.station.tick(self.now_us, &mut self.line);
+        let period_us = 1_000_000 / u32::from(self.station.mode().tick_rate);
+        self.now_us = self.now_us.wrapping_add(period_us);
+        let bytes = std::mem::take(&mut self.line.from_board);
+        self.client.listen(&bytes);
+        self.force
+    }
+
+    pub(crate) fn hand(&mut self, hand: Hand<f32>) -> Wrench<f32> {
+        self.send(Command::Hand(hand));
+        self.tick()
+    }
+
+    /// The hand stays there for so many ticks.
+    pub(crate) fn stay(&mut self, hand: Hand<f32>, ticks: u32) -> Wrench<f32> {
+        for _ in 0..ticks {
+            self.hand(hand);
+        }
+        self.force
+    }
+
+    /// All that was heard.
+    pub(crate) fn heard(&mut self) -> Vec<Heard> {
+        self.client.heard.drain(..).collect()
+    }
+
+    /// The poses that were heard.
+    pub(crate) fn poses(&mut self) -> Vec<Pose> {
+        let heard = self.heard();
+        let poses = heard.into_iter().filter_map(|heard| match heard.said {
+            Said::Pose(pose) => Some(pose),
+            _ => None,
+        });
+        poses.collect()
+    }
+
+    /// The newest pose, after a tick that sends one.
+    pub(crate) fn pose(&mut self) -> Pose {
+        *self.poses().last().expect("a pose")
+    }
+
+    /// The answer to a command: there is one, in the tick in which it came.
+    pub(crate) fn ask(&mut self, message: Command<'_>) -> Answer {
+        let (code, sequence) = (message_code(&message), self.send(message));
+        self.client.heard.clear();
+        self.tick();
+        let mut answers = Vec::new();
+        for heard in &self.client.heard {
+            if let Said::Reply(answer) = &heard.said {
+                answers.push(answer.clone());
+            }
+        }
+        assert_eq!(answers.len(), 1, "{answers:?}");
+        let answer = answers.remove(0);
+        assert_eq!(
+            (answer.command.code, answer.command.sequence),
+            (code, sequence)
+        );
+        answer
+    }
+
+    /// A command that is carried out.
+    pub(crate) fn done(&mut self, message: Command<'_>) {
+        let answer = self.ask(message);
+        assert_eq!(answer.reason, Reason::Done, "{answer:?}");
+    }
+
+    pub(crate) fn info(&mut self) -> Known {
+        self.send(Command::Hello);
+        self.client.heard.clear();
+        self.tick();
+        let mut heard = self.heard().into_iter();
+        let info = heard.find_map(|heard| match heard.said {
+            Said::Info(info) => Some(info),
+            _ => None,
+        });
+        info.expect("info")
+    }
+
+    pub(crate) fn health(&self) -> Health {
+        self.station.health()
+    }
+
+    pub(crate) fn mode(&mut self, mode: Mode) {
+        self.done(Command::Mode(mode));
+    }
+}
+
+/// The type of a command, FRAME 3.
+fn message_code(command: &Command<'_>) -> u8 {
+    match command {
+        Command::Hand(_) => 1,
+        Command::Tracker(_) => 2,
+        Command::Parameters(_) => 3,
+        Command::Scene(_) => 4,
+        Command::Mode(_) => 5,
+        Command::Hello => 6,
+        Command::Ping => 7,
+        Command::Reset(_) => 8,
+    }
+}

@@ -1,0 +1,146 @@
+//! Safety through the wire: silence, lost samples, a fault, and the way back.
+
+use crate::client::Said;
+use crate::rig::{Rig, driven};
+use stiction_core::frame::{Command, Drive, Mode, Reason, Reset};
+use stiction_core::{Hand, Status, Wrench};
+
+const DEEP: Hand<f32> = Hand {
+    position: [0.0, 0.045],
+    angle: stiction_core::Angle {
+        turns: 0,
+        rest: 0.0,
+    },
+    depth: 0.25,
+    held: true,
+};
+
+fn size(wrench: &Wrench<f32>) -> f32 {
+    let [x, y] = wrench.force;
+    x.hypot(y)
+}
+
+#[test]
+fn silence_of_20_ms_makes_the_force_zero_and_the_way_back_is_slow() {
+    for tick_rate in [100, 500, 1_000, 3_000, 5_000] {
+        let mut rig = Rig::<f32>::new();
+        rig.mode(Mode {
+            tick_rate,
+            pose_every: 2,
+            ..Mode::DEFAULT
+        });
+        let force = rig.stay(DEEP, u32::from(tick_rate) / 5);
+        assert!(
+            (size(&force) - 2.5).abs() < 1e-3,
+            "5 mm of 500 N/m: {force:?}"
+        );
+        let last_sample_us = rig.now_us.wrapping_sub(1_000_000 / u32::from(tick_rate));
+        rig.heard();
+        let mut off_us = None;
+        while off_us.is_none() {
+            let now_us = rig.now_us;
+            if rig.tick() == Wrench::default() {
+                off_us = Some(now_us.wrapping_sub(last_sample_us));
+            }
+        }
+        let off_us = off_us.unwrap();
+        assert!(
+            off_us <= 20_000 && off_us > 9_000,
+            "{tick_rate} Hz: {off_us}"
+        );
+        rig.heard();
+        rig.tick();
+        rig.tick();
+        let pose = rig.pose();
+        assert!(pose.force_off && pose.held);
+        assert_eq!((pose.status, pose.depth), (Status::HeldLast, 0.25));
+        assert_eq!(rig.health().drive, Drive::Silent);
+        // Back: at most 100 N/s.
+        let step = 100.0 / f32::from(tick_rate);
+        let mut before = 0.0;
+        for _ in 0..tick_rate / 5 {
+            let now = size(&rig.hand(DEEP));
+            assert!((now - before).abs() <= step * 1.001);
+            before = now;
+        }
+        assert!((before - 2.5).abs() < 1e-3);
+        let pose = rig.pose();
+        assert!(!pose.force_off && pose.status == Status::Ok);
+        assert_eq!(rig.health().drive, Drive::On);
+    }
+}
+
+#[test]
+fn before_the_first_sample_the_body_is_at_its_start_and_there_is_no_force() {
+    let mut rig = Rig::<f32>::new();
+    for _ in 0..30 {
+        assert_eq!(rig.tick(), Wrench::default());
+        let pose = rig.pose();
+        assert!(pose.force_off && !pose.held);
+        assert_eq!(pose.status, Status::HeldLast);
+        assert!((pose.position[1] - 0.03).abs() < 1e-7 && pose.rest == 0.0);
+        // It stands on the floor.
+        assert_eq!(pose.state, stiction_core::StateKind::Edge);
+    }
+}
+
+#[test]
+fn a_sample_that_is_not_finite_holds_the_last_pose() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(DEEP, 50);
+    let before = rig.pose();
+    let lost = Hand {
+        position: [f32::NAN, 0.0],
+        ..DEEP
+    };
+    assert_eq!(rig.hand(lost), Wrench::default());
+    let pose = rig.pose();
+    assert_eq!((pose.position, pose.depth), (before.position, 0.25));
+    assert_eq!(pose.status, Status::HeldLast);
+    assert!(pose.force_off);
+    assert!(size(&rig.hand(DEEP)) <= 0.1 + 1e-5);
+    assert_eq!(rig.pose().status, Status::Ok);
+}
+
+#[test]
+fn after_a_fault_there_is_no_force_until_everything_is_reset() {
+    let mut rig = Rig::<f32>::of(driven());
+    rig.stay(DEEP, 50);
+    rig.station.fault();
+    for _ in 0..20 {
+        assert_eq!(rig.hand(DEEP), Wrench::default());
+    }
+    let pose = rig.pose();
+    assert!(
+        pose.force_off && pose.status == Status::Ok,
+        "the pose goes on"
+    );
+    assert_eq!(rig.health().drive, Drive::Latched);
+    for refused in [Command::Reset(Reset::Body), Command::Mode(Mode::DEFAULT)] {
+        assert_eq!(rig.ask(refused).reason, Reason::NotNow);
+    }
+    rig.send(Command::Ping);
+    rig.tick();
+    assert!(
+        rig.heard()
+            .iter()
+            .any(|h| matches!(h.said, Said::Pong { .. }))
+    );
+    assert_eq!(rig.info().name, "bench");
+    rig.done(Command::Reset(Reset::Everything));
+    rig.stay(DEEP, 50);
+    assert!(size(&rig.force) > 2.0);
+    assert_eq!(rig.health().drive, Drive::On);
+}
+
+#[test]
+fn missed_ticks_are_counted_and_cost_the_force_of_one_tick() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(DEEP, 50);
+    rig.now_us = rig.now_us.wrapping_add(3_000);
+    assert_eq!(rig.hand(DEEP), Wrench::default());
+    assert!(rig.pose().force_off);
+    assert_eq!(rig.health().missed_ticks, 3);
+    rig.hand(DEEP);
+    assert!(!rig.pose().force_off);
+}
