@@ -62,20 +62,6 @@ struct Edge<R> {
     contact: usize,
     /// Its part along t.
     friction: R,
-    /// Of a force along t.
-    tangent: Screw<R>,
-}
-
-impl<R: Real> Edge<R> {
-    /// The direction along t in which the contact slides when the load crosses the facet of an inner normal: against the
-    /// friction; without friction the normal is the motion itself.
-    fn slides(&self, normal: Screw<R>) -> R {
-        if self.friction == R::ZERO {
-            normal.dot(self.tangent).sign()
-        } else {
-            -self.friction.sign()
-        }
-    }
 }
 
 /// The incipient motion at a facet.
@@ -105,7 +91,8 @@ pub(crate) struct Bearing<R> {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Support<R: Real> {
     edges: Vec<Edge<R>, MAX_EDGES>,
-    contacts: usize,
+    /// Of the contacts, from the pivot.
+    levers: Vec<Vec2<R>, MAX_CONTACTS>,
 }
 
 impl<R: Real> Support<R> {
@@ -115,21 +102,45 @@ impl<R: Real> Support<R> {
     }
 
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
-        let screw = |force: Vec2<R>| Screw {
-            force,
-            moment: bearing.lever.cross(force),
-        };
         for &(n, t) in &bearing.edges {
+            let force = bearing.normal * n + bearing.tangent * t;
             let edge = Edge {
-                screw: screw(bearing.normal * n + bearing.tangent * t),
-                contact: self.contacts,
+                screw: Screw {
+                    force,
+                    moment: bearing.lever.cross(force),
+                },
+                contact: self.levers.len(),
                 friction: t,
-                tangent: screw(bearing.tangent),
             };
             // At most MAX_CONTACTS bearings are added.
             let _ = self.edges.push(edge);
         }
-        self.contacts = self.contacts.saturating_add(1);
+        let _ = self.levers.push(bearing.lever);
+    }
+
+    /// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
+    fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Screw<R>) -> Yield<R> {
+        if a.contact == b.contact {
+            Yield::Pivot { contact: a.contact }
+        } else {
+            Yield::Slide {
+                first: (a.contact, self.slides(a, normal)),
+                second: (b.contact, self.slides(b, normal)),
+            }
+        }
+    }
+
+    /// The direction along t in which the contact of an edge slides when the load crosses the facet of an inner normal:
+    /// against the friction; without friction the normal is the motion itself.
+    fn slides(&self, edge: &Edge<R>, normal: Screw<R>) -> R {
+        if edge.friction != R::ZERO {
+            return -edge.friction.sign();
+        }
+        // Of a force along t, which is a quarter turn from n.
+        let force = -edge.screw.force.turned();
+        let lever = self.levers.get(edge.contact).copied().unwrap_or_default();
+        let moment = lever.cross(force);
+        normal.dot(Screw { force, moment }).sign()
     }
 
     /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
@@ -154,7 +165,7 @@ impl<R: Real> Support<R> {
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
                     if faces {
                         let normal = unit.scaled(sign);
-                        visit(normal, size.min(R::ONE), incipient(a, b, normal));
+                        visit(normal, size.min(R::ONE), self.incipient(a, b, normal));
                     }
                 }
                 if inner && outer {
@@ -330,18 +341,6 @@ fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
     for &(edge, part) in more {
         if let Some(sum) = parts.get_mut(edge) {
             *sum = (*sum + part).max(R::ZERO);
-        }
-    }
-}
-
-/// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
-fn incipient<R: Real>(a: &Edge<R>, b: &Edge<R>, normal: Screw<R>) -> Yield<R> {
-    if a.contact == b.contact {
-        Yield::Pivot { contact: a.contact }
-    } else {
-        Yield::Slide {
-            first: (a.contact, a.slides(normal)),
-            second: (b.contact, b.slides(normal)),
         }
     }
 }
