@@ -15,6 +15,8 @@ use stiction_core::frame::{Command, Health};
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(60);
+/// A command without an answer is sent again.
+const AGAIN: Duration = Duration::from_secs(1);
 
 /// A board with its emulator.
 #[derive(Debug)]
@@ -252,12 +254,26 @@ impl Board {
         assert_eq!(reason.0, stiction_core::frame::Reason::Done, "{}", reason.1);
     }
 
+    /// What it says of itself. Hello is sent again as long as there is no answer: in a flood it may be lost, or its answer.
     pub(crate) fn info(&mut self) -> Known {
-        self.send(Command::Hello);
-        self.wait(|_, said| match said {
-            Said::Info(info) => Some(info.clone()),
-            _ => None,
-        })
+        let begun = Instant::now();
+        loop {
+            self.send(Command::Hello);
+            let asked = Instant::now();
+            while asked.elapsed() < AGAIN {
+                while let Some(heard) = self.client.heard.pop_front() {
+                    if let Said::Info(info) = heard.said {
+                        return info;
+                    }
+                }
+                self.listen();
+            }
+            assert!(
+                begun.elapsed() < PATIENCE,
+                "{} does not answer",
+                self.chip.name
+            );
+        }
     }
 
     /// The next health.
