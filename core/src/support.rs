@@ -153,7 +153,7 @@ impl<R: Real> Support<R> {
                 if size <= Self::tolerance() {
                     continue;
                 }
-                let unit = normal.over(size);
+                let (unit, sharpness) = (normal.over(size), size.min(R::ONE));
                 let (mut inner, mut outer) = (true, true);
                 for (j, edge) in self.edges.iter().enumerate() {
                     if j != i && j != k {
@@ -165,11 +165,11 @@ impl<R: Real> Support<R> {
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
                     if faces {
                         let normal = unit.scaled(sign);
-                        visit(normal, size.min(R::ONE), self.incipient(a, b, normal));
+                        visit(normal, sharpness, self.incipient(a, b, normal));
                     }
                 }
                 if inner && outer {
-                    self.each_end((unit, size.min(R::ONE)), [a, b], visit);
+                    self.each_end((unit, sharpness), [a, b], visit);
                 }
             }
         }
