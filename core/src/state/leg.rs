@@ -16,6 +16,8 @@ pub(super) struct Leg<R, B = Unbent> {
     motion: Motion<R, B>,
     course: Course<R>,
     trigger: Trigger<R>,
+    /// Nothing ends it before the end of its way.
+    goes_on: bool,
 }
 
 impl<R: Real, B: Bend<R>> Leg<R, B> {
@@ -25,6 +27,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
             motion,
             course: motion.course_to(R::ONE),
             trigger,
+            goes_on: true,
         }
     }
 
@@ -47,6 +50,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
             motion,
             course,
             trigger,
+            goes_on: !course.folds,
         }
     }
 
@@ -54,6 +58,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
     pub(super) fn stop_at(&mut self, margin: &Margin<R>, trigger: Trigger<R>) {
         if self.motion.stop_at(margin, &mut self.course) {
             self.trigger = trigger;
+            self.goes_on = false;
         }
     }
 
@@ -71,7 +76,13 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         };
         if let Some(pair) = placed.first_touch(scene, &mut self.course, &moving) {
             self.trigger = Trigger::Touch(pair);
+            self.goes_on = false;
         }
+    }
+
+    /// Nothing ends it before the end of its way, so far.
+    pub(super) fn goes_on(&self) -> bool {
+        self.goes_on
     }
 
     /// tau at the end.

@@ -69,23 +69,24 @@ impl<R: Real> Step<R> {
 }
 
 impl<R: Real> ShortSlip<R> {
-    /// Of a vertex in balance that breaks away along sign·t, `stance` its load. Nothing where something else may happen (E9);
-    /// touches are left to the caller.
+    /// Of a vertex in balance that breaks away along sign·t, `stance` its load. Where something else may happen (E9), about
+    /// how far it slides, if its beginning says so; touches are left to the caller.
     pub(super) fn find(
         scene: &impl World<R>,
         (pivot, stance): (&Pivot<R>, &Stance<R>),
         grip: &Grip<R>,
         sign: R,
-    ) -> Option<Self> {
+    ) -> Result<Self, Option<R>> {
         let surface = pivot.surface(scene);
         let along = surface.tangent * sign;
         let drive = surface.friction.drive(surface.normal, along);
         let normal = |stance: &Stance<R>| -surface.normal.dot(stance.force);
-        let begin = Step::at(stance, along, drive)?;
+        let begin = Step::at(stance, along, drive).ok_or(None)?;
         let (guess, _) = begin.correction();
         if guess < R::ZERO || begin.lack.abs() > R::MICRO {
-            return None;
+            return Err(None);
         }
+        let about = Err(Some(guess));
         // If it ends within these, the stability falls by less than a seventh on it.
         let farthest = guess + guess.halved().halved();
         let swing = begin.arm * farthest;
@@ -100,16 +101,19 @@ impl<R: Real> ShortSlip<R> {
             && begin.bend * swing <= sixteenth
             && curved <= begin.decay.min(R::ONE);
         if !is_short {
-            return None;
+            return about;
         }
         let sagitta = curved * farthest + stance.rounding();
         if normal(stance) <= sagitta {
-            return None;
+            return about;
         }
         let (mut slide, mut turn) = (guess, begin.lean * guess);
         for _ in 0..MAX_CORRECTIONS {
             let stance = pivot.moved(sign * slide, turn).stance(scene, grip);
-            let (slide_on, turn_on) = Step::at(&stance, along, drive)?.correction();
+            let Some(step) = Step::at(&stance, along, drive) else {
+                return about;
+            };
+            let (slide_on, turn_on) = step.correction();
             slide = slide + slide_on;
             turn = turn + turn_on;
             let size = slide_on.abs() + turn_on.abs();
@@ -117,13 +121,18 @@ impl<R: Real> ShortSlip<R> {
             if left.doubled() <= R::EPSILON {
                 let ends_within = slide >= R::ZERO && slide <= farthest && turn.abs() <= widest;
                 let presses = normal(&stance) > sagitta + lever * size;
-                return (ends_within && presses).then_some(Self {
+                let slip = Self {
                     slide: sign * slide,
                     turn,
                     reach: widest + farthest,
-                });
+                };
+                return if ends_within && presses {
+                    Ok(slip)
+                } else {
+                    about
+                };
             }
         }
-        None
+        about
     }
 }

@@ -228,7 +228,8 @@ impl<R: Real> SingleVertex<R> {
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let mut stance = self.pivot.stance(scene, grip);
         let placed = (&self.pivot, &stance);
-        if let Some(slip) = ShortSlip::find(scene, placed, grip, sign)
+        let found = ShortSlip::find(scene, placed, grip, sign);
+        if let Ok(slip) = found
             && self.has_room_now(scene, slip.reach)
         {
             self.room = self.room - slip.reach;
@@ -239,23 +240,22 @@ impl<R: Real> SingleVertex<R> {
             };
         }
         self.room = R::ZERO;
-        let surface = self.pivot.surface(scene);
-        if surface.friction.is_continuous() {
+        if self.pivot.surface(scene).friction.is_continuous() {
             // Where it stops it must also stick.
             stance.tolerance = R::ZERO;
         }
         // Beyond this way the hand would pull back.
         let farthest = stance.force.reach() + stance.lever.reach().doubled();
-        let shift = surface.tangent * (sign * farthest);
-        let way = Way::slide(shift);
-        let moment = stance.pinned::<Unbent>();
-        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Stopped);
-        let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
-        let drives = surface.friction.drives(normal, friction, sign);
-        leg.stop_at(&drives, Trigger::Stopped);
-        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
-        leg.stop_at(&normal, Trigger::Clear);
-        let slip = sign * farthest * leg.part();
+        let about = match found {
+            Ok(slip) => Some(slip.slide.abs()),
+            Err(about) => about,
+        };
+        // To look no farther than needed is cheap.
+        let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
+        let (mut slip, mut leg) = self.slide_leg(scene, &stance, sign * near);
+        if leg.goes_on() && near < farthest {
+            (slip, leg) = self.slide_leg(scene, &stance, sign * farthest);
+        }
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = leg.turn_with_hand(scene, &mut self.pivot, grip);
         Moved {
@@ -263,6 +263,21 @@ impl<R: Real> SingleVertex<R> {
             unbalanced: !self.is_balanced(&self.pivot.stance(scene, grip)),
             ..moved
         }
+    }
+
+    /// A slide by `shift` along t, or to what ends it before: how far it goes, and its course.
+    fn slide_leg(&self, scene: &impl World<R>, stance: &Stance<R>, shift: R) -> (R, Leg<R>) {
+        let surface = self.pivot.surface(scene);
+        let way = Way::slide(surface.tangent * shift);
+        let moment = stance.pinned::<Unbent>();
+        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Stopped);
+        let Reaction { normal, friction } = Self::reaction(stance, &surface, &way);
+        let drives = surface.friction.drives(normal, friction, shift.sign());
+        leg.stop_at(&drives, Trigger::Stopped);
+        let keeps = self.contacts();
+        leg.stop_at_touch(scene, &stance.placed, (surface.tangent * shift, &keeps));
+        leg.stop_at(&normal, Trigger::Clear);
+        (shift * leg.part(), leg)
     }
 
     /// True if the moment of the load is rounding, or within the tolerance.
