@@ -92,5 +92,5 @@ pub use output::{
 pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
-pub use solver::{Evolution, Solver, State};
+pub use solver::{Evolution, MAX_EVENT_LIMIT, Solver, State};
 pub use transition::{Transition, Transitions};

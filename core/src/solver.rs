@@ -29,7 +29,11 @@ pub enum Evolution {
 pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     scene: Scene<R, V, S, M>,
     evolution: Evolution,
+    event_limit: u8,
 }
+
+/// The most events of one frame that are told apart.
+pub const MAX_EVENT_LIMIT: u8 = 128;
 
 /// The state of a run: plain data. A copy of it is a snapshot; assigned back, the run repeats bit for bit.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,7 +61,11 @@ impl<R: Real> State<R> {
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// A solver for a scene.
     pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
-        Self { scene, evolution }
+        Self {
+            scene,
+            evolution,
+            event_limit: MAX_EVENT_LIMIT,
+        }
     }
 
     /// Less accurate and faster: angles of balance are found to within `radians`, the ends of slips to within that part
@@ -68,6 +76,15 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub fn with_tolerance(mut self, radians: R::Si) -> Self {
         let given = R::from_si(R::Si::ZERO.max(radians), R::Si::ONE);
         self.scene.tolerance = given.min(R::ONE / R::from_int(100));
+        self
+    }
+
+    /// A bound on the work of a frame of path evolution: so many events of it are told apart, then the rest of it is one jump
+    /// of the hand, to a balance all the same, and the status is [`Status::EventLimit`]. From 1 to [`MAX_EVENT_LIMIT`],
+    /// which it is without this; what is beyond is taken as the nearer end.
+    #[must_use]
+    pub fn with_event_limit(mut self, events: u8) -> Self {
+        self.event_limit = events.clamp(1, MAX_EVENT_LIMIT);
         self
     }
 

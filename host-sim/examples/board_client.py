@@ -24,7 +24,8 @@ import zlib
 
 VERSION = 1
 SPRINGS = "k_h k_theta mu_s mu_d"
-MODE = ("BBBBBHHHHf", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance")
+MODE = ("BBBBBHHHHfB", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance"
+        " event_limit")
 
 # name: type, layout as of the module struct, the fields, and what follows them
 LAYOUTS = {
@@ -176,7 +177,7 @@ def check_codes(message):
         require(x < 8 and x & 3 < 3 and y < 8 and y & 3 < 3 and x & 3 != y & 3 and message["events"] <= 1)
     if message["type"] == "events":
         require(all(message[f"event_{i}"] < len(EVENTS) for i in range(message["events"])))
-    require(message.get("subject", 0) in [*range(15), 32, 33, 34])
+    require(message.get("subject", 0) in [*range(15), 32, 33, 34, 35])
 
 
 class Decoder:

@@ -83,6 +83,9 @@ pub struct BoardArgs {
     /// Tolerance of the board's solver (rad); 0: exact
     #[arg(long, value_name = "RAD", default_value_t = 0.0)]
     pub tolerance: f32,
+    /// Events of a step that are told apart (1 to 128), instead of as many as the board tells
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=128))]
+    pub events: Option<u8>,
     /// Ticks of the board per second, instead of those that it has
     #[arg(long, value_name = "HZ")]
     pub tick: Option<u16>,
@@ -132,6 +135,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         scene: &scene,
         evolution: args.evolution,
         tolerance: args.tolerance,
+        events: args.events,
         tick: args.tick,
         keep: args.keep,
         per_sample: args.verify,
@@ -184,12 +188,7 @@ fn connected<'a>(
         screen.note(&remark);
     }
     let twin = match args.verify {
-        true => Some(verify::twin(
-            &about,
-            setup.scene,
-            args.evolution,
-            args.tolerance,
-        )?),
+        true => Some(verify::twin(&about, setup.scene, &setup.mode(&about))?),
         false => None,
     };
     let placement = &setup.scene.hand.placement;

@@ -3,7 +3,7 @@
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, require};
 use crate::hand::Axis;
-use crate::solver::Evolution;
+use crate::solver::{Evolution, MAX_EVENT_LIMIT};
 
 /// When a board makes a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -49,6 +49,9 @@ pub struct Mode {
     pub health_every: u16,
     /// The tolerance of the solver (rad), see [`Solver::with_tolerance`](crate::Solver::with_tolerance); 0: exact.
     pub tolerance: f32,
+    /// So many events of a step are told apart, 1 to 128, see
+    /// [`Solver::with_event_limit`](crate::Solver::with_event_limit).
+    pub event_limit: u8,
 }
 
 const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
@@ -74,9 +77,10 @@ impl Mode {
         forces_every: 0,
         health_every: 1000,
         tolerance: 0.0,
+        event_limit: MAX_EVENT_LIMIT,
     };
 
-    pub(super) const BYTES: usize = 17;
+    pub(super) const BYTES: usize = 18;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&EVOLUTIONS, &self.evolution);
@@ -94,6 +98,7 @@ impl Mode {
         sink.u16(self.forces_every);
         sink.u16(self.health_every);
         sink.f32(self.tolerance);
+        sink.byte(self.event_limit);
     }
 
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
@@ -112,6 +117,7 @@ impl Mode {
             forces_every: fields.u16(),
             health_every: fields.u16(),
             tolerance: fields.f32(),
+            event_limit: fields.u8(),
         })
     }
 }

@@ -11,8 +11,6 @@ use crate::scene::{Scene, World};
 use crate::state::{ContactState, Terms, Trigger};
 use crate::transition::{rests, settle};
 
-/// Events of one frame before the rest of it is taken as one jump of the hand.
-const MAX_EVENTS_ON_PATH: u32 = 128;
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
 const FINEST_HALF: u32 = 24;
 /// This many slips fit into a frame before a limit is reported.
@@ -68,7 +66,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             jumps: false,
             tolerance: R::ZERO,
         };
-        for event in 0..MAX_EVENTS_ON_PATH {
+        for event in 0..self.event_limit {
             let way = (&state.grip, to);
             if event > 0 && state.contact.follow(&self.scene, way, terms).is_some() {
                 rests(&state.contact, log);

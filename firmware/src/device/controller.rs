@@ -7,21 +7,35 @@ use crate::safety::{
     Arrival, Flags, Given, Governor, Health, LimitError, Limits, Line, Passivity, Ticks,
 };
 use stiction_core::{
-    Angle, Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
-    StateKind, Status, Wrench,
+    Angle, Description, Event, Evolution, Full, Hand, MAX_EVENT_LIMIT, Model, Output, Real, Scene,
+    Solver, State, StateKind, Status, Wrench,
 };
 
 /// How a device runs.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How a frame is evolved.
     pub evolution: Evolution,
     /// See [`Solver::with_tolerance`]; 0 is exact.
     pub tolerance: f32,
+    /// See [`Solver::with_event_limit`]; 0 is taken as 1.
+    pub event_limit: u8,
     /// What may go to the hand.
     pub limits: Limits,
     /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
     pub passivity: Option<Passivity>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            evolution: Evolution::default(),
+            tolerance: 0.0,
+            event_limit: MAX_EVENT_LIMIT,
+            limits: Limits::DEFAULT,
+            passivity: None,
+        }
+    }
 }
 
 impl Settings {
@@ -177,7 +191,9 @@ pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model
             description.stiffness_rotation,
         )?;
     }
-    Ok(Solver::new(scene, settings.evolution).with_tolerance(settings.tolerance))
+    Ok(Solver::new(scene, settings.evolution)
+        .with_tolerance(settings.tolerance)
+        .with_event_limit(settings.event_limit))
 }
 
 /// A hand turned on by whole turns.

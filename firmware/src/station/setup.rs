@@ -4,7 +4,7 @@ use super::refusal::Trouble;
 use crate::device::Settings;
 use crate::safety::{Limits, Passivity};
 use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
-use stiction_core::{Description, Model, Real, Scene};
+use stiction_core::{Description, MAX_EVENT_LIMIT, Model, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -83,6 +83,16 @@ impl Setup {
                 allowed: "0 to 0.01",
             });
         }
+        let events = mode.event_limit;
+        if !(1..=MAX_EVENT_LIMIT).contains(&events) {
+            return Err(Trouble {
+                reason: Reason::Number,
+                subject: Subject::EventLimit,
+                value: f32::from(events),
+                limit: f32::from(events.clamp(1, MAX_EVENT_LIMIT)),
+                allowed: "1 to 128",
+            });
+        }
         let bytes = self.bytes_per_second(mode);
         if bytes > self.line_rate {
             return Err(Trouble {
@@ -127,6 +137,7 @@ impl Setup {
         Settings {
             evolution: mode.evolution,
             tolerance: mode.tolerance,
+            event_limit: mode.event_limit,
             limits: Limits {
                 period_us,
                 ..self.limits

@@ -3,23 +3,15 @@
 use crate::beside::{Beside, assert_same};
 use crate::board::{Board, Chip, F405, MICROBIT};
 use crate::client::{Said, hand_path};
-use stiction_core::frame::{Command, Mode, NumberType, Pose, Stepping};
-use stiction_core::{Evolution, Fixed, Real};
+use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
+use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real};
 
 const SAMPLES: u32 = 3_000;
 /// Samples on their way at once.
 const WINDOW: usize = 5;
 
-/// The poses of a board along a path, a step with every sample; and its counts at the end.
-fn poses(board: &mut Board, evolution: Evolution) -> Vec<Pose> {
-    let mode = Mode {
-        evolution,
-        stepping: Stepping::PerSample,
-        health_every: 0,
-        events: false,
-        ..board.info().mode
-    };
-    board.done(Command::Mode(mode));
+/// The poses of a board along a path, a step with every sample.
+fn poses(board: &mut Board) -> Vec<Pose> {
     let mut poses = Vec::new();
     for (sent, hand) in hand_path(SAMPLES).into_iter().enumerate() {
         board.send(Command::Hand(hand));
@@ -40,26 +32,45 @@ fn next_pose(board: &mut Board) -> Pose {
     })
 }
 
-fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType, evolution: Evolution) {
+/// As it works after power-up, and in the other evolution with all events.
+fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType) {
     let Some(mut board) = Board::start(chip) else {
         return;
     };
     assert_eq!(board.info().number, number);
-    let poses = poses(&mut board, evolution);
-    let mut beside = Beside::<R>::new(evolution);
-    for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
-        assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name));
+    let own = Mode {
+        stepping: Stepping::PerSample,
+        health_every: 0,
+        events: false,
+        ..board.info().mode
+    };
+    let other = Mode {
+        evolution: match own.evolution {
+            Evolution::Path => Evolution::Frame,
+            Evolution::Frame => Evolution::Path,
+        },
+        event_limit: MAX_EVENT_LIMIT,
+        ..own
+    };
+    for mode in [own, other] {
+        board.done(Command::Reset(Reset::Body));
+        board.done(Command::Mode(mode));
+        let mut beside = Beside::<R>::new(&mode);
+        let poses = poses(&mut board);
+        for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
+            assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name));
+        }
+        let (same, evolution) = (poses.len(), mode.evolution);
+        println!("{}: {same} of {SAMPLES} poses, {evolution:?}", chip.name);
     }
-    let same = poses.len();
-    println!("{}: {same} of {SAMPLES} poses, {evolution:?}", chip.name);
 }
 
 #[test]
 fn poses_of_the_f405_are_those_of_f32() {
-    same_bits::<f32>(&F405, NumberType::F32, Evolution::Path);
+    same_bits::<f32>(&F405, NumberType::F32);
 }
 
 #[test]
 fn poses_of_the_microbit_are_those_of_fixed() {
-    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, Evolution::Path);
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed);
 }

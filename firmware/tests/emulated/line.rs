@@ -131,7 +131,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
     let (mut out, mut back) = (Random(6), Random(7));
     // What the board says, before the line damages it, and after.
     let (mut at_board, mut beyond) = (Client::new(), Client::new());
-    let mut beside = Beside::<R>::new(mode.evolution);
+    let mut beside = Beside::<R>::new(&mode);
     let mut sent: HashMap<u32, Pose> = HashMap::new();
     let mut accepted = 0;
     for number in 0..frames {

@@ -1,8 +1,8 @@
 //! The solver of the board's scene on this machine, and whether a pose of the board has its bits.
 
 use crate::client::BOX;
-use stiction_core::frame::Pose;
-use stiction_core::{Event, Evolution, Hand, Output, Real, Scene, Solver, State};
+use stiction_core::frame::{Mode, Pose};
+use stiction_core::{Event, Hand, Output, Real, Scene, Solver, State};
 
 /// The solver of the board's scene, beside it.
 pub(crate) struct Beside<R: Real> {
@@ -11,10 +11,12 @@ pub(crate) struct Beside<R: Real> {
 }
 
 impl<R: Real<Si = f32>> Beside<R> {
-    pub(crate) fn new(evolution: Evolution) -> Self {
+    pub(crate) fn new(mode: &Mode) -> Self {
         let scene: Scene<R, 8, 4> = Scene::new(&BOX).unwrap();
         Self {
-            solver: Solver::new(scene, evolution),
+            solver: Solver::new(scene, mode.evolution)
+                .with_tolerance(mode.tolerance)
+                .with_event_limit(mode.event_limit),
             state: None,
         }
     }

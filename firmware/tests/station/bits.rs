@@ -27,7 +27,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
     assert!(rig.line.to_board.is_empty());
     let poses = rig.poses();
     assert_eq!(poses.len(), hands.len());
-    let mut beside = Beside::<R>::new(evolution);
+    let mut beside = Beside::<R>::new(rig.station.mode());
     for (i, (pose, hand)) in poses.iter().zip(&hands).enumerate() {
         assert_same(pose, &beside.step(*hand), &format!("sample {i}"));
         assert_eq!(pose.sample, first.wrapping_add(i as u8));
@@ -56,7 +56,7 @@ fn every_sample_is_stepped_bit_for_bit() {
 #[test]
 fn with_ticks_the_newest_sample_counts_and_the_others_are_late() {
     let mut rig = Rig::<f32>::new();
-    let mut beside = Beside::<f32>::new(Evolution::Path);
+    let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let hands = hand_path(1_200);
     let (mut late, mut last) = (0, None);
     for (i, group) in hands.chunks(3).enumerate() {
@@ -101,7 +101,7 @@ fn forces_and_events_are_those_of_the_step() {
         ..Mode::DEFAULT
     });
     rig.client.heard.clear();
-    let mut beside = Beside::<f32>::new(Evolution::Path);
+    let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let (mut poses, mut forces, mut events) = (0, 0, 0);
     // The tick of the command was the first step in the mode.
     for (i, hand) in (2_u32..).zip(hand_path(900)) {
@@ -159,7 +159,7 @@ fn what_happened_between_two_poses_is_told_with_the_next() {
         health_every: 0,
         ..Mode::DEFAULT
     });
-    let mut beside = Beside::<f32>::new(Evolution::Path);
+    let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     let mut happened = Vec::new();
     for hand in hand_path(1_000) {
         rig.hand(hand);

@@ -488,7 +488,7 @@ fn reset_of_everything_is_power_up() {
     let next = rig.heard();
     assert_ne!(replied, 0);
     assert!(!next.is_empty());
-    let mut beside = Beside::<f32>::new(Evolution::Path);
+    let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     rig.hand(deep());
     assert_same(&rig.pose(), &beside.step(deep()), "power-up");
 }

@@ -6,8 +6,8 @@ use crate::client::{Client, Said, hand_path};
 use crate::random::{Random, garbled};
 use crate::rig::Rig;
 use std::collections::HashMap;
+use stiction_core::Hand;
 use stiction_core::frame::{Command, Mode, Stepping};
-use stiction_core::{Evolution, Hand};
 
 /// The number of a sample comes back as the depth of its pose: so every pose that is accepted can be told.
 fn numbered(hand: Hand<f32>, number: u32) -> Hand<f32> {
@@ -29,7 +29,7 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
     let mut random = Random(seed);
     let path = hand_path(5_000);
     let hand = |number: u32| numbered(path[number as usize % path.len()], number);
-    let mut beside = Beside::<f32>::new(Evolution::Path);
+    let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     // What the board says, before the line to the client.
     let mut at_board = Client::new();
     let (mut stepped, mut told) = (0_u32, HashMap::new());

@@ -77,6 +77,21 @@ fn tolerances_from_0_to_a_hundredth() {
 }
 
 #[test]
+fn event_limits_from_1_to_128() {
+    let mut rig = Rig::<f32>::new();
+    let mode = |event_limit| Mode {
+        event_limit,
+        ..Mode::DEFAULT
+    };
+    let subject = Subject::EventLimit;
+    refused(&mut rig, mode(0), (Reason::Number, subject, 0.0, 1.0));
+    refused(&mut rig, mode(129), (Reason::Number, subject, 129.0, 128.0));
+    for event_limit in [1, 8, 128] {
+        rig.mode(mode(event_limit));
+    }
+}
+
+#[test]
 fn poses_forces_and_health_must_fit_the_line() {
     let mut rig = Rig::<f32>::new();
     let health = 74.0;

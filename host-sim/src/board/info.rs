@@ -76,7 +76,13 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
     let events = if mode.events { "yes" } else { "no" };
     let [x, y] = mode.plane.map(axis);
     [
-        ("evolution", format!("{evolution}, {tolerance}")),
+        (
+            "evolution",
+            format!(
+                "{evolution}, {tolerance}, at most {} events in a step",
+                mode.event_limit
+            ),
+        ),
         ("stepping", mode.stepping.name().to_owned()),
         ("tracker's plane", format!("{x}{y}")),
         (

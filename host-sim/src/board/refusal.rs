@@ -52,6 +52,7 @@ fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
         Subject::TickRate => return Some("the tick rate".to_owned()),
         Subject::LineRate => return Some("the load of the line".to_owned()),
         Subject::Tolerance => return Some("the tolerance".to_owned()),
+        Subject::EventLimit => return Some("the event limit".to_owned()),
         Subject::Scene(parameter) => parameter,
     };
     let surface = match parameter {
@@ -74,6 +75,7 @@ const fn unit(subject: Subject) -> &'static str {
         Subject::TickRate => " Hz",
         Subject::LineRate => " bytes per second",
         Subject::Tolerance => " rad",
+        Subject::EventLimit => " events",
         Subject::Scene(parameter) => match parameter {
             Parameter::Weight => " N",
             Parameter::Reach

@@ -26,6 +26,8 @@ pub(super) struct Setup<'a> {
     pub(super) evolution: Evolution,
     /// Of the solver (rad).
     pub(super) tolerance: f32,
+    /// Events of a step, instead of those that the board has.
+    pub(super) events: Option<u8>,
     /// Ticks per second (Hz), instead of those that the board has.
     pub(super) tick: Option<u16>,
     /// The board keeps the scene that it has.
@@ -79,7 +81,8 @@ impl Setup<'_> {
         surfaces.map(|surface| surface.name.clone()).collect()
     }
 
-    fn mode(&self, about: &About) -> Mode {
+    /// How the board is to work.
+    pub(super) fn mode(&self, about: &About) -> Mode {
         Mode {
             evolution: self.evolution,
             stepping: match self.per_sample {
@@ -93,6 +96,7 @@ impl Setup<'_> {
             forces_every: 1,
             health_every: HEALTH_EVERY,
             tolerance: self.tolerance,
+            event_limit: self.events.unwrap_or(about.mode.event_limit),
         }
     }
 

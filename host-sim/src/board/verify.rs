@@ -2,10 +2,8 @@
 
 use std::fmt;
 
-use stiction_core::frame::{EventSet, NumberType};
-use stiction_core::{
-    Contact, Evolution, Fixed, Hand, Model, Output, Parts, Real, Solver, State, Wrench,
-};
+use stiction_core::frame::{EventSet, Mode, NumberType};
+use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, Solver, State, Wrench};
 
 use super::heard::About;
 use super::steps::Step;
@@ -55,17 +53,16 @@ impl<R: Real<Si = f32>, M: Model> Twin for Host<R, M> {
 pub(super) fn twin(
     about: &About,
     scene: &SceneFile,
-    evolution: Evolution,
-    tolerance: f32,
+    mode: &Mode,
 ) -> Result<Box<dyn Twin>, InputError> {
-    let of = (scene, evolution, tolerance);
+    let of = (scene, mode);
     match about.number {
         NumberType::F32 => with_model::<f32>(about, of),
         NumberType::Fixed => with_model::<Fixed>(about, of),
     }
 }
 
-type Setting<'a> = (&'a SceneFile, Evolution, f32);
+type Setting<'a> = (&'a SceneFile, &'a Mode);
 
 fn with_model<R: Real<Si = f32> + 'static>(
     about: &About,
@@ -83,9 +80,11 @@ where
 }
 
 fn host<R: Real<Si = f32> + 'static, M: Model>(
-    (scene, evolution, tolerance): Setting<'_>,
+    (scene, mode): Setting<'_>,
 ) -> Result<Box<dyn Twin>, InputError> {
-    let solver = Solver::new(scene.scene_in::<R, M>()?, evolution).with_tolerance(tolerance);
+    let solver = Solver::new(scene.scene_in::<R, M>()?, mode.evolution)
+        .with_tolerance(mode.tolerance)
+        .with_event_limit(mode.event_limit);
     Ok(Box::new(Host {
         solver,
         state: None,

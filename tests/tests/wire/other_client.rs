@@ -71,6 +71,7 @@ const INFO: Info<'_> = Info {
         forces_every: 0,
         health_every: 0,
         tolerance: 0.0,
+        event_limit: 8,
     },
     name: Text::new("a socket"),
 };

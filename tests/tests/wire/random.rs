@@ -78,6 +78,7 @@ impl Random {
             forces_every: self.half(),
             health_every: self.half(),
             tolerance: self.float(),
+            event_limit: self.byte(),
         }
     }
     fn subject(&mut self) -> Subject {
@@ -87,6 +88,7 @@ impl Random {
             Subject::TickRate,
             Subject::LineRate,
             Subject::Tolerance,
+            Subject::EventLimit,
             Subject::Scene(Parameter::VertexCount),
             Subject::Scene(Parameter::Vertex(i)),
             Subject::Scene(Parameter::Start),

@@ -157,7 +157,8 @@ impl Said {
         self.int("pose_every", mode.pose_every)
             .int("forces_every", mode.forces_every);
         self.int("health_every", mode.health_every)
-            .float("tolerance", mode.tolerance);
+            .float("tolerance", mode.tolerance)
+            .int("event_limit", mode.event_limit);
     }
 
     fn report(&mut self, report: &Report<'_>) {
@@ -296,6 +297,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Subject::TickRate => return (32, [0; 2]),
         Subject::LineRate => return (33, [0; 2]),
         Subject::Tolerance => return (34, [0; 2]),
+        Subject::EventLimit => return (35, [0; 2]),
         Subject::Scene(parameter) => parameter,
     };
     match parameter {

@@ -29,10 +29,10 @@ mod scene {
 mod app {
     use crate::board::{self, Board, Clock, Uart, Watchdog};
     use crate::log::info;
-    use crate::scene::{CompiledScene, EVOLUTION, SCENE};
+    use crate::scene::{CompiledScene, SCENE};
     use nrf51_hal::pac::Interrupt;
-    use stiction_core::Fixed;
     use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
+    use stiction_core::{Evolution, Fixed};
     use stiction_firmware::ring::Ring;
     use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
@@ -41,13 +41,8 @@ mod app {
     const V: usize = 8;
     /// Room for so many surfaces.
     const S: usize = 2;
-    /// Ticks of a second: 995 of 1000 take less than 70 % of their time. A step with a dozen slips takes longer than a tick;
-    /// two that are missed for it leave the force as it is.
+    /// Ticks of a second.
     const RATE: u16 = 250;
-    const LIMITS: Limits = Limits {
-        missed_ticks: 2,
-        ..Limits::DEFAULT
-    };
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
@@ -56,10 +51,10 @@ mod app {
         number: NumberType::Fixed,
         line_rate: board::BAUD / 10,
         fastest_tick: 500,
-        limits: LIMITS,
+        limits: Limits::DEFAULT,
         passivity: None,
         mode: Mode {
-            evolution: EVOLUTION,
+            evolution: Evolution::Frame,
             tick_rate: RATE,
             ..Mode::DEFAULT
         },

@@ -40,6 +40,8 @@ mod app {
     const V: usize = 8;
     /// Room for so many surfaces.
     const S: usize = 4;
+    /// Of a step: with these the worst tick stays below 30 % of its time.
+    const EVENTS: u8 = 8;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<f32, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
@@ -52,6 +54,7 @@ mod app {
         passivity: None,
         mode: Mode {
             evolution: EVOLUTION,
+            event_limit: EVENTS,
             ..Mode::DEFAULT
         },
         scene: SCENE,
