@@ -63,8 +63,8 @@ fn the_motors_do_the_work_that_the_hand_is_told() {
         let torques = bed.torques();
         bed.place(way(i));
         let now = (bed.angles(), reference(&GEOMETRY, bed.angles()));
-        for joint in 0..3 {
-            motors += torques[joint] * (now.0[joint] - before.0[joint]);
+        for (torque, (to, from)) in torques.iter().zip(now.0.iter().zip(before.0)) {
+            motors += torque * (to - from);
         }
         let [dx, dy, dphi] = std::array::from_fn(|k| now.1[k] - before.1[k]);
         let [fx, fy] = force.force.map(f64::from);
