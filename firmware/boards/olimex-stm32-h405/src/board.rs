@@ -103,8 +103,7 @@ impl Board {
                 duties: (a.pa8, a.pa9, a.pa10),
                 directions: (b.pb12, b.pb13, b.pb14),
             };
-            let at_home = is_switched_on(&rcc);
-            match parts.start(&mut rcc, at_home) {
+            match parts.start(&mut rcc) {
                 Ok(own) => own,
                 Err(_) => stop(),
             }
@@ -134,17 +133,6 @@ fn prime(rcc: &pac::RCC) {
             .modify(|r, w| w.bits(r.bits() | HSIRDY_HSERDY_PLLRDY));
         rcc.cfgr().modify(|r, w| w.bits(r.bits() | SWS_PLL));
     }
-}
-
-/// It was switched on, or reset by hand, in its home position as device.rs has it. After a reset by the watchdog, which is
-/// remembered until the power goes, the mechanism may be anywhere.
-#[cfg(feature = "pantograph")]
-fn is_switched_on(rcc: &pac::RCC) -> bool {
-    let is_on = rcc.csr().read().wdgrstf().bit_is_clear();
-    if !is_on {
-        error!("stopped before: no force until it is switched on again in its home position");
-    }
-    is_on
 }
 
 /// Ticks, and time from a counter of its own: SysTick alone cannot tell how many ticks were missed.

@@ -1,6 +1,7 @@
 //! The pantograph at the pins of this board: encoders at three timers and a hold switch in, PWM and direction pins out.
 
 use crate::device::{GEOMETRY, MOTORS};
+use crate::log::error;
 use stiction_firmware::pantograph::{Counters, GeometryError, Motor, Pantograph};
 use stm32f4xx_hal::gpio::{Input, Output, PA1, PA5, PA6, PA7, PA8, PA9, PA10, Pull};
 use stm32f4xx_hal::gpio::{PB6, PB7, PB12, PB13, PB14, PB15};
@@ -38,6 +39,7 @@ pub(crate) struct Encoders {
     right: Qei<TIM3>,
     handle: Qei<TIM4>,
     hold: PB15<Input>,
+    /// Otherwise nobody knows where the mechanism is, and it never gives force.
     at_home: bool,
 }
 
@@ -54,12 +56,11 @@ impl Counters for Encoders {
 }
 
 impl Parts {
-    /// Counters that count, and motors without torque. `at_home`: the mechanism is in its home position now; otherwise
-    /// nobody knows where it is, and it never gives force.
+    /// Counters that count, and motors without torque.
     ///
     /// # Errors
     /// Of the numbers in `src/device.rs`.
-    pub(super) fn start(self, rcc: &mut Rcc, at_home: bool) -> Result<Device, GeometryError> {
+    pub(super) fn start(self, rcc: &mut Rcc) -> Result<Device, GeometryError> {
         let (left, right, handle) = self.encoders;
         // A track that is not connected does not move.
         let left = (
@@ -79,11 +80,21 @@ impl Parts {
             right: self.counters.1.qei(right, rcc),
             handle: self.counters.2.qei(handle, rcc),
             hold: self.hold.into_pull_up_input(),
-            at_home,
+            at_home: is_at_home(rcc),
         };
         let motors = motors(self.pwm, self.duties, self.directions, rcc)?;
         Pantograph::new(&GEOMETRY, encoders, motors)
     }
+}
+
+/// It was switched on, or reset by hand, in its home position as `src/device.rs` has it. After a reset by the watchdog,
+/// which is remembered until the power goes, the mechanism may be anywhere.
+fn is_at_home(rcc: &Rcc) -> bool {
+    let at_home = rcc.csr().read().wdgrstf().bit_is_clear();
+    if !at_home {
+        error!("stopped before: no force until it is switched on again in its home position");
+    }
+    at_home
 }
 
 /// Three channels of one PWM at duty 0, their pins low also where no channel drives them.
