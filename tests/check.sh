@@ -33,6 +33,8 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-e
     for log in '' rtt semihosting; do
       cargo clippy -p "stiction-$board" --no-default-features --features "$log" --locked --target "$target" -- -D warnings
     done
+    [ "$board" = microbit ] ||
+      cargo clippy -p "stiction-$board" --features pantograph --locked --target "$target" -- -D warnings
   else
     missing "target $target" "rustup target add $target"
   fi

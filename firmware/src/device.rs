@@ -6,7 +6,7 @@
 //! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles anew where it is
 //! refusal.rs     why something cannot be used
 //! store.rs       the scene as it was given, kept for that
-//! ports.rs       what a board implements: Source of samples, Actuators
+//! ports.rs       what a board is to it: Source of samples, Actuators
 //! ```
 //!
 //! ```
@@ -52,5 +52,5 @@ mod store;
 
 pub use change::{Parameters, Placement};
 pub use controller::{Controller, Pose, Settings, Tick};
-pub use ports::{Actuators, NoActuators, Sample, Source, run_tick};
+pub use ports::{Actuators, FromLine, NoActuators, Outage, Sample, Source};
 pub use refusal::Refusal;

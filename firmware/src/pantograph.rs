@@ -32,15 +32,15 @@ pub use geometry::{
 pub use kinematics::{Configuration, Fault, Kinematics};
 pub use motor::{Motor, MotorFault};
 
-use crate::device::{Actuators, Sample, Source};
+use crate::device::{Actuators, Outage, Sample, Source};
 use embedded_hal::digital::OutputPin;
 use embedded_hal::pwm::SetDutyCycle;
 use stiction_core::{Hand, Wrench};
 
 /// The three 16-bit counters of the quadrature encoders and the hold switch.
 pub trait Counters {
-    /// The counts as they are: left joint, right joint, handle.
-    fn counts(&mut self) -> [u16; 3];
+    /// The counts as they are: left joint, right joint, handle; none where they cannot be read.
+    fn counts(&mut self) -> Option<[u16; 3]>;
     /// The hold switch is on.
     fn held(&mut self) -> bool;
 }
@@ -54,11 +54,22 @@ pub enum NoForce {
     Motor(MotorFault),
 }
 
+impl From<NoForce> for Outage {
+    /// The mechanism may be moved to where it gives force again.
+    fn from(fault: NoForce) -> Self {
+        match fault {
+            NoForce::Mechanism(_) => Self::Passing,
+            NoForce::Motor(_) => Self::Lasting,
+        }
+    }
+}
+
 /// A pantograph: its kinematics, encoders and motors.
 #[derive(Debug)]
 pub struct Pantograph<C, M> {
     kinematics: Kinematics,
-    joints: Joints,
+    /// None where the home position is not known.
+    joints: Option<Joints>,
     counters: C,
     motors: M,
     configuration: Result<Configuration, Fault>,
@@ -77,13 +88,15 @@ pub trait Motors {
 }
 
 impl<C: Counters, M: Motors> Pantograph<C, M> {
-    /// A device in its home position: that in which every joint is at its encoder's offset.
+    /// A device in its home position: that in which every joint is at its encoder's offset. Without counts that can be
+    /// read there it never knows where it is, and gives neither samples nor force.
     ///
     /// # Errors
     /// [`GeometryError`] names the first parameter that is not finite or out of its range.
     pub fn new(geometry: &Geometry, mut counters: C, motors: M) -> Result<Self, GeometryError> {
         let kinematics = Kinematics::new(geometry)?;
-        let joints = Joints::new(geometry, counters.counts());
+        let home = counters.counts();
+        let joints = home.map(|counts| Joints::new(geometry, counts));
         Ok(Self {
             kinematics,
             joints,
@@ -98,14 +111,21 @@ impl<C: Counters, M: Motors> Pantograph<C, M> {
     pub fn configuration(&self) -> Result<&Configuration, Fault> {
         self.configuration.as_ref().map_err(|&fault| fault)
     }
+
+    /// The configuration as the counters show it now.
+    fn measure(&mut self) -> Result<Configuration, Fault> {
+        let joints = self.joints.as_mut().ok_or(Fault::NotRead)?;
+        joints.update(self.counters.counts().ok_or(Fault::NotRead)?);
+        self.kinematics.solve(&joints.angles())
+    }
 }
 
 impl<C: Counters, M: Motors> Source for Pantograph<C, M> {
-    /// The hand where the mechanism is. None where that cannot be told: silence, when it lasts.
+    const MEASURES: bool = true;
+
     fn sample(&mut self, now_us: u32) -> Option<Sample> {
-        self.joints.update(self.counters.counts());
+        self.configuration = self.measure();
         let held = self.counters.held();
-        self.configuration = self.kinematics.solve(&self.joints.angles());
         let configuration = self.configuration.as_ref().ok()?;
         self.number = self.number.wrapping_add(1);
         Some(Sample {

@@ -1,21 +1,23 @@
 //! The program of a board, free of hardware: bytes that came in, commands and samples out of them, a step, a safe force for
-//! the hand, and reports. All of it happens in the tick; a board gives the time, a line ([`Link`]) and what it is
-//! ([`Setup`]).
+//! the hand, and reports. All of it happens in the tick; a board gives the time, a line ([`Link`]), its device
+//! ([`Source`], [`Actuators`]) and what it is ([`Setup`]).
 //!
 //! ```text
-//!             +------------------------- tick(now, link) -> force ------------------------+
-//! link.take --> Decoder -- samples --> intake.rs --> Controller --> forces, flags         |
-//!             |     |  the tracker's plane, who is overtaken |                            |
-//!             |     +---- commands --> command.rs            +--> report.rs: pose, forces,
-//!             |                        | refusal.rs               events, health          |
-//!             |                        v                                |                 |
-//! link.send <-------------------- outbox.rs <---------------------------+                 |
-//!             +---------------------------------------------------------------------------+
+//!               +------------------------- tick(now, link, device) -------------------------+
+//! link.take ----> Decoder -- samples --> intake.rs --> Controller ----------------------------> device.give, off
+//!               |     |  the tracker's plane, who is overtaken |                            |
+//! device.sample ------|----- instead of those ---------^       |                            |
+//!               |     +---- commands --> command.rs            +--> report.rs: pose, forces,
+//!               |                        | refusal.rs               events, health          |
+//!               |                        v                                |                 |
+//! link.send <---------------------- outbox.rs <---------------------------+                 |
+//!               +---------------------------------------------------------------------------+
 //! setup.rs: what the board is; the modes that it has the time and the line for
 //! watch.rs: its health, for a log that is written elsewhere
 //! ```
 //!
-//! The work of a tick is bounded, whatever comes over the line: so many bytes, one command, one step.
+//! The work of a tick is bounded, whatever comes over the line: so many bytes, one command, one step. The force is with the
+//! device before anything is told of it. In the safe state the device is off.
 
 mod command;
 mod intake;
@@ -29,7 +31,7 @@ pub use outbox::Link;
 pub use setup::{SceneType, Setup};
 pub use watch::{Seen, Watch};
 
-use crate::device::{Controller, Refusal, Sample};
+use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};
 use crate::safety::Flags;
 use command::Next;
 use intake::Intake;
@@ -56,7 +58,7 @@ struct Desk<R: Real, const V: usize, const S: usize, M: Model> {
     mode: Mode,
     bytes_per_tick: u32,
     intake: Intake,
-    /// Samples that went to the control loop.
+    /// Samples of the line that went to the control loop.
     stepped: u16,
     told: Told,
     outbox: Outbox,
@@ -99,11 +101,17 @@ where
         })
     }
 
-    /// One tick, at a time (µs, wrapping) of the board's clock. The force (N) and moment (N·m) for the hand, world frame.
-    pub fn tick(&mut self, now_us: u32, link: &mut impl Link) -> Wrench<f32> {
+    /// One tick, at a time (µs, wrapping) of the board's clock: the hand's force goes to the device. What it was given:
+    /// force (N) and moment (N·m), world frame.
+    pub fn tick<D: Source + Actuators>(
+        &mut self,
+        now_us: u32,
+        link: &mut impl Link,
+        device: &mut D,
+    ) -> Wrench<f32> {
         let begun = link.now_ns();
-        self.listen(now_us, link);
-        let force = self.desk.step(now_us, link);
+        self.listen::<D>(now_us, link);
+        let force = self.desk.step(now_us, link, device);
         self.desk.tell_health(self.decoder.faults(), now_us, link);
         let took = link.now_ns().wrapping_sub(begun);
         self.desk.worst_tick = self.desk.worst_tick.max(took);
@@ -111,13 +119,13 @@ where
     }
 
     /// Takes bytes until there is enough for one tick.
-    fn listen(&mut self, now_us: u32, link: &mut impl Link) {
+    fn listen<D: Source>(&mut self, now_us: u32, link: &mut impl Link) {
         for _ in 0..self.desk.bytes_per_tick {
             let Some(byte) = link.take() else { return };
             let Some(received) = self.decoder.push(byte) else {
                 continue;
             };
-            match self.desk.receive(received, now_us, link) {
+            match self.desk.receive::<D>(received, now_us, link) {
                 Next::More => {}
                 Next::Enough => return,
                 Next::Anew => {
@@ -126,11 +134,6 @@ where
                 }
             }
         }
-    }
-
-    /// The actuators did not give the force of the last tick: there is none from now on, until everything is reset.
-    pub fn fault(&mut self) {
-        self.desk.latched = true;
     }
 
     /// How the board works now; its timer follows the tick rate.
@@ -151,7 +154,7 @@ where
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
     /// A frame came, or something that is none.
-    fn receive(
+    fn receive<D: Source>(
         &mut self,
         received: Result<Frame<Command<'_>>, Fault>,
         now_us: u32,
@@ -166,6 +169,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         }
         self.intake.follow(frame.sequence);
         match &frame.message {
+            Command::Hand(_) | Command::Tracker(_) if D::MEASURES => {
+                return self.refuse_sample(&frame, now_us, link);
+            }
             Command::Hand(hand) => self.intake.hand(*hand, frame.sequence),
             Command::Tracker(sample) => self.intake.tracker(sample, frame.sequence),
             _ => return self.command(&frame, now_us, link),
@@ -190,25 +196,23 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         }
     }
 
-    /// The sample that waits through the solver, the force through the safety, and both to the client.
-    fn step(&mut self, now_us: u32, link: &mut impl Link) -> Wrench<f32> {
-        let arrived = self.intake.take();
-        let sample = arrived.map(|arrived| {
-            self.stepped = self.stepped.wrapping_add(1);
-            self.told.follows(arrived.sequence);
-            Sample {
-                hand: arrived.hand,
-                number: self.stepped,
-                received_us: now_us,
-            }
-        });
+    /// The sample of this tick through the solver, the force through the safety to the device, both to the client.
+    fn step<D: Source + Actuators>(
+        &mut self,
+        now_us: u32,
+        link: &mut impl Link,
+        device: &mut D,
+    ) -> Wrench<f32> {
+        let sample = if D::MEASURES {
+            self.measured(device.sample(now_us))
+        } else {
+            self.arrived(now_us)
+        };
         let begun = link.now_ns();
         let mut tick = self.controller.tick(now_us, sample.as_ref());
         let took = link.now_ns().wrapping_sub(begun);
         self.controller.measured(took);
-        if self.latched {
-            self.controller.actuator_fault(&mut tick);
-        }
+        self.give(&mut tick, device);
         self.flags = tick.flags;
         if let Some(output) = &tick.output {
             self.happened(output, now_us, link);
@@ -217,5 +221,43 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             self.tell_step(&tick, now_us, link);
         }
         tick.force
+    }
+
+    /// The sample that waits.
+    fn arrived(&mut self, now_us: u32) -> Option<Sample> {
+        let arrived = self.intake.take()?;
+        self.stepped = self.stepped.wrapping_add(1);
+        self.told.follows(arrived.sequence);
+        Some(Sample {
+            hand: arrived.hand,
+            number: self.stepped,
+            received_us: now_us,
+        })
+    }
+
+    /// The device's own sample.
+    fn measured(&mut self, sample: Option<Sample>) -> Option<Sample> {
+        let sample = sample?;
+        let [number, _] = sample.number.to_le_bytes();
+        self.intake.measured();
+        self.told.follows(number);
+        Some(sample)
+    }
+
+    /// The force of a tick to the device. In the safe state it is off, and after a fault that lasts.
+    fn give(&mut self, tick: &mut Tick, device: &mut impl Actuators) {
+        let failed = if self.latched || tick.flags.is_safe_state() {
+            device.off();
+            self.latched
+        } else if let Err(fault) = device.give(&tick.force) {
+            device.off();
+            self.latched = fault.into() == Outage::Lasting;
+            true
+        } else {
+            false
+        };
+        if failed {
+            self.controller.actuator_fault(tick);
+        }
     }
 }

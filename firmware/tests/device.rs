@@ -1,13 +1,10 @@
 //! The control loop: silence, drop-outs, recovery, counters, and changes in mid-contact.
 
 use stiction_core::{
-    Angle, Description, Evolution, Fixed, Hand, Model, Real, Scene, Solver, StateKind, Status,
+    Angle, Description, Evolution, Fixed, Hand, Real, Scene, Solver, StateKind, Status,
     SurfaceDescription, Wrench,
 };
-use stiction_firmware::device::{
-    Actuators, Controller, NoActuators, Parameters, Placement, Refusal, Sample, Settings, Source,
-    run_tick,
-};
+use stiction_firmware::device::{Controller, Parameters, Placement, Refusal, Sample, Settings};
 use stiction_firmware::safety::{LimitParameter, Limits, Passivity};
 
 const FLOOR: SurfaceDescription<f32> = SurfaceDescription {
@@ -604,68 +601,4 @@ fn a_released_body_gives_no_force_and_keeps_its_pose() {
     assert_eq!(taken.pose.position, before.pose.position);
     assert_eq!(taken.output.unwrap().status, Status::Ok);
     assert_eq!(bench.tick(None).force, Wrench::default());
-}
-
-/// Samples without end; actuators that fail when told so.
-struct Rig {
-    number: u16,
-    broken: bool,
-    given: Vec<Wrench<f32>>,
-    off: u32,
-}
-
-impl Source for Rig {
-    fn sample(&mut self, now_us: u32) -> Option<Sample> {
-        self.number += 1;
-        Some(Sample {
-            hand: deep(),
-            number: self.number,
-            received_us: now_us,
-        })
-    }
-}
-
-impl Actuators for Rig {
-    type Fault = &'static str;
-
-    fn give(&mut self, wrench: &Wrench<f32>) -> Result<(), Self::Fault> {
-        self.given.push(*wrench);
-        if self.broken { Err("broken") } else { Ok(()) }
-    }
-    fn off(&mut self) {
-        self.off += 1;
-    }
-}
-
-fn ticked<M: Model>(controller: &mut Controller<f32, 4, 2, M>, rig: &mut Rig, ticks: u32) {
-    for i in 0..ticks {
-        run_tick(controller, rig, i * 1_000);
-    }
-}
-
-#[test]
-fn actuators_that_fail_are_turned_off_and_counted() {
-    let mut controller = Device::<f32>::new(&BOX, &Settings::default()).unwrap();
-    let mut rig = Rig {
-        number: 0,
-        broken: false,
-        given: Vec::new(),
-        off: 0,
-    };
-    ticked(&mut controller, &mut rig, 100);
-    assert!(size(rig.given.last().unwrap()) > 2.0 && rig.off == 0);
-    rig.broken = true;
-    let tick = run_tick(&mut controller, &mut rig, 100_000);
-    assert!(tick.flags.actuator_fault && tick.force == Wrench::default() && rig.off == 1);
-    assert_eq!(controller.health().actuator_faults, 1);
-    rig.broken = false;
-    let tick = run_tick(&mut controller, &mut rig, 101_000);
-    assert!(size(&tick.force) <= 0.1 + 1e-5);
-
-    let mut pair = (rig, NoActuators);
-    assert!(
-        !run_tick(&mut controller, &mut pair, 102_000)
-            .flags
-            .is_safe_state()
-    );
 }

@@ -24,7 +24,7 @@ pub enum Reason {
     Number,
     /// The stiffness would make the haptic device unstable: b > K T / 2 does not hold.
     NotPassive,
-    /// The board has no time or no room for it.
+    /// The board has no time, no room or no use for it.
     Unsupported,
     /// Not now: the board is stopped by a fault, or another command is under way.
     NotNow,

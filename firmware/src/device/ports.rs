@@ -1,7 +1,7 @@
 //! What a board gives to the loop: samples of the hand, and something that takes forces.
 
-use super::controller::{Controller, Tick};
-use stiction_core::{Hand, Model, Real, Wrench};
+use core::convert::Infallible;
+use stiction_core::{Hand, Wrench};
 
 /// A sample of the hand as it came to the device.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -16,14 +16,27 @@ pub struct Sample {
 
 /// Where samples come from.
 pub trait Source {
-    /// The next sample, if one came since it was last asked for. Called once in every tick; must not wait.
+    /// The board measures the hand itself. Where it does not, samples come over its line.
+    const MEASURES: bool;
+
+    /// The hand as it is now; none where that cannot be told: silence, when it lasts. Called once in every tick; must not
+    /// wait.
     fn sample(&mut self, now_us: u32) -> Option<Sample>;
+}
+
+/// For how long a force cannot be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Outage {
+    /// In this tick; the next one may try again, from zero force.
+    Passing,
+    /// Until everything is reset: something is broken.
+    Lasting,
 }
 
 /// Where forces go.
 pub trait Actuators {
-    /// Why a force cannot be given.
-    type Fault;
+    /// Why a force cannot be given, and for how long.
+    type Fault: Into<Outage>;
 
     /// Gives force (N) and moment (N·m), world frame, to the hand.
     ///
@@ -34,12 +47,30 @@ pub trait Actuators {
     fn off(&mut self);
 }
 
+/// A board that does not measure the hand: samples come over its line.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FromLine;
+
+impl Source for FromLine {
+    const MEASURES: bool = false;
+
+    fn sample(&mut self, _: u32) -> Option<Sample> {
+        None
+    }
+}
+
 /// A board without motors: the force is reported only.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoActuators;
 
+impl From<Infallible> for Outage {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
+}
+
 impl Actuators for NoActuators {
-    type Fault = core::convert::Infallible;
+    type Fault = Infallible;
 
     fn give(&mut self, _: &Wrench<f32>) -> Result<(), Self::Fault> {
         Ok(())
@@ -49,6 +80,8 @@ impl Actuators for NoActuators {
 
 /// Source and actuators that are not one thing.
 impl<S: Source, A: Actuators> Source for (S, A) {
+    const MEASURES: bool = S::MEASURES;
+
     fn sample(&mut self, now_us: u32) -> Option<Sample> {
         self.0.sample(now_us)
     }
@@ -63,25 +96,4 @@ impl<S: Source, A: Actuators> Actuators for (S, A) {
     fn off(&mut self) {
         self.1.off();
     }
-}
-
-/// One tick of a device: its sample through the controller, the force to its actuators. A force that they cannot give
-/// is none, and the next one begins at zero.
-pub fn run_tick<R, const V: usize, const S: usize, M, D>(
-    controller: &mut Controller<R, V, S, M>,
-    device: &mut D,
-    now_us: u32,
-) -> Tick
-where
-    R: Real<Si = f32>,
-    M: Model,
-    D: Source + Actuators,
-{
-    let sample = device.sample(now_us);
-    let mut tick = controller.tick(now_us, sample.as_ref());
-    if device.give(&tick.force).is_err() {
-        device.off();
-        controller.actuator_fault(&mut tick);
-    }
-    tick
 }

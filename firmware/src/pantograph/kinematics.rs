@@ -8,7 +8,7 @@ use stiction_core::{Angle, Real, Wrench};
 /// Why a configuration of the mechanism cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fault {
-    /// The encoders have not been read yet.
+    /// The encoders have not been read, or cannot be.
     NotRead,
     /// The elbows are farther apart, or nearer, than the distal links reach: counts were lost.
     Unreachable,

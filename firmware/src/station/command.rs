@@ -1,4 +1,4 @@
-//! Commands (FRAME 4.3 to 4.8): carried out, or refused with the reason; what is refused changes nothing.
+//! Commands (FRAME 4.3 to 4.7): carried out, or refused with the reason; what is refused changes nothing.
 
 use super::intake::Intake;
 use super::refusal::Trouble;
@@ -64,6 +64,22 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             Command::Reset(Reset::Everything) => Next::Anew,
             _ => Next::Enough,
         }
+    }
+
+    /// A sample came to a board that measures the hand itself (FRAME 4.8): told once to a client that said hello.
+    pub(super) fn refuse_sample(
+        &mut self,
+        frame: &Frame<Command<'_>>,
+        now_us: u32,
+        link: &mut impl Link,
+    ) -> Next {
+        if self.intake.refused {
+            return Next::More;
+        }
+        let allowed = "no samples: the board measures the hand itself";
+        let reply = Trouble::whole(Reason::Unsupported, allowed).reply(frame.reference());
+        self.intake.refused = self.outbox.send(now_us, Report::Reply(reply), link);
+        Next::Enough
     }
 
     /// Carries a command out. What the body did with it, if there was one.

@@ -1,4 +1,4 @@
-//! Samples on their way in (FRAME 4.1, 4.2): from the plane of the mode and the frames that came to the one sample that a
+//! Samples on their way in (FRAME 4.1, 4.2, 4.8): from the plane of the mode and the frames that came to the one sample that a
 //! step is made with, and the counts of those that were overtaken or lost.
 
 use stiction_core::frame::{Mode, Sequence};
@@ -29,6 +29,8 @@ pub(super) struct Intake {
     projection: Option<Projection<f32>>,
     waiting: Option<Arrived>,
     sequence: Sequence,
+    /// A client that sends samples to a board that measures them itself was told so.
+    pub(super) refused: bool,
     /// Samples that came.
     pub(super) samples: u32,
     /// Samples that no step was made with.
@@ -44,6 +46,7 @@ impl Intake {
             projection: Projection::new(mode.plane),
             waiting: None,
             sequence: Sequence::new(),
+            refused: false,
             samples: 0,
             late: 0,
             lost: 0,
@@ -53,6 +56,7 @@ impl Intake {
     /// A client comes: the gap before its first frame is none.
     pub(super) fn greet(&mut self) {
         self.sequence = Sequence::new();
+        self.refused = false;
     }
 
     /// A frame with this sequence number came.
@@ -66,6 +70,11 @@ impl Intake {
         self.samples = self.samples.saturating_add(1);
         self.drop_waiting();
         self.waiting = Some(Arrived { hand, sequence });
+    }
+
+    /// The device measured a sample.
+    pub(super) fn measured(&mut self) {
+        self.samples = self.samples.saturating_add(1);
     }
 
     /// A sample of a tracker came. Its turns are counted with every one, the overtaken ones too.

@@ -10,6 +10,7 @@ use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command as Process, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Health};
 
@@ -25,6 +26,8 @@ pub(crate) struct Chip {
     pub(crate) name: &'static str,
     /// QEMU's name of it.
     machine: &'static str,
+    /// Of its package.
+    features: &'static str,
     /// Serial lines before the one that is used.
     unused_lines: usize,
     /// An instruction takes 2^N ns: near to what it takes on the chip.
@@ -34,13 +37,21 @@ pub(crate) struct Chip {
 pub(crate) const F405: Chip = Chip {
     name: "olimex-stm32-h405",
     machine: "olimex-stm32-h405",
+    features: "",
     unused_lines: 1,
     shift: 3,
+};
+
+/// With a device of its own.
+pub(crate) const PANTOGRAPH: Chip = Chip {
+    features: "pantograph",
+    ..F405
 };
 
 pub(crate) const MICROBIT: Chip = Chip {
     name: "microbit",
     machine: "microbit",
+    features: "",
     unused_lines: 0,
     shift: 6,
 };
@@ -48,19 +59,27 @@ pub(crate) const MICROBIT: Chip = Chip {
 impl Chip {
     /// The release image without logs; nothing where something is missing.
     pub(crate) fn image(&self) -> Option<Image> {
+        /// Built once. Images of one board with different features have the same place: each is copied to one of its own.
+        static BUILT: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
         self.installed()?;
+        let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+        let place = folder.join(format!("{}-{}.elf", self.name, self.features));
+        if !built.contains(&place) {
+            fs::copy(self.built()?, &place).unwrap();
+            built.push(place.clone());
+        }
+        Some(Image::of(place))
+    }
+
+    fn built(&self) -> Option<PathBuf> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join("boards")
             .join(self.name);
         // Cargo of the test sets what is not for this one.
         let output = Process::new("cargo")
-            .args([
-                "build",
-                "--profile",
-                "device",
-                "--no-default-features",
-                "--locked",
-            ])
+            .args(["build", "--profile", "device", "--locked"])
+            .args(["--no-default-features", "--features", self.features])
             .arg("--message-format=json-render-diagnostics")
             .current_dir(folder)
             .env_remove("STICTION_SCENE")
@@ -79,7 +98,7 @@ impl Chip {
         assert!(output.status.success(), "{errors}");
         let (_, path) = said.rsplit_once("\"executable\":\"").expect("an image");
         let (path, _) = path.split_once('"').unwrap();
-        Some(Image::of(path.into()))
+        Some(path.into())
     }
 
     fn installed(&self) -> Option<()> {

@@ -8,10 +8,10 @@ use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};
 use toml::Table;
 
 /// Of a board: its part of the file.
-struct Budget(Table);
+pub(crate) struct Budget(Table);
 
 impl Budget {
-    fn of(chip: &Chip) -> Self {
+    pub(crate) fn of(chip: &Chip) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("budgets.toml");
         let text = fs::read_to_string(path).unwrap();
         let all: Table = text.parse().unwrap();
@@ -19,7 +19,7 @@ impl Budget {
     }
 
     /// The figure is within its budget.
-    fn holds(&self, what: &str, figure: u64) {
+    pub(crate) fn holds(&self, what: &str, figure: u64) {
         let most = u64::try_from(self.0[what].as_integer().unwrap()).unwrap();
         println!("{what}: {figure} of {most}");
         assert!(figure <= most, "{what}: {figure} of {most}");

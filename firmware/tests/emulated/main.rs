@@ -10,5 +10,6 @@ mod budgets;
 mod client;
 mod image;
 mod line;
+mod pantograph;
 #[path = "../station/random.rs"]
 mod random;

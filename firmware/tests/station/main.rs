@@ -1,12 +1,18 @@
 //! The program of a board on this machine, from what FRAME.md and statics ask of it.
 
+mod bed;
+#[path = "../pantograph/bench.rs"]
+mod bench;
 mod beside;
 mod bits;
 mod client;
 mod commands;
+#[path = "../../boards/olimex-stm32-h405/src/device.rs"]
+mod example;
 mod faulty_line;
 mod flood;
 mod modes;
+mod pantograph;
 mod random;
 mod rig;
 mod silence;

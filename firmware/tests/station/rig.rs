@@ -1,4 +1,4 @@
-//! A station with a client, a line between them and a clock, all on this machine.
+//! A station with a client, a line between them, a device and a clock, all on this machine.
 
 use crate::client::{Answer, BOX, Client, Heard, Known, Said};
 use std::collections::VecDeque;
@@ -6,6 +6,7 @@ use stiction_core::frame::{
     Command, Health, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,
 };
 use stiction_core::{Full, Hand, Model, Real, Wrench};
+use stiction_firmware::device::{Actuators, FromLine, NoActuators, Source};
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
 
@@ -70,16 +71,30 @@ impl Link for Line {
     }
 }
 
-pub(crate) struct Rig<R: Real = f32, M: Model = Full> {
+/// No device.
+pub(crate) type Nothing = (FromLine, NoActuators);
+
+pub(crate) struct Rig<R: Real = f32, M: Model = Full, D = Nothing> {
     pub(crate) station: Station<R, V, S, M, LONGEST>,
     pub(crate) client: Client,
     pub(crate) line: Line,
+    pub(crate) device: D,
     pub(crate) now_us: u32,
     pub(crate) force: Wrench<f32>,
 }
 
 impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
     pub(crate) fn of(setup: Setup) -> Self {
+        Self::with(setup, (FromLine, NoActuators))
+    }
+
+    pub(crate) fn new() -> Self {
+        Self::of(setup())
+    }
+}
+
+impl<R: Real<Si = f32>, M: Model, D: Source + Actuators> Rig<R, M, D> {
+    pub(crate) fn with(setup: Setup, device: D) -> Self {
         Self {
             station: Station::new(Box::leak(Box::new(setup))).unwrap(),
             client: Client::new(),
@@ -90,14 +105,11 @@ impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
                 taken: 0,
                 ns: u32::MAX - 10_000,
             },
+            device,
             // The clock wraps on the way.
             now_us: u32::MAX - 50_000,
             force: Wrench::default(),
         }
-    }
-
-    pub(crate) fn new() -> Self {
-        Self::of(setup())
     }
 
     /// The command is on its way; its sequence number.
@@ -111,7 +123,9 @@ impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
     /// The next tick of the board's clock.
     pub(crate) fn tick(&mut self) -> Wrench<f32> {
         self.line.taken = 0;
-        self.force = self.station.tick(self.now_us, &mut self.line);
+        self.force = self
+            .station
+            .tick(self.now_us, &mut self.line, &mut self.device);
         let period_us = 1_000_000 / u32::from(self.station.mode().tick_rate);
         self.now_us = self.now_us.wrapping_add(period_us);
         let bytes = std::mem::take(&mut self.line.from_board);

@@ -3,7 +3,8 @@
 use crate::client::Said;
 use crate::rig::{Rig, driven};
 use stiction_core::frame::{Command, Drive, Mode, Reason, Reset};
-use stiction_core::{Hand, Status, Wrench};
+use stiction_core::{Full, Hand, Status, Wrench};
+use stiction_firmware::device::{Actuators, FromLine, Outage};
 
 const DEEP: Hand<f32> = Hand {
     position: [0.0, 0.045],
@@ -102,13 +103,68 @@ fn a_sample_that_is_not_finite_holds_the_last_pose() {
     assert_eq!(rig.pose().status, Status::Ok);
 }
 
+/// Actuators that keep what they were given, and fail when told so.
+#[derive(Default)]
+struct Motors {
+    broken: Option<Outage>,
+    given: Wrench<f32>,
+}
+
+impl Actuators for Motors {
+    type Fault = Outage;
+
+    fn give(&mut self, wrench: &Wrench<f32>) -> Result<(), Outage> {
+        self.given = *wrench;
+        self.broken.map_or(Ok(()), Err)
+    }
+    fn off(&mut self) {
+        self.given = Wrench::default();
+    }
+}
+
+fn with_motors() -> Rig<f32, Full, (FromLine, Motors)> {
+    let mut rig = Rig::with(driven(), (FromLine, Motors::default()));
+    rig.stay(DEEP, 50);
+    assert!(size(&rig.force) > 2.0 && rig.device.1.given == rig.force);
+    rig
+}
+
+#[test]
+fn a_force_that_cannot_be_given_for_once_is_none_and_grows_again() {
+    let mut rig = with_motors();
+    rig.device.1.broken = Some(Outage::Passing);
+    for _ in 0..5 {
+        assert_eq!(rig.hand(DEEP), Wrench::default());
+        assert_eq!(rig.device.1.given, Wrench::default());
+        assert!(rig.pose().force_off);
+        assert_eq!(rig.health().drive, Drive::Silent);
+    }
+    rig.device.1.broken = None;
+    assert!(size(&rig.hand(DEEP)) <= 0.1 + 1e-5);
+    rig.stay(DEEP, 50);
+    assert!(size(&rig.device.1.given) > 2.0);
+    assert_eq!(rig.health().drive, Drive::On);
+}
+
+#[test]
+fn in_the_safe_state_the_actuators_are_off() {
+    let mut rig = with_motors();
+    for _ in 0..20 {
+        rig.tick();
+    }
+    assert_eq!(rig.health().drive, Drive::Silent);
+    assert_eq!(rig.device.1.given, Wrench::default());
+}
+
 #[test]
 fn after_a_fault_there_is_no_force_until_everything_is_reset() {
-    let mut rig = Rig::<f32>::of(driven());
-    rig.stay(DEEP, 50);
-    rig.station.fault();
+    let mut rig = with_motors();
+    rig.device.1.broken = Some(Outage::Lasting);
+    rig.hand(DEEP);
+    rig.device.1.broken = None;
     for _ in 0..20 {
         assert_eq!(rig.hand(DEEP), Wrench::default());
+        assert_eq!(rig.device.1.given, Wrench::default());
     }
     let pose = rig.pose();
     assert!(

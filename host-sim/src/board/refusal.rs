@@ -41,7 +41,7 @@ const fn meaning(reason: Reason) -> &'static str {
         Reason::Code => "it holds a code without a meaning",
         Reason::Number => "a number is not allowed",
         Reason::NotPassive => "the haptic device would not be passive",
-        Reason::Unsupported => "the board has no time or no room for it",
+        Reason::Unsupported => "the board has no time, no room or no use for it",
         Reason::NotNow => "not now: it is stopped by a fault, or another command is under way",
     }
 }
@@ -120,7 +120,7 @@ mod tests {
         );
         assert_eq!(
             explain("mode", &tick, &[]),
-            "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time or no room for it, allowed: 1 to \
+            "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time, no room or no use for it, allowed: 1 to \
              1000, the nearest: 1000.0 Hz"
         );
     }

@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::Command;
+use stiction_core::frame::{Command, Reason};
 
 use super::address::Address;
 use super::counts::Counts;
@@ -14,6 +14,7 @@ use super::heard::{Heard, Said};
 use super::link::News;
 use super::print::Screen;
 use super::record::Recorder;
+use super::refusal::explain;
 use super::session::{Mail, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
@@ -32,6 +33,8 @@ const TIMED_WINDOW: usize = 32;
 const BURST: usize = 2;
 /// News that are looked at before samples are sent: an emulator sends byte by byte.
 const MOST_NEWS: usize = 256;
+/// The type of a hand on the wire.
+const HAND: u8 = 0x01;
 /// The line on the screen is looked after so often.
 const BREATH: Duration = Duration::from_millis(50);
 
@@ -192,6 +195,12 @@ impl Stream<'_> {
                     self.answer(&step)?;
                 }
                 return Ok(());
+            }
+            // A board that measures the hand itself (FRAME 4.8).
+            Said::Answer(answer)
+                if answer.command.code == HAND && answer.reason != Reason::Done =>
+            {
+                return Err(BoardError::Refused(explain("hand", answer, &[])));
             }
             _ => {}
         }

@@ -42,6 +42,8 @@ pub(crate) struct Tricks {
     pub(crate) echo: bool,
     /// Its line carries so many bytes in a second.
     pub(crate) line_rate: Option<f32>,
+    /// It measures the hand itself.
+    pub(crate) measures: bool,
 }
 
 /// A part of an answer.
@@ -241,6 +243,11 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
     fn obey(&mut self, frame: Frame<Command<'_>>) {
         let (now, to) = (self.now(), frame.reference());
         match frame.message {
+            Command::Hand(_) if self.tricks.measures => {
+                let mut reply = Reply::refused(to, Reason::Unsupported);
+                reply.allowed = Text::new("no samples");
+                self.say(now, Report::Reply(reply));
+            }
             Command::Hand(hand) => self.step(hand, frame.sequence),
             Command::Hello => self.say(now, Report::Info(info::<R>(self.seen.mode))),
             Command::Ping => {

@@ -64,6 +64,21 @@ fn a_stream_of_every_sample_leaves_the_trace_of_the_host() {
 }
 
 #[test]
+fn a_board_that_measures_the_hand_itself_ends_the_stream() {
+    let (folder, socket) = place(DRAGGED);
+    let tricks = Tricks {
+        measures: true,
+        ..Tricks::default()
+    };
+    let _fake = behind_socket::<f32>(&socket, 1, tricks);
+    let output = board(&folder, &[]);
+    assert_error(
+        &output,
+        &["refuses the hand", "no use for it", "no samples"],
+    );
+}
+
+#[test]
 fn a_refused_tick_rate_is_said_with_the_nearest() {
     let (folder, socket) = place(DRAGGED);
     let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());

@@ -264,6 +264,12 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     stop()
 }
 
+/// An exception that nothing else handles.
+#[unsafe(export_name = "DefaultHandler")]
+extern "C" fn unexpected() -> ! {
+    stop()
+}
+
 /// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
 #[unsafe(naked)]
 #[unsafe(export_name = "HardFault")]

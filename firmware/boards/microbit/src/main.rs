@@ -33,6 +33,7 @@ mod app {
     use nrf51_hal::pac::Interrupt;
     use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
     use stiction_core::{Evolution, Fixed};
+    use stiction_firmware::device::{FromLine, NoActuators};
     use stiction_firmware::ring::Ring;
     use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
@@ -138,10 +139,11 @@ mod app {
             ..
         } = cx.local;
         let now_us = clock.tick();
-        // This board drives no motors: its forces are reported.
-        program.tick(now_us, &mut Queues(clock));
+        // This board has no device.
+        program.tick(now_us, &mut Queues(clock), &mut (FromLine, NoActuators));
         clock.set_rate(program.mode().tick_rate);
         WATCH.show(&program.health());
+        // Last: a tick that did not do its work feeds nothing.
         watchdog.feed();
     }
 

@@ -5,8 +5,24 @@
 //! | serial line, 921600 8N1 | USART2: PA2 out, PA3 in |
 //! | ticks | SysTick |
 //! | clock | TIM5, 32 bits, 84 MHz |
-//! | motors' PWM, off with one bit | TIM1 |
+//!
+//! With the feature `pantograph`, 3.3 V all of them; left and right as the mechanism is drawn:
+//!
+//! | what | left | right | handle |
+//! |---|---|---|---|
+//! | encoder, tracks A and B, pulled up | PA5, PA1 (TIM2) | PA6, PA7 (TIM3) | PB6, PB7 (TIM4) |
+//! | PWM of the motor, 20 kHz, low: no torque | PA8 (TIM1) | PA9 (TIM1) | PA10 (TIM1) |
+//! | direction of the motor | PB12 | PB13 | PB14 |
+//!
+//! The hold switch is between PB15 and ground. In a reset all pins are inputs: the motors' drivers need resistors of
+//! their own that hold the PWM low.
 #![allow(unsafe_code)]
+
+#[cfg(feature = "pantograph")]
+mod pantograph;
+
+#[cfg(feature = "pantograph")]
+pub(crate) use pantograph::Device;
 
 use crate::log::error;
 use core::arch::naked_asm;
@@ -14,6 +30,8 @@ use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
+#[cfg(not(feature = "pantograph"))]
+use stiction_firmware::device::{FromLine, NoActuators};
 use stm32f4xx_hal::pac::{self, TIM1, TIM5, USART2};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::{Config, Enable};
@@ -26,8 +44,13 @@ pub(crate) const BAUD: u32 = 921_600;
 const CORE: u32 = 168_000_000;
 /// Counts of TIM5 in a µs: on the chip, and in QEMU, whose timers run at 1 GHz whatever their clock is.
 const COUNTS: (u32, u32) = (84, 1_000);
-/// A tick that does not come for so long ends in a reset (ms). Reset is zero force: all pins are inputs then.
-const PATIENCE_MS: u32 = 50;
+/// A tick that does not come for so long ends in a reset (ms), to a half more or less by the oscillator of the watchdog: the
+/// slowest tick is one of 10 ms. Reset is zero force: all pins are inputs then.
+const PATIENCE_MS: u32 = 20;
+
+/// The device of this board: none.
+#[cfg(not(feature = "pantograph"))]
+pub(crate) type Device = (FromLine, NoActuators);
 
 /// Bytes that came when there was no room for them, or too fast.
 static LOST: AtomicU32 = AtomicU32::new(0);
@@ -39,10 +62,11 @@ pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) clock: Clock,
     pub(crate) watchdog: Watchdog,
+    pub(crate) device: Device,
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
+    /// Everything running, with so many ticks a second, and no motor driven.
     pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u16) -> Self {
         prime(&device.RCC);
         let config = Config::hse(8.MHz())
@@ -57,21 +81,43 @@ impl Board {
         systick.set_clock_source(SystClkSource::Core);
         let clock = Clock::start(device.TIM5, systick, rate);
 
-        let pins = device.GPIOA.split(&mut rcc);
+        let a = device.GPIOA.split(&mut rcc);
         let config = serial::Config::default().baudrate(BAUD.bps());
         // 42 MHz carries it.
-        let Ok(line) = device.USART2.serial((pins.pa2, pins.pa3), config, &mut rcc) else {
+        let Ok(line) = device.USART2.serial((a.pa2, a.pa3), config, &mut rcc) else {
             stop()
         };
         let (tx, mut rx) = line.split();
         rx.listen();
 
+        #[cfg(not(feature = "pantograph"))]
+        let own = (FromLine, NoActuators);
+        #[cfg(feature = "pantograph")]
+        let own = {
+            let b = device.GPIOB.split(&mut rcc);
+            let parts = pantograph::Parts {
+                counters: (device.TIM2, device.TIM3, device.TIM4),
+                encoders: ((a.pa5, a.pa1), (a.pa6, a.pa7), (b.pb6, b.pb7)),
+                hold: b.pb15,
+                pwm: device.TIM1,
+                duties: (a.pa8, a.pa9, a.pa10),
+                directions: (b.pb12, b.pb13, b.pb14),
+            };
+            match parts.start(&mut rcc) {
+                Ok(own) => own,
+                Err(_) => stop(),
+            }
+        };
+
         let mut watchdog = IndependentWatchdog::new(device.IWDG);
         watchdog.start(PATIENCE_MS.millis());
+        #[cfg(feature = "pantograph")]
+        actuators_on();
         Self {
             uart: Uart { tx, rx },
             clock,
             watchdog: Watchdog(watchdog),
+            device: own,
         }
     }
 }
@@ -236,10 +282,26 @@ impl Watchdog {
     }
 }
 
+/// The outputs of the PWM obey their duties; turned off they are low, and stay off. The driver of the PWM leaves them to
+/// come on again by themselves with the next period.
+#[cfg(feature = "pantograph")]
+fn actuators_on() {
+    // SAFETY: the bits of the outputs alone, and no interrupt is on yet.
+    unsafe {
+        (*TIM1::ptr())
+            .bdtr()
+            .write(|w| w.ossi().set_bit().aoe().clear_bit().moe().set_bit());
+    }
+}
+
 /// No motor is driven any more, whatever else is going on.
 fn actuators_off() {
-    // SAFETY: one bit of a timer that nothing else needs from now on: main output enable.
-    unsafe { (*TIM1::ptr()).bdtr().modify(|_, w| w.moe().clear_bit()) };
+    // SAFETY: bits of a timer that nothing else needs from now on: main output enable, by program and by itself.
+    unsafe {
+        (*TIM1::ptr())
+            .bdtr()
+            .modify(|_, w| w.aoe().clear_bit().moe().clear_bit());
+    }
 }
 
 /// Zero force, and nothing more until the watchdog resets the chip.
@@ -261,6 +323,12 @@ pub(crate) fn stop() -> ! {
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    stop()
+}
+
+/// An exception that nothing else handles.
+#[unsafe(export_name = "DefaultHandler")]
+extern "C" fn unexpected() -> ! {
     stop()
 }
 

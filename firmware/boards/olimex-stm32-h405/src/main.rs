@@ -9,6 +9,8 @@
 
 #[cfg(target_os = "none")]
 mod board;
+#[cfg(all(target_os = "none", feature = "pantograph"))]
+mod device;
 #[cfg(target_os = "none")]
 mod log;
 
@@ -19,6 +21,15 @@ fn main() {
     std::process::exit(2);
 }
 
+/// No device.
+#[cfg(all(target_os = "none", not(feature = "pantograph")))]
+mod device {
+    use stiction_firmware::safety::{Limits, Passivity};
+
+    pub(crate) const LIMITS: Limits = Limits::DEFAULT;
+    pub(crate) const PASSIVITY: Option<Passivity> = None;
+}
+
 #[cfg(target_os = "none")]
 mod scene {
     include!(env!("STICTION_SCENE_FILE"));
@@ -27,12 +38,12 @@ mod scene {
 #[cfg(target_os = "none")]
 #[rtic::app(device = stm32f4xx_hal::pac, peripherals = true)]
 mod app {
-    use crate::board::{self, Board, Clock, Uart, Watchdog};
+    use crate::board::{self, Board, Clock, Device, Uart, Watchdog};
+    use crate::device::{LIMITS, PASSIVITY};
     use crate::log::info;
     use crate::scene::{CompiledScene, EVOLUTION, SCENE};
     use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
     use stiction_firmware::ring::Ring;
-    use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
     use stm32f4xx_hal::pac::Interrupt;
 
@@ -50,8 +61,8 @@ mod app {
         number: NumberType::F32,
         line_rate: board::BAUD / 10,
         fastest_tick: 5_000,
-        limits: Limits::DEFAULT,
-        passivity: None,
+        limits: LIMITS,
+        passivity: PASSIVITY,
         mode: Mode {
             evolution: EVOLUTION,
             event_limit: EVENTS,
@@ -75,6 +86,7 @@ mod app {
         uart: Uart,
         clock: Clock,
         watchdog: Watchdog,
+        device: Device,
         program: Program,
     }
 
@@ -88,12 +100,14 @@ mod app {
             uart,
             clock,
             watchdog,
+            device,
         } = Board::start(cx.device, cx.core.SYST, rate);
         info!("{=str}, {=u16} ticks a second", SETUP.name, rate);
         let local = Local {
             uart,
             clock,
             watchdog,
+            device,
             program,
         };
         (Shared {}, local)
@@ -128,19 +142,20 @@ mod app {
         }
     }
 
-    #[task(binds = SysTick, priority = 2, local = [clock, watchdog, program])]
+    #[task(binds = SysTick, priority = 2, local = [clock, watchdog, device, program])]
     fn tick(cx: tick::Context) {
         let tick::LocalResources {
             clock,
             watchdog,
+            device,
             program,
             ..
         } = cx.local;
         let now_us = clock.now_us();
-        // This board drives no motors: its forces are reported.
-        program.tick(now_us, &mut Queues(clock));
+        program.tick(now_us, &mut Queues(clock), device);
         clock.set_rate(program.mode().tick_rate);
         WATCH.show(&program.health());
+        // Last: a tick that did not do its work feeds nothing.
         watchdog.feed();
     }
 

@@ -1,17 +1,11 @@
-//! The pantograph obeys its mechanics: the power of the torques is that of the wrench, what is symmetric stays so, and
-//! where the mechanism can give no force it gives none.
+//! Joint angles to the hand, a wrench to torques, counts to joint angles.
 
-use core::convert::Infallible;
-use core::f32::consts::{FRAC_PI_2, PI, TAU};
-use embedded_hal::digital::{self, OutputPin};
-use embedded_hal::pwm::{self, SetDutyCycle};
-use std::cell::RefCell;
-use std::rc::Rc;
+use crate::bench::reference;
+use crate::geometry;
+use core::f32::consts::{PI, TAU};
 use stiction_core::{Angle, Wrench};
-use stiction_firmware::device::{Actuators, Source};
 use stiction_firmware::pantograph::{
-    Counters, Encoder, Fault, Geometry, GeometryParameter, HandleMount, Joints, Kinematics, Motor,
-    MotorConstants, MotorFault, Motors, NoForce, NoMotors, Pantograph,
+    Fault, Geometry, GeometryParameter, HandleMount, Joints, Kinematics,
 };
 
 const MOUNTS: [HandleMount; 3] = [
@@ -19,37 +13,6 @@ const MOUNTS: [HandleMount; 3] = [
     HandleMount::LeftLink,
     HandleMount::RightLink,
 ];
-
-fn geometry() -> Geometry {
-    let encoder = Encoder {
-        counts_per_turn: 40_000,
-        reversed: false,
-        offset: 0.0,
-    };
-    Geometry {
-        origin: [0.0, -0.1],
-        base: 0.05,
-        proximal: [0.06, 0.06],
-        distal: [0.09, 0.09],
-        encoders: [
-            Encoder {
-                offset: 2.4,
-                ..encoder
-            },
-            Encoder {
-                offset: 0.7,
-                reversed: true,
-                ..encoder
-            },
-            Encoder {
-                counts_per_turn: 4_096,
-                ..encoder
-            },
-        ],
-        handle: HandleMount::Base,
-        least_sine: 0.05,
-    }
-}
 
 /// Not symmetric, so that nothing cancels.
 fn crooked(handle: HandleMount) -> Geometry {
@@ -65,25 +28,6 @@ fn crooked(handle: HandleMount) -> Geometry {
 
 fn angles(q: [f32; 3]) -> [Angle<f32>; 3] {
     q.map(Angle::from_radians)
-}
-
-/// The forward kinematics once more, in f64: the hand by the cosine rule, its orientation.
-fn reference(g: &Geometry, [q1, q2, q3]: [f64; 3]) -> [f64; 3] {
-    let [ox, oy] = g.origin.map(f64::from);
-    let half = f64::from(g.base) / 2.0;
-    let ([l1, l2], [r1, r2]) = (g.proximal.map(f64::from), g.distal.map(f64::from));
-    let (x1, y1) = (ox - half + l1 * q1.cos(), oy + l1 * q1.sin());
-    let (x2, y2) = (ox + half + l2 * q2.cos(), oy + l2 * q2.sin());
-    let apart = (x2 - x1).hypot(y2 - y1);
-    let at_left = ((r1 * r1 + apart * apart - r2 * r2) / (2.0 * r1 * apart)).acos();
-    let link = (y2 - y1).atan2(x2 - x1) + at_left;
-    let (x, y) = (x1 + r1 * link.cos(), y1 + r1 * link.sin());
-    let phi = match g.handle {
-        HandleMount::Base => q3,
-        HandleMount::LeftLink => q3 + link,
-        HandleMount::RightLink => q3 + (y - y2).atan2(x - x2),
-    };
-    [x, y, phi]
 }
 
 /// Joint angles all over the workspace.
@@ -323,181 +267,5 @@ fn counts_are_unwrapped_for_a_thousand_turns_and_back() {
             turns: 0,
             rest: 0.0
         }
-    );
-}
-
-/// What a motor was told, last.
-#[derive(Clone, Debug, Default)]
-struct Bench {
-    duty: Rc<RefCell<u16>>,
-    high: Rc<RefCell<bool>>,
-    broken: Rc<RefCell<bool>>,
-}
-
-#[derive(Debug)]
-struct Broken;
-
-impl pwm::Error for Broken {
-    fn kind(&self) -> pwm::ErrorKind {
-        pwm::ErrorKind::Other
-    }
-}
-
-impl pwm::ErrorType for Bench {
-    type Error = Broken;
-}
-
-impl SetDutyCycle for Bench {
-    fn max_duty_cycle(&self) -> u16 {
-        8_400
-    }
-    fn set_duty_cycle(&mut self, duty: u16) -> Result<(), Broken> {
-        if *self.broken.borrow() && duty > 0 {
-            return Err(Broken);
-        }
-        *self.duty.borrow_mut() = duty;
-        Ok(())
-    }
-}
-
-impl digital::ErrorType for Bench {
-    type Error = Infallible;
-}
-
-impl OutputPin for Bench {
-    fn set_low(&mut self) -> Result<(), Infallible> {
-        assert_eq!(
-            *self.duty.borrow(),
-            0,
-            "the direction changes without torque"
-        );
-        *self.high.borrow_mut() = false;
-        Ok(())
-    }
-    fn set_high(&mut self) -> Result<(), Infallible> {
-        assert_eq!(
-            *self.duty.borrow(),
-            0,
-            "the direction changes without torque"
-        );
-        *self.high.borrow_mut() = true;
-        Ok(())
-    }
-}
-
-const MOTOR: MotorConstants = MotorConstants {
-    torque_constant: 0.05,
-    full_current: 4.0, // 0.2 N·m at full duty
-    torque_limit: 0.1,
-    reversed: false,
-};
-
-fn motor() -> (Bench, Motor<Bench, Bench>) {
-    let bench = Bench::default();
-    (
-        bench.clone(),
-        Motor::new(bench.clone(), bench, MOTOR).unwrap(),
-    )
-}
-
-#[test]
-fn a_torque_is_a_duty_and_a_direction() {
-    let (bench, mut motor) = motor();
-    let mut told = |torque| {
-        motor.turn(torque).unwrap();
-        (*bench.duty.borrow(), *bench.high.borrow())
-    };
-    assert_eq!(told(0.05), (2_100, false));
-    assert_eq!(told(-0.05), (2_100, true));
-    assert_eq!(told(-5.0), (4_200, true)); // the limit
-    assert_eq!(told(f32::MIN), (4_200, true));
-    assert_eq!(told(0.1), (4_200, false));
-    assert_eq!(told(-0.0), (0, false));
-    for bad in [f32::NAN, f32::INFINITY] {
-        motor.turn(0.05).unwrap();
-        assert_eq!(motor.turn(bad), Err(MotorFault::NotFinite));
-        assert_eq!(*bench.duty.borrow(), 0);
-    }
-    motor.turn(0.05).unwrap();
-    *bench.broken.borrow_mut() = true;
-    assert_eq!(motor.turn(0.01), Err(MotorFault::Pwm));
-    assert_eq!(*bench.duty.borrow(), 0);
-}
-
-#[test]
-fn motors_beyond_their_limit_keep_the_direction_of_the_torques() {
-    let ((a, left), (b, right), (c, handle)) = (motor(), motor(), motor());
-    let mut motors = (left, right, handle);
-    motors.turn([0.2, -0.05, 0.02]).unwrap();
-    let duties = [&a, &b, &c].map(|bench| *bench.duty.borrow());
-    assert_eq!(duties, [4_200, 1_050, 420]);
-    assert!(!*a.high.borrow() && *b.high.borrow());
-    // One that fails takes the others with it.
-    *b.broken.borrow_mut() = true;
-    assert_eq!(motors.turn([0.1, -0.05, 0.02]), Err(MotorFault::Pwm));
-    assert_eq!([&a, &b, &c].map(|bench| *bench.duty.borrow()), [0, 0, 0]);
-    assert_eq!(
-        motors.turn([f32::NAN, 0.0, 0.0]),
-        Err(MotorFault::NotFinite)
-    );
-    *b.broken.borrow_mut() = false;
-    motors.turn([0.1, 0.1, 0.1]).unwrap();
-    Motors::off(&mut motors);
-    assert_eq!([&a, &b, &c].map(|bench| *bench.duty.borrow()), [0, 0, 0]);
-}
-
-struct Counts([u16; 3]);
-
-impl Counters for Counts {
-    fn counts(&mut self) -> [u16; 3] {
-        self.0
-    }
-    fn held(&mut self) -> bool {
-        true
-    }
-}
-
-#[test]
-fn the_whole_device_measures_and_pushes() {
-    let mut g = geometry();
-    g.encoders[0].offset = FRAC_PI_2;
-    g.encoders[1].offset = FRAC_PI_2;
-    let ((a, left), (b, right), (_, handle)) = (motor(), motor(), motor());
-    let mut device = Pantograph::new(&g, Counts([7; 3]), (left, right, handle)).unwrap();
-    let push = Wrench {
-        force: [0.0, 1.0],
-        moment: 0.0,
-    };
-    // Not before it has been measured.
-    assert_eq!(device.give(&push), Err(NoForce::Mechanism(Fault::NotRead)));
-    let sample = device.sample(123).unwrap();
-    assert_eq!(sample.received_us, 123);
-    let [x, y] = sample.hand.position;
-    // Both proximal links upright: the distal ones stand on elbows 0.05 m apart.
-    assert!(
-        x.abs() < 1e-6
-            && (y - (-0.1 + 0.06 + (0.09f32.powi(2) - 0.025f32.powi(2)).sqrt())).abs() < 1e-6
-    );
-    device.give(&push).unwrap();
-    // Upwards: the left joint clockwise, the right one counter-clockwise, equally.
-    assert!(*a.high.borrow() && !*b.high.borrow());
-    assert_eq!(*a.duty.borrow(), *b.duty.borrow());
-    assert!(*a.duty.borrow() > 0);
-    assert_eq!(
-        device.give(&Wrench {
-            force: [f32::NAN, 0.0],
-            moment: 0.0
-        }),
-        Err(NoForce::Mechanism(Fault::NotFinite))
-    );
-    assert_eq!(*a.duty.borrow(), 0);
-
-    let stretched = Geometry { base: 0.5, ..g };
-    let mut device = Pantograph::new(&stretched, Counts([0; 3]), NoMotors).unwrap();
-    assert!(device.sample(0).is_none());
-    assert_eq!(device.configuration().unwrap_err(), Fault::Unreachable);
-    assert_eq!(
-        device.give(&push),
-        Err(NoForce::Mechanism(Fault::Unreachable))
     );
 }

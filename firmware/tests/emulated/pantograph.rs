@@ -1,0 +1,59 @@
+//! The F405 with its own device. The emulator has no encoders: in encoder mode its counters go on counting time, 1 GHz, so
+//! that the mechanism seems to whirl. What a hand feels is tested on this machine; here, that the image runs, whatever is
+//! measured.
+
+use crate::board::{Board, PANTOGRAPH};
+use crate::budgets::Budget;
+use crate::client::Said;
+use std::collections::HashMap;
+use stiction_core::Hand;
+use stiction_core::frame::{Command, Drive, Mode, Reason};
+
+#[test]
+fn the_f405_with_a_pantograph_steps_by_itself() {
+    let Some(mut board) = Board::start(&PANTOGRAPH) else {
+        return;
+    };
+    assert_eq!(board.image.panics(), [""; 0]);
+    let budget = Budget::of(&PANTOGRAPH);
+    budget.holds("flash", board.image.flash);
+    budget.holds("variables", board.image.variables);
+    let info = board.info();
+    assert!(info.has[2] && info.stiffest[0] == 1_000.0, "{info:?}");
+    board.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));
+    let answer = board.wait(|_, said| match said {
+        Said::Reply(answer) => Some(answer.clone()),
+        _ => None,
+    });
+    assert_eq!(answer.reason, Reason::Unsupported, "{answer:?}");
+    board.done(Command::Mode(Mode {
+        health_every: 100,
+        pose_every: 2,
+        forces_every: 2,
+        ..info.mode
+    }));
+    let before = board.health();
+    let (mut poses, mut states) = (0_u32, HashMap::<_, u32>::new());
+    while poses < 1_500 {
+        let force = board.wait(|_, said| match said {
+            Said::Pose(pose) => {
+                poses += 1;
+                *states
+                    .entry((pose.status.name(), pose.force_off))
+                    .or_default() += 1;
+                assert!(pose.position.iter().all(|x| x.is_finite()) && pose.rest.is_finite());
+                None
+            }
+            Said::Forces { feedback, .. } => Some(*feedback),
+            _ => None,
+        });
+        let [x, y] = force.force;
+        assert!(x.hypot(y) <= 5.0 && force.moment.abs() <= 0.1, "{force:?}");
+    }
+    let after = board.health();
+    println!("{states:?} {after:?}");
+    // A hand that leaps through the scene costs ticks; they are counted, and the board goes on.
+    assert!(after.ticks - before.ticks >= 3_000);
+    assert!(after.samples > before.samples, "its own samples");
+    assert!(after.drive != Drive::Latched && after.lost_frames == 0);
+}

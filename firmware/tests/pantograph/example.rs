@@ -1,0 +1,52 @@
+//! The device at the Olimex board, as its file has it: every number can be used, and the scene of the board is within what
+//! it can show.
+
+#[path = "../../boards/olimex-stm32-h405/src/device.rs"]
+mod device;
+#[path = "../../scenes/board.rs"]
+mod scene;
+
+use device::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
+use scene::{CompiledScene, EVOLUTION, SCENE};
+use stiction_core::{Angle, Real, Wrench};
+use stiction_firmware::device::{Controller, Settings};
+use stiction_firmware::pantograph::Kinematics;
+
+#[test]
+fn every_number_can_be_used() {
+    GEOMETRY.check().unwrap();
+    for motor in MOTORS {
+        motor.check().unwrap();
+    }
+    LIMITS.check().unwrap();
+    PASSIVITY.unwrap().check().unwrap();
+    let _: CompiledScene = stiction_core::Scene::new(&SCENE).unwrap();
+    let settings = Settings {
+        evolution: EVOLUTION,
+        limits: LIMITS,
+        passivity: PASSIVITY,
+        ..Settings::default()
+    };
+    Controller::<f32, 4, 1>::new(&SCENE, &settings).unwrap();
+}
+
+#[test]
+fn at_home_the_mechanism_gives_its_largest_force_in_every_direction() {
+    let home = GEOMETRY
+        .encoders
+        .map(|encoder| Angle::from_radians(encoder.offset));
+    let kinematics = Kinematics::new(&GEOMETRY).unwrap();
+    let configuration = kinematics.solve(&home).unwrap();
+    for i in 0..8u8 {
+        let (sin, cos) = Real::sin_cos(core::f32::consts::FRAC_PI_4 * f32::from(i));
+        let force = [LIMITS.force * cos, LIMITS.force * sin];
+        let wrench = Wrench {
+            force,
+            moment: LIMITS.moment,
+        };
+        let torques = configuration.torques(&wrench).unwrap();
+        for (torque, motor) in torques.into_iter().zip(MOTORS) {
+            assert!(torque.abs() <= motor.torque_limit, "{force:?}: {torque}");
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! The board's own device from end to end: a hand moves the mechanism of the example device, and its motors push back.
+
+use crate::bed::{Bed, Shown, transposed};
+use crate::bench::reference;
+use crate::client::Said;
+use crate::example::{GEOMETRY, MOTORS};
+use std::f64::consts::TAU;
+use stiction_core::frame::{Command, Drive, Mode, Parameters, Reason, Reset, Subject};
+use stiction_core::{Hand, Status, Wrench};
+
+/// 5 mm below where the held box would be on the floor: 2.5 N.
+const DEEP: [f64; 3] = [0.0, 0.045, 0.0];
+
+fn size(wrench: &Wrench<f32>) -> f32 {
+    let [x, y] = wrench.force;
+    x.hypot(y)
+}
+
+#[test]
+fn a_hand_in_the_floor_feels_the_spring_in_its_joints() {
+    for [x, y, phi] in [
+        DEEP,
+        [0.05, 0.046, 0.0],
+        [-0.06, 0.044, 0.05],
+        [0.02, 0.047, -0.06],
+    ] {
+        let mut bed = Bed::new();
+        bed.stay([x, 0.06, phi], 30);
+        let force = bed.stay([x, y, phi], 150);
+        let torques = bed.torques();
+        for (joint, wanted) in transposed(bed.angles(), &force).into_iter().enumerate() {
+            // Half a step of the PWM.
+            let step = f64::from(MOTORS[joint].full_torque()) / 8_400.0;
+            assert!(
+                (torques[joint] - wanted).abs() <= 0.51 * step + 1e-5,
+                "{joint}: {torques:?} {wanted}"
+            );
+        }
+    }
+    let mut bed = Bed::new();
+    let force = bed.stay(DEEP, 150);
+    // A count is 0.3 mrad of 0.1 m: 30 µm of 500 N/m.
+    assert!(force.force[0].abs() < 0.03 && (force.force[1] - 2.5).abs() < 0.03);
+    // Up: the left joint clockwise, the right one counter-clockwise, the handle idle.
+    let [left, right, handle] = bed.torques();
+    assert!(left < -0.05 && (left + right).abs() < 0.01 && handle.abs() < 1e-3);
+}
+
+#[test]
+fn the_motors_do_the_work_that_the_hand_is_told() {
+    let mut bed = Bed::new();
+    bed.stay([0.0, 0.05, 0.0], 50);
+    let (mut motors, mut hand) = (0.0, 0.0);
+    let mut deepest = 0.0;
+    let way = |i: u32| {
+        // 5 mm down and 0.08 rad round, and back, each in a quarter of a second, the speed without jumps.
+        let part = 0.5 - 0.5 * (f64::from(i) / 500.0 * TAU).cos();
+        [0.0, 0.05 - 0.005 * part, 0.08 * part]
+    };
+    let mut before = (bed.angles(), reference(&GEOMETRY, bed.angles()));
+    for i in 0..=500 {
+        let force = bed.rig.force;
+        let torques = bed.torques();
+        bed.place(way(i));
+        let now = (bed.angles(), reference(&GEOMETRY, bed.angles()));
+        for (torque, (to, from)) in torques.iter().zip(now.0.iter().zip(before.0)) {
+            motors += torque * (to - from);
+        }
+        let [dx, dy, dphi] = std::array::from_fn(|k| now.1[k] - before.1[k]);
+        let [fx, fy] = force.force.map(f64::from);
+        hand += fx * dx + fy * dy + f64::from(force.moment) * dphi;
+        before = now;
+        bed.rig.tick();
+        if i == 250 {
+            deepest = motors;
+        }
+    }
+    // The springs hold 1/2 k_h d^2 + 1/2 k_theta phi^2 = 6.25 mJ + 1.6 mJ, and give it back but for half a tick's way.
+    assert!((motors - hand).abs() < 2e-5, "{motors} {hand}");
+    assert!((deepest + 7.85e-3).abs() < 4e-4, "{deepest}");
+    assert!(motors.abs() < 4e-4, "{motors}");
+}
+
+#[test]
+fn a_force_is_never_larger_than_its_limit_nor_faster() {
+    let mut bed = Bed::new();
+    bed.stay([0.0, 0.05, 0.0], 50);
+    let mut before = bed.rig.force;
+    for _ in 0..150 {
+        // 40 mm at once: 20 N.
+        let force = bed.at([0.0, 0.01, 0.0]);
+        assert!(size(&force) <= 5.0);
+        let [dx, dy] = [0, 1].map(|k| force.force[k] - before.force[k]);
+        assert!(dx.hypot(dy) <= 0.1 + 1e-5);
+        before = force;
+    }
+    assert!(size(&before) > 4.99);
+}
+
+#[test]
+fn an_encoder_that_fails_is_zero_force_at_once_and_the_way_back_is_slow() {
+    let unreadable = |shown: &mut Shown| shown.counts = None;
+    // Counts were lost: both proximal links lean inwards by 15 degrees, and the elbows are in one place.
+    let folded = |shown: &mut Shown| shown.counts = Some([61_527, 3_473, 7]);
+    let failures: [&dyn Fn(&mut Shown); 2] = [&unreadable, &folded];
+    for fail in failures {
+        let mut bed = Bed::new();
+        bed.stay(DEEP, 100);
+        let pose = bed.rig.pose();
+        assert!(!bed.is_off());
+        for tick in 0..40 {
+            fail(&mut bed.shown.borrow_mut());
+            assert_eq!(bed.rig.tick(), Wrench::default());
+            assert!(bed.is_off());
+            let held = bed.rig.pose();
+            assert!(held.force_off && held.position == pose.position);
+            assert_eq!(held.sample, pose.sample);
+            assert_eq!(bed.rig.health().drive, Drive::Silent);
+            // Silence is told after 20 ms; the force was gone before.
+            let is_silent = held.status == Status::HeldLast;
+            assert_eq!(is_silent, tick >= 19, "{tick}");
+        }
+        let mut before = 0.0;
+        for _ in 0..100 {
+            let now = size(&bed.at(DEEP));
+            assert!((now - before).abs() <= 0.1 + 1e-5);
+            before = now;
+        }
+        assert!((before - 2.5).abs() < 0.03);
+        let back = bed.rig.pose();
+        assert!(!back.force_off && back.position == pose.position);
+        assert_eq!(bed.rig.health().drive, Drive::On);
+    }
+}
+
+#[test]
+fn the_switch_lets_go_and_there_is_no_force() {
+    let mut bed = Bed::new();
+    bed.stay(DEEP, 100);
+    bed.shown.borrow_mut().held = false;
+    bed.stay(DEEP, 40);
+    assert!(bed.is_off() && !bed.rig.pose().held);
+}
+
+#[test]
+fn samples_of_the_line_are_refused_once_and_change_nothing() {
+    let (mut bed, mut alone) = (Bed::new(), Bed::new());
+    let mut refused = 0;
+    for i in 0..300u32 {
+        let way = [0.03 * f64::from(i) / 300.0, 0.046, 0.0];
+        bed.rig.send(Command::Hand(Hand::new(0.01, 0.03, 0.5)));
+        if i == 200 {
+            bed.rig.send(Command::Hello);
+        }
+        assert_eq!(bed.at(way), alone.at(way));
+        let bits = |bed: &mut Bed| {
+            let heard: Vec<_> = bed
+                .rig
+                .client
+                .heard
+                .iter()
+                .map(|h| h.said.clone())
+                .collect();
+            heard
+                .into_iter()
+                .filter(|said| matches!(said, Said::Pose(_)))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(bits(&mut bed), bits(&mut alone));
+        alone.rig.heard();
+        for answer in bed.refusals() {
+            refused += 1;
+            assert!(i == 0 || i == 201, "{i}");
+            assert_eq!(
+                (answer.command.code, answer.reason),
+                (1, Reason::Unsupported)
+            );
+            assert_eq!(answer.subject, Subject::Command);
+            assert!(answer.allowed.contains("measures the hand itself"));
+        }
+    }
+    assert_eq!(refused, 2);
+    let health = bed.rig.health();
+    assert_eq!(
+        (health.samples, health.late_samples, health.lost_frames),
+        (300, 0, 0)
+    );
+}
+
+#[test]
+fn a_pose_names_the_boards_own_sample() {
+    let mut bed = Bed::new();
+    for i in 1..=600u32 {
+        bed.at(DEEP);
+        assert_eq!(u32::from(bed.rig.pose().sample), i % 256);
+    }
+}
+
+#[test]
+fn a_stiffness_that_is_not_passive_is_refused_with_its_bound() {
+    let mut bed = Bed::new();
+    let info = bed.rig.info();
+    // b > K T / 2: 0.5 N·s/m and 0.0005 N·m·s/rad at 1 kHz.
+    let [most, most_rotation] = info.stiffest;
+    assert!(info.has[2] && most == 1_000.0 && (most_rotation - 1.0).abs() < 1e-6);
+    let force = bed.stay(DEEP, 100);
+    let parameters = |k_h, k_theta| {
+        Command::Parameters(Parameters {
+            stiffness_translation: k_h,
+            stiffness_rotation: k_theta,
+            friction_static: 0.5,
+            friction_dynamic: 0.3,
+        })
+    };
+    for (k_h, k_theta, limit) in [(1_000.0, 0.5, 1_000.0), (500.0, 1.01, most_rotation)] {
+        let answer = bed.rig.ask(parameters(k_h, k_theta));
+        assert_eq!((answer.reason, answer.limit), (Reason::NotPassive, limit));
+        assert_eq!(bed.at(DEEP), force);
+    }
+    // Half as many ticks, half the stiffness.
+    let slow = Mode {
+        tick_rate: 500,
+        ..Mode::DEFAULT
+    };
+    assert_eq!(bed.rig.ask(Command::Mode(slow)).reason, Reason::NotPassive);
+    bed.rig.done(parameters(999.0, 0.9));
+    let force = bed.stay(DEEP, 100);
+    assert!((size(&force) - 4.995).abs() < 0.06, "{force:?}");
+}
+
+#[test]
+fn a_motor_that_fails_is_off_until_everything_is_reset() {
+    let mut bed = Bed::new();
+    bed.stay(DEEP, 100);
+    *bed.motors[1].broken.borrow_mut() = true;
+    bed.at(DEEP);
+    assert!(bed.is_off());
+    *bed.motors[1].broken.borrow_mut() = false;
+    for _ in 0..50 {
+        assert_eq!(bed.at(DEEP), Wrench::default());
+        assert!(bed.is_off() && bed.rig.pose().force_off);
+    }
+    assert_eq!(bed.rig.health().drive, Drive::Latched);
+    for refused in [Command::Reset(Reset::Body), Command::Mode(Mode::DEFAULT)] {
+        assert_eq!(bed.rig.ask(refused).reason, Reason::NotNow);
+    }
+    bed.rig.done(Command::Reset(Reset::Everything));
+    assert!(size(&bed.rig.force) <= 0.1 + 1e-5);
+    bed.stay(DEEP, 100);
+    assert!(size(&bed.rig.force) > 2.4 && !bed.is_off());
+    assert_eq!(bed.rig.health().drive, Drive::On);
+}
+
+#[test]
+fn a_handle_that_turns_on_and_on_keeps_its_turns() {
+    let mut bed = Bed::new();
+    for i in 0..3_000 {
+        bed.at([0.0, 0.09, f64::from(i) / 500.0 * TAU]);
+    }
+    let pose = bed.rig.pose();
+    let turned = f64::from(pose.turns) + f64::from(pose.rest) / TAU;
+    assert!((turned - 2_999.0 / 500.0).abs() * TAU < 0.1, "{turned}");
+}
