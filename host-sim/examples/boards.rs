@@ -7,12 +7,12 @@
 
 use std::error::Error;
 
-use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver};
+use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver, narrow_hand};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
     Board, BoardNumber, Counted, Counter, Profile, footprint, job, rust_source,
 };
-use stiction_host_sim::number::{Number, narrow_hand};
+use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
 use stiction_host_sim::source::Source;

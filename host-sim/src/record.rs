@@ -1,9 +1,9 @@
 //! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
-use stiction_core::{Event, Evolution, Output, Real, State, StateKind, Status};
+use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status};
 
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::scene_file::{HostSolver, SceneFile};
 
 /// A recorded run.

@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use stiction_core::{Evolution, Fixed, Real, Solver};
+use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
 
 use crate::hand_path::{HandPath, Sample};
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::plot::{self, PlotError};
 use crate::record::{Frame, Run};
 use crate::scene_file::{HostSolver, Motion, SceneFile};

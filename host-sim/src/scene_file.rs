@@ -8,10 +8,10 @@ mod locate;
 
 use std::path::Path;
 
-use stiction_core::{Description, Full, Model, Real, Scene, Solver, SurfaceDescription};
+use stiction_core::{Description, Full, Model, Real, Scene, SiFloat, Solver, SurfaceDescription};
 use toml::Spanned;
 
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::record::SurfaceInfo;
 use crate::source::{InputError, Source};
 use check::Check;

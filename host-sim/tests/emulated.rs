@@ -4,7 +4,7 @@
 use std::env;
 use std::io::{self, Write};
 
-use stiction_core::{Evolution, Fixed, Hand, Output, Real, Solver};
+use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
@@ -12,7 +12,7 @@ use stiction_host_sim::emulator::{
     rust_source, rust_source_in,
 };
 use stiction_host_sim::model::SceneModel;
-use stiction_host_sim::number::{Number, SiFloat, narrow_hand};
+use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
 

@@ -4,12 +4,11 @@ use std::fmt;
 
 use stiction_core::frame::{EventSet, NumberType};
 use stiction_core::{
-    Contact, Evolution, Fixed, Hand, Model, Output, Parts, Real, Solver, State, Wrench,
+    Contact, Evolution, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, State, Wrench,
 };
 
 use super::heard::About;
 use super::steps::Step;
-use crate::number::SiFloat;
 use crate::scene_file::{SURFACES, SceneFile, VERTICES};
 use crate::source::InputError;
 

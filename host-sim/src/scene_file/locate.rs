@@ -1,9 +1,8 @@
 //! From a parameter that the solver refuses to the key of the scene file that gave it.
 
-use stiction_core::{Parameter, SceneError};
+use stiction_core::{Parameter, SceneError, SiFloat};
 
 use super::SceneFile;
-use crate::number::SiFloat;
 use crate::source::InputError;
 
 /// What static friction may be.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use serde_json::Value;
-use stiction_core::{Fixed, Hand, Real};
+use stiction_core::{Fixed, Hand, Real, SiFloat, narrow_hand};
 
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Cost};
@@ -12,7 +12,7 @@ use super::setting::{FINEST, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use crate::emulator::Chip;
-use crate::number::{Number, SiFloat, narrow_hand};
+use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;
 use crate::source::InputError;
