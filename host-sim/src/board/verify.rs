@@ -6,11 +6,11 @@ use stiction_core::frame::{EventSet, NumberType};
 use stiction_core::{
     Contact, Evolution, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, State, Wrench,
 };
+use stiction_scene::{InputError, SURFACES, VERTICES};
 
 use super::heard::About;
 use super::steps::Step;
-use crate::scene_file::{SURFACES, SceneFile, VERTICES};
-use crate::source::InputError;
+use crate::scene_file::SceneFile;
 
 /// What the host's solver makes of a sample.
 #[derive(Clone, Debug)]

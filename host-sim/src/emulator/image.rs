@@ -55,7 +55,7 @@ impl Image {
         Self::built(cargo_for(board, binary, profile))
     }
 
-    /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](super::rust_source).
+    /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](stiction_scene::rust_source).
     /// A copy of its own, as the next scene takes the place of this one.
     pub(super) fn of_scene(
         board: Board,
@@ -126,7 +126,7 @@ impl Image {
 }
 
 /// The flash that the solver of a scene takes on a board (bytes): an image with it, less the same image without. `scene`
-/// is Rust code, see [`rust_source`](super::rust_source).
+/// is Rust code, see [`rust_source`](stiction_scene::rust_source).
 ///
 /// # Errors
 /// Cargo or the target is missing, or the image cannot be built.

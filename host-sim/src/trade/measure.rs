@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use serde_json::Value;
 use stiction_core::{Fixed, Hand, Real, SiFloat, narrow_hand};
+use stiction_scene::InputError;
 
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Cost};
@@ -15,7 +16,6 @@ use crate::emulator::Chip;
 use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;
-use crate::source::InputError;
 
 /// What was measured of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
