@@ -70,7 +70,7 @@ impl Image {
         let code = folder.path().join("scene.rs");
         fs::write(&code, scene)?;
         let mut cargo = cargo_for(board, binary, profile);
-        cargo.env("STICTION_SCENE", &code);
+        cargo.env("STICTION_SCENE_CODE", &code);
         let path = folder.path().join(binary);
         let building = BUILDING[board as usize]
             .lock()

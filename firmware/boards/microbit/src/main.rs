@@ -21,7 +21,7 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod scene {
-    include!(env!("STICTION_SCENE_FILE"));
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
 #[cfg(target_os = "none")]
@@ -37,10 +37,10 @@ mod app {
     use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
 
-    /// Room for so many vertices.
-    const V: usize = 8;
+    /// Room for so many vertices: what is compiled in, see build.rs.
+    const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
-    const S: usize = 2;
+    const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second: 995 of 1000 take less than 70 % of their time. A step with a dozen slips takes longer than a tick;
     /// two that are missed for it leave the force as it is.
     const RATE: u16 = 250;

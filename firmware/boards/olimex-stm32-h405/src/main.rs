@@ -21,7 +21,7 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod scene {
-    include!(env!("STICTION_SCENE_FILE"));
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
 #[cfg(target_os = "none")]
@@ -36,10 +36,10 @@ mod app {
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
     use stm32f4xx_hal::pac::Interrupt;
 
-    /// Room for so many vertices.
-    const V: usize = 8;
+    /// Room for so many vertices: what is compiled in, see build.rs.
+    const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
-    const S: usize = 4;
+    const S: usize = CompiledScene::SURFACES;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<f32, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
