@@ -6,9 +6,11 @@ mod beside;
 mod bits;
 mod board;
 mod budgets;
+mod chip;
 #[path = "../station/client.rs"]
 mod client;
 mod image;
 mod line;
 #[path = "../station/random.rs"]
 mod random;
+mod scene;
