@@ -3,8 +3,8 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// The scene file of the images `footprint` and `count_scene`, instead of `scenes/box.rs`: see there.
-const SCENE: &str = "STICTION_SCENE";
+/// The scene of the images `footprint` and `count_scene` as Rust code, instead of `scenes/box.rs`: see there.
+const SCENE: &str = "STICTION_SCENE_CODE";
 
 fn main() {
     let package = PathBuf::from(variable("CARGO_MANIFEST_DIR"));

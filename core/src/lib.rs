@@ -77,6 +77,7 @@ mod output;
 mod real;
 mod roots;
 mod scene;
+mod si;
 mod solver;
 mod state;
 mod support;
@@ -92,5 +93,6 @@ pub use output::{
 pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};
 pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
+pub use si::{SiFloat, narrow_hand};
 pub use solver::{Evolution, MAX_EVENT_LIMIT, Solver, State};
 pub use transition::{Transition, Transitions};

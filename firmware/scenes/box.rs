@@ -1,5 +1,5 @@
-// The scene in the images `footprint` and `count_scene`: a box on a floor. A file named by the environment variable
-// STICTION_SCENE takes its place; it must define the same three names.
+// The scene in the images `footprint` and `count_scene`: a box on a floor. `stiction footprint` puts others in its place, each
+// in several models: files that define the same three names, by the environment variable STICTION_SCENE_CODE.
 
 use stiction_core::{Description, Evolution, Scene, SurfaceDescription, Weightless};
 

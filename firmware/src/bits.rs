@@ -3,9 +3,8 @@
 
 mod walk;
 
-use stiction_core::{Contact, Evolution, Real};
+use stiction_core::{Contact, Evolution, Real, SiFloat};
 
-use crate::si::SiFloat;
 pub use walk::{Answer, Walk, follow};
 
 /// The hash of so many frames of the walk: its first half in each evolution.

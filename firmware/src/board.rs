@@ -7,11 +7,10 @@ use semihosting::experimental::env;
 use semihosting::fs::File;
 use semihosting::io::{Read, Write};
 use semihosting::process;
-use stiction_core::{Model, Real, Solver};
+use stiction_core::{Model, Real, SiFloat, Solver};
 
 use crate::bits;
 use crate::count::{self, Failure, FileError, Files};
-use crate::si::SiFloat;
 
 #[cfg(target_arch = "arm")]
 mod cortex_m;

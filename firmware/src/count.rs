@@ -2,10 +2,11 @@
 //! the stack, with the few things that a board must give for that.
 
 use core::mem::size_of;
-use stiction_core::{Hand, Model, Output, Parameter, Real, Scene, SceneError, Solver, State};
+use stiction_core::{
+    Hand, Model, Output, Parameter, Real, Scene, SceneError, SiFloat, Solver, State, narrow_hand,
+};
 
 use crate::job::{self, FormatError, Frame, Head, Results, Setting, Totals};
-use crate::si::{SiFloat, narrow_hand};
 
 /// So many frames are read and written at once.
 const BATCH: usize = 16;

@@ -40,6 +40,5 @@ pub mod pantograph;
 pub mod ring;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod safety;
-pub mod si;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod station;

@@ -1,9 +1,8 @@
 //! The walk whose bits are compared goes everywhere and stays within bounds, and its hash is that of its answers.
 
 use std::collections::HashMap;
-use stiction_core::{Evolution, Fixed, Real, StateKind, Status};
+use stiction_core::{Evolution, Fixed, Real, SiFloat, StateKind, Status};
 use stiction_firmware::bits::{follow, of_walk};
-use stiction_firmware::si::SiFloat;
 
 const FRAMES: u32 = 10_000;
 

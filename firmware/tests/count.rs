@@ -1,12 +1,11 @@
 //! A job of the instruction bench comes back with the solver's own answers; what is not a job is refused.
 
 use stiction_core::{
-    Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, Solver, SurfaceDescription,
-    Weightless,
+    Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, SiFloat, Solver,
+    SurfaceDescription, Weightless, narrow_hand,
 };
 use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_compiled};
 use stiction_firmware::job::{self, FormatError, Frame, Results, Setting};
-use stiction_firmware::si::{SiFloat, narrow_hand};
 
 const SAMPLES: u32 = 100;
 const SURFACE: SurfaceDescription<f64> = SurfaceDescription {

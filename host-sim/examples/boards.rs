@@ -7,15 +7,13 @@
 
 use std::error::Error;
 
-use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver};
+use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver, narrow_hand};
 use stiction_firmware::job::{Frame, Setting};
-use stiction_host_sim::emulator::{
-    Board, BoardNumber, Counted, Counter, Profile, footprint, job, rust_source,
-};
-use stiction_host_sim::number::{Number, narrow_hand};
+use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, footprint, job};
+use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
-use stiction_host_sim::source::Source;
+use stiction_scene::{BoardNumber, SceneModel, Source, rust_source};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -195,6 +193,11 @@ fn flash(build: Build, size: &Size, evolution: Evolution) -> Outcome<u64> {
          [friction]\nstatic = {friction:?}\ndynamic = 0.0\n{surfaces}"
     );
     let scene = SceneFile::parse(Source::new("size.toml", text), Number::F32)?;
-    let code = rust_source(&scene, build.number, evolution);
+    let code = rust_source(
+        &scene,
+        SceneModel::smallest(&scene),
+        build.number,
+        evolution,
+    );
     Ok(footprint(build.board, build.profile, &code)?)
 }

@@ -7,7 +7,9 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use stiction_host_sim::emulator::{BoardNumber, Machine};
+use stiction_scene::BoardNumber;
+
+use stiction_host_sim::emulator::Machine;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -8,7 +8,6 @@ mod bits;
 mod chip;
 mod image;
 mod process;
-mod source;
 
 pub use bits::Machine;
 pub use chip::Chip;
@@ -16,17 +15,16 @@ pub(crate) use image::board_image;
 pub use image::{Profile, footprint};
 pub use process::EmulatorError;
 pub(crate) use process::require_qemu_arm;
-pub use source::{rust_source, rust_source_in};
 
 use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use stiction_core::{Description, Hand, SurfaceDescription};
+use stiction_core::Hand;
 use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
+use stiction_scene::BoardNumber;
 
-use crate::record::SurfaceInfo;
 use crate::scene_file::SceneFile;
 use image::Image;
 use process::output_of;
@@ -86,28 +84,6 @@ impl Board {
     }
 }
 
-/// A number type of the images. A double float makes no sense on these boards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BoardNumber {
-    /// Single precision.
-    F32,
-    /// Fixed point.
-    Fixed,
-}
-
-impl BoardNumber {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
-
-    /// The name, also in those of the images.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Fixed => "fixed",
-        }
-    }
-}
-
 /// The results of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Counted {
@@ -126,35 +102,17 @@ impl Counted {
 
 /// A job for a [`Counter`]: the scene, and a hand sample for every frame.
 pub fn job(scene: &SceneFile, setting: Setting, hands: &[Hand<f64>]) -> Vec<u8> {
-    let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
-    let description = Description {
-        vertices: &scene.vertices,
-        start: scene.start,
-        weight: scene.weight,
-        holding_point: scene.holding_point,
-        reach: scene.reach,
-        stiffness_translation: scene.stiffness_translation,
-        stiffness_rotation: scene.stiffness_rotation,
-        surfaces: &surfaces,
-    };
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
-    // A sink that keeps everything does not fail.
-    let _ = job::write_scene(&description, setting, samples, |part| {
-        bytes.extend_from_slice(part);
-        Ok::<_, Infallible>(())
+    scene.described(|description| {
+        // A sink that keeps everything does not fail.
+        let _ = job::write_scene(description, setting, samples, |part| {
+            bytes.extend_from_slice(part);
+            Ok::<_, Infallible>(())
+        });
     });
     bytes.extend(hands.iter().flat_map(job::encode_sample));
     bytes
-}
-
-fn surface(given: &SurfaceInfo) -> SurfaceDescription<f64> {
-    SurfaceDescription {
-        normal: given.normal,
-        offset: given.offset,
-        friction_static: given.friction_static,
-        friction_dynamic: given.friction_dynamic,
-    }
 }
 
 /// The instruction bench of a board, built once for many jobs.
@@ -173,7 +131,7 @@ impl Counter {
         Ok(Self { board, image })
     }
 
-    /// Builds one with a scene and an evolution that are compiled in: `scene` is Rust code, see [`rust_source`]. The number
+    /// Builds one with a scene and an evolution that are compiled in: `scene` is Rust code, see [`rust_source`](stiction_scene::rust_source). The number
     /// type, V, S and the model are its own; of a job, which must fit into them, it takes the samples alone.
     ///
     /// # Errors

@@ -18,15 +18,14 @@ use std::thread;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use stiction_core::{Evolution, Fixed, Hand};
+use stiction_scene::{InputError, SceneModel};
 
 use crate::emulator::{Chip, EmulatorError};
-use crate::model::SceneModel;
 use crate::number::Number;
 use crate::readme::Section;
 use crate::report;
 use crate::run::{open_path, open_scene};
 use crate::scene_file::SceneFile;
-use crate::source::InputError;
 use table::{Row, Table};
 
 /// The arguments of `stiction footprint`.

@@ -10,8 +10,7 @@ pub(crate) use recorded::{Row, RowPose};
 use std::path::Path;
 
 use stiction_core::{Angle, Hand};
-
-use crate::source::{InputError, Source};
+use stiction_scene::{InputError, Source};
 
 /// The planar hand at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,6 @@
-//! The number types that a run can use, and the way between the host's f64 and the floats that the solver takes.
+//! The number types that a run can use, and how large their numbers may be.
 
 use clap::ValueEnum;
-pub use stiction_firmware::si::{SiFloat, narrow_hand};
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

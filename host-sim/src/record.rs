@@ -1,9 +1,10 @@
 //! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
-use stiction_core::{Event, Evolution, Output, Real, State, StateKind, Status};
+use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status};
+use stiction_scene::SurfaceInfo;
 
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::scene_file::{HostSolver, SceneFile};
 
 /// A recorded run.
@@ -47,21 +48,6 @@ impl Run {
             frames: Vec::new(),
         }
     }
-}
-
-/// A fixed half-plane: the free side is `normal`·p >= `offset`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceInfo {
-    /// Its name in traces.
-    pub name: String,
-    /// Unit normal to the free side.
-    pub normal: [f64; 2],
-    /// Distance of the surface from the world's origin along the normal (m).
-    pub offset: f64,
-    /// mu_s
-    pub friction_static: f64,
-    /// mu_d
-    pub friction_dynamic: f64,
 }
 
 /// One hand frame and the equilibrium at its end.

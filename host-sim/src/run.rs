@@ -7,15 +7,15 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use stiction_core::{Evolution, Fixed, Real, Solver};
+use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
+use stiction_scene::InputError;
 
 use crate::hand_path::{HandPath, Sample};
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::plot::{self, PlotError};
 use crate::record::{Frame, Run};
 use crate::scene_file::{HostSolver, Motion, SceneFile};
 use crate::simulate::simulate;
-use crate::source::InputError;
 use crate::summary::Summary;
 use crate::trace::{Format, TraceWriter};
 use crate::{report, scenes};
@@ -207,12 +207,12 @@ pub(crate) fn open_path(
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
         (None, Some(Motion::Keyframes(_))) => {
             let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
-            return Err(scene.error(problem));
+            return Err(scene.source().error(problem));
         }
         (None, None) => {
             let problem =
                 "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
-            return Err(scene.error(problem));
+            return Err(scene.source().error(problem));
         }
     };
     let count = path.frame_count(rate);
@@ -221,7 +221,7 @@ pub(crate) fn open_path(
             "the rate gives {count} frames, allowed: at most {}",
             HandPath::LARGEST_COUNT
         );
-        return Err(scene.error(&problem));
+        return Err(scene.source().error(&problem));
     }
     Ok((path, rate))
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::source::Source;
+use stiction_scene::Source;
 
 /// The scene of a run without arguments.
 pub const DEFAULT: &str = "vertex-stick-slip";

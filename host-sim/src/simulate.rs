@@ -2,10 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_core::Real;
+use stiction_core::{Real, SiFloat, narrow_hand};
 
 use crate::hand_path::Sample;
-use crate::number::{SiFloat, narrow_hand};
 use crate::record::Frame;
 use crate::scene_file::HostSolver;
 

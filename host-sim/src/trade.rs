@@ -35,11 +35,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use stiction_scene::InputError;
+
 use crate::emulator::EmulatorError;
 use crate::machine::processor;
 use crate::plot::{self, PlotError};
 use crate::readme::Section;
-use crate::source::InputError;
 use emulated::Count;
 use files::Folder;
 use front::Place;

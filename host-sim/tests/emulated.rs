@@ -4,17 +4,16 @@
 use std::env;
 use std::io::{self, Write};
 
-use stiction_core::{Evolution, Fixed, Hand, Output, Real, Solver};
+use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{
-    Board, BoardNumber, Counted, Counter, EmulatorError, Machine, Profile, footprint, job,
-    rust_source, rust_source_in,
+    Board, Counted, Counter, EmulatorError, Machine, Profile, footprint, job,
 };
-use stiction_host_sim::model::SceneModel;
-use stiction_host_sim::number::{Number, SiFloat, narrow_hand};
+use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
+use stiction_scene::{BoardNumber, SceneModel, rust_source};
 
 fn scene() -> SceneFile {
     bundled(scenes::DEFAULT)
@@ -123,7 +122,8 @@ fn the_solver_fits_into_the_flash() {
         (Board::Stm32F405, BoardNumber::F32),
         (Board::Nrf51822, BoardNumber::Fixed),
     ] {
-        let code = rust_source(&scene(), number, Evolution::Path);
+        let (scene, path) = (scene(), Evolution::Path);
+        let code = rust_source(&scene, SceneModel::smallest(&scene), number, path);
         let flash = |profile| if_installed(footprint(board, profile, &code));
         if let (Some(small), Some(fast)) = (flash(Profile::DeviceSmall), flash(Profile::Device)) {
             let case = format!("{} {}: {small}, {fast}", board.name(), number.name());
@@ -142,7 +142,7 @@ fn of_model(
         panic!("{} has no keyframes", scene.title);
     };
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
-    let code = rust_source_in(model, scene, number, evolution);
+    let code = rust_source(scene, model, number, evolution);
     let counter = Counter::of_scene(board, Profile::Device, &code)?;
     let mut counted = counter.count(&job(scene, Setting::exact(evolution), &hands))?;
     for frame in &mut counted.frames {

@@ -3,6 +3,7 @@
 mod common;
 
 use common::{Folder, SCENE, scene_with_path, text};
+use stiction_scene::BoardNumber;
 
 /// A scene file with one mistake: its name, the text that is replaced, by what, and what the message must hold.
 type Mistake = (
@@ -163,6 +164,26 @@ fn mistakes_in_scene_files_are_refused() {
         let folder = Folder::new();
         folder.write("scene.toml", SCENE.replacen(from, to, 1));
         assert_refused(name, &folder, &[], expected);
+    }
+}
+
+/// The build of a board looks at all but the values of `[hand]`.
+#[test]
+fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_board() {
+    let hand = SCENE.find("[hand]").unwrap();
+    for &(name, from, to, _) in IN_SCENES {
+        let folder = Folder::new();
+        folder.write("scene.toml", SCENE.replacen(from, to, 1));
+        let code = stiction_scene::code(&folder.file("scene.toml"), BoardNumber::F32, None);
+        match code {
+            Ok(_) => assert!(SCENE.find(from) > Some(hand), "{name}"),
+            Err(error) => {
+                let told = text(&folder.stiction(&["run", "scene.toml"]).stderr);
+                let words = error.to_string();
+                let (_, words) = words.split_once("scene.toml").unwrap();
+                assert!(told.contains(words), "{name}: {words}\n{told}");
+            }
+        }
     }
 }
 

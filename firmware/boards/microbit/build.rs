@@ -3,16 +3,20 @@
 use std::env;
 use std::path::PathBuf;
 
-/// The scene file instead of `firmware/scenes/board.rs`: see there.
-const SCENE: &str = "STICTION_SCENE";
+use stiction_scene::{BoardNumber, OwnScene, SceneModel};
+
+/// What the solver of the board's own scene has, as any scene may come over the wire. That of a scene file which is named by
+/// STICTION_SCENE has what this scene needs.
+const ROOM: SceneModel = SceneModel {
+    vertices: 8,
+    surfaces: 2,
+    friction: true,
+    weight: true,
+};
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     let package = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
-    let scene = package.join("../../scenes/board.rs");
-    let scene = env::var_os(SCENE).map_or(scene, PathBuf::from);
-    println!("cargo::rerun-if-env-changed={SCENE}");
-    println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
     let target = variable("TARGET");
     if target != "thumbv6m-none-eabi" {
         return;
@@ -20,6 +24,14 @@ fn main() {
     let memory = package.join("../../memory/nrf51822.x");
     println!("cargo::rerun-if-changed={}", memory.display());
     let folder = PathBuf::from(variable("OUT_DIR"));
+    let own = OwnScene {
+        file: package.join("../../scenes/board.toml"),
+        room: ROOM,
+    };
+    if let Err(error) = stiction_scene::compile(&own, BoardNumber::Fixed, &folder) {
+        eprintln!("{error}");
+        std::process::exit(1);
+    }
     if let Err(error) = std::fs::copy(&memory, folder.join("memory.x")) {
         panic!("{}: {error}", memory.display());
     }

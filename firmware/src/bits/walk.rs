@@ -2,11 +2,9 @@
 //! poses around a corner of floor and wall, pushing the body of the benchmarks into all contact states.
 
 use stiction_core::{
-    Angle, Contacts, Description, Evolution, Hand, Output, Real, Scene, Solver, State,
+    Angle, Contacts, Description, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State,
     SurfaceDescription, Wrench,
 };
-
-use crate::si::SiFloat;
 
 /// A whole number of the walk is so much of a metre or radian.
 const UNITS_PER_ONE: i32 = 1 << 14;

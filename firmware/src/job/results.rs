@@ -1,10 +1,9 @@
 //! The results of a job: to bytes on the board, from bytes on the host.
 
-use stiction_core::{Angle, Output, StateKind, Status};
+use stiction_core::{Angle, Output, SiFloat, StateKind, Status};
 
 use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
-use crate::si::SiFloat;
 
 /// The bytes of a frame.
 pub const FRAME_BYTES: usize = 40;

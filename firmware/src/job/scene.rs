@@ -1,11 +1,10 @@
 //! The scene of a job: to bytes on the host, from bytes to the scene of any number type on the board.
 
 use heapless::Vec;
-use stiction_core::{Description, Evolution, Real, Scene, SceneError, SurfaceDescription};
+use stiction_core::{Description, Evolution, Real, Scene, SceneError, SiFloat, SurfaceDescription};
 
 use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
-use crate::si::SiFloat;
 
 /// The bytes of a job before its vertices.
 pub const HEAD_BYTES: usize = 96;

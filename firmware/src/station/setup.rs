@@ -27,14 +27,20 @@ pub struct Setup {
     pub scene: Description<'static, f32>,
 }
 
-/// What a compiled-in scene says by its type: which parts of the solver are in the image.
+/// What a compiled-in scene says by its type: how much of the solver is in the image.
 pub trait SceneType {
     /// Its model.
     type Model: Model;
+    /// Room for so many vertices.
+    const VERTICES: usize;
+    /// Room for so many surfaces.
+    const SURFACES: usize;
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V, S, M> {
     type Model = M;
+    const VERTICES: usize = V;
+    const SURFACES: usize = S;
 }
 
 /// The fewest ticks with which silence is found in time (Hz).

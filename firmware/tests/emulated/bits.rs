@@ -1,7 +1,8 @@
 //! Every pose of an emulated board has the bits of the solver beside it, each board against its own number type.
 
 use crate::beside::{Beside, assert_same};
-use crate::board::{Board, Chip, F405, MICROBIT};
+use crate::board::Board;
+use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{Said, hand_path};
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real};

@@ -1,6 +1,7 @@
 //! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.
 
-use crate::board::{Board, Chip, F405, MICROBIT};
+use crate::board::Board;
+use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Said, hand_path, scene};
 use std::fs;
 use std::path::Path;

@@ -1,7 +1,8 @@
 //! Bad lines and bad clients: silence, floods, damaged bytes, a client that goes and comes back, commands in mid-contact.
 
 use crate::beside::{Beside, assert_same};
-use crate::board::{Board, Chip, F405, MICROBIT};
+use crate::board::Board;
+use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Client, Said, hand_path, scene};
 use crate::random::{Random, garbled};
 use std::collections::HashMap;

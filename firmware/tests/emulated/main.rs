@@ -6,6 +6,7 @@ mod beside;
 mod bits;
 mod board;
 mod budgets;
+mod chip;
 #[path = "../station/client.rs"]
 mod client;
 mod image;
@@ -13,3 +14,4 @@ mod line;
 mod pantograph;
 #[path = "../station/random.rs"]
 mod random;
+mod scene;

@@ -2,8 +2,9 @@
 //! that the mechanism seems to whirl. What a hand feels is tested on this machine; here, that the image runs, whatever is
 //! measured.
 
-use crate::board::{Board, PANTOGRAPH};
+use crate::board::Board;
 use crate::budgets::Budget;
+use crate::chip::PANTOGRAPH;
 use crate::client::Said;
 use std::collections::HashMap;
 use stiction_core::Hand;

@@ -3,14 +3,12 @@
 
 #[path = "../../boards/olimex-stm32-h405/src/device.rs"]
 mod device;
-#[path = "../../scenes/board.rs"]
-mod scene;
 
 use device::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
-use scene::{CompiledScene, EVOLUTION, SCENE};
 use stiction_core::{Angle, Real, Wrench};
 use stiction_firmware::device::{Controller, Settings};
 use stiction_firmware::pantograph::Kinematics;
+use stiction_scene::WrittenScene;
 
 #[test]
 fn every_number_can_be_used() {
@@ -20,14 +18,14 @@ fn every_number_can_be_used() {
     }
     LIMITS.check().unwrap();
     PASSIVITY.unwrap().check().unwrap();
-    let _: CompiledScene = stiction_core::Scene::new(&SCENE).unwrap();
     let settings = Settings {
-        evolution: EVOLUTION,
         limits: LIMITS,
         passivity: PASSIVITY,
         ..Settings::default()
     };
-    Controller::<f32, 4, 1>::new(&SCENE, &settings).unwrap();
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/board.toml");
+    let scene = WrittenScene::read(file.as_ref(), f64::from(f32::MAX)).unwrap();
+    scene.described(|scene| Controller::<f32, 8, 4>::new(scene, &settings).unwrap());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::client::BOX;
 use stiction_core::frame::{Mode, Pose};
-use stiction_core::{Event, Hand, Output, Real, Scene, Solver, State};
+use stiction_core::{Description, Event, Hand, Output, Real, Scene, Solver, State};
 
 /// The solver of the board's scene, beside it.
 pub(crate) struct Beside<R: Real> {
@@ -12,7 +12,11 @@ pub(crate) struct Beside<R: Real> {
 
 impl<R: Real<Si = f32>> Beside<R> {
     pub(crate) fn new(mode: &Mode) -> Self {
-        let scene: Scene<R, 8, 4> = Scene::new(&BOX).unwrap();
+        Self::of(&BOX, mode)
+    }
+    /// Beside a board with another scene.
+    pub(crate) fn of(description: &Description<'_, f32>, mode: &Mode) -> Self {
+        let scene: Scene<R, 8, 4> = Scene::new(description).unwrap();
         Self {
             solver: Solver::new(scene, mode.evolution)
                 .with_tolerance(mode.tolerance)

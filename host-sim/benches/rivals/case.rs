@@ -52,7 +52,7 @@ impl Case {
     /// The same with the static coefficient for both.
     pub(crate) fn with_one_coefficient(&self) -> Self {
         let mut case = self.clone();
-        for surface in &mut case.scene.surfaces {
+        for surface in &mut case.scene.written.surfaces {
             surface.friction_dynamic = surface.friction_static;
         }
         case

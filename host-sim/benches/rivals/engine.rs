@@ -3,9 +3,8 @@
 
 use std::hint::black_box;
 
-use stiction_core::{Evolution, Hand, State};
+use stiction_core::{Evolution, Hand, State, narrow_hand};
 use stiction_host_sim::hand_path::Sample;
-use stiction_host_sim::number::narrow_hand;
 use stiction_host_sim::scene_file::HostSolver;
 
 use crate::case::{Case, Pose};

@@ -2,8 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_host_sim::record::SurfaceInfo;
 use stiction_tests::reference::{Reference, Scene, Surface};
+
+use stiction_scene::SurfaceInfo;
 
 use crate::case::{Case, Pose, hand_pose};
 use crate::engine::Engine;

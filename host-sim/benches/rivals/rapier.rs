@@ -4,7 +4,8 @@
 
 use rapier2d::prelude::*;
 use stiction_host_sim::hand_path::Sample;
-use stiction_host_sim::record::SurfaceInfo;
+
+use stiction_scene::SurfaceInfo;
 
 use crate::case::{self, Case, hand_pose};
 use crate::engine::Engine;

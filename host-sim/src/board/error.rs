@@ -4,10 +4,10 @@ use std::io;
 use std::path::PathBuf;
 
 use stiction_core::frame::FaultKind;
+use stiction_scene::InputError;
 
 use super::line::Line;
 use crate::emulator::EmulatorError;
-use crate::source::InputError;
 
 /// Why a board could not be worked with.
 #[derive(Debug, thiserror::Error)]

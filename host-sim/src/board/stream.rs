@@ -4,6 +4,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use stiction_core::frame::{Command, Reason};
+use stiction_core::narrow_hand;
 
 use super::address::Address;
 use super::counts::Counts;
@@ -21,7 +22,6 @@ use super::steps::{Step, Steps};
 use super::stop;
 use super::trace::Trace;
 use super::verify::{Twin, Verdict};
-use crate::number::narrow_hand;
 
 /// A board that went away is looked for so often.
 const RETRY: Duration = Duration::from_secs(1);

@@ -3,13 +3,14 @@
 use std::fmt;
 
 use stiction_core::frame::{EventSet, Mode, NumberType};
-use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, Solver, State, Wrench};
+use stiction_core::{
+    Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, State, Wrench,
+};
+use stiction_scene::{InputError, SURFACES, VERTICES};
 
 use super::heard::About;
 use super::steps::Step;
-use crate::number::SiFloat;
-use crate::scene_file::{SURFACES, SceneFile, VERTICES};
-use crate::source::InputError;
+use crate::scene_file::SceneFile;
 
 /// What the host's solver makes of a sample.
 #[derive(Clone, Debug)]

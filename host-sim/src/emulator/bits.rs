@@ -2,9 +2,11 @@
 
 use std::process::Command;
 
+use stiction_scene::BoardNumber;
+
 use super::image::{Image, Profile};
 use super::process::{EmulatorError, output_of};
-use super::{Board, BoardNumber, run};
+use super::{Board, run};
 
 /// A machine whose bits are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,8 @@
 //! The chips that figures are given for: their names, their emulated boards, the number type that suits them.
 
-use super::{Board, BoardNumber};
+use stiction_scene::BoardNumber;
+
+use super::Board;
 
 /// A chip on which the solver is counted in emulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -55,7 +55,7 @@ impl Image {
         Self::built(cargo_for(board, binary, profile))
     }
 
-    /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](super::rust_source).
+    /// A binary of the firmware for a board with a scene compiled in: Rust code, see [`rust_source`](stiction_scene::rust_source).
     /// A copy of its own, as the next scene takes the place of this one.
     pub(super) fn of_scene(
         board: Board,
@@ -70,7 +70,7 @@ impl Image {
         let code = folder.path().join("scene.rs");
         fs::write(&code, scene)?;
         let mut cargo = cargo_for(board, binary, profile);
-        cargo.env("STICTION_SCENE", &code);
+        cargo.env("STICTION_SCENE_CODE", &code);
         let path = folder.path().join(binary);
         let building = BUILDING[board as usize]
             .lock()
@@ -126,7 +126,7 @@ impl Image {
 }
 
 /// The flash that the solver of a scene takes on a board (bytes): an image with it, less the same image without. `scene`
-/// is Rust code, see [`rust_source`](super::rust_source).
+/// is Rust code, see [`rust_source`](stiction_scene::rust_source).
 ///
 /// # Errors
 /// Cargo or the target is missing, or the image cannot be built.

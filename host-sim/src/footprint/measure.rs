@@ -2,11 +2,9 @@
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::Setting;
+use stiction_scene::{SceneModel, rust_source};
 
-use crate::emulator::{
-    Chip, Counted, Counter, EmulatorError, Profile, footprint, job, rust_source_in,
-};
-use crate::model::SceneModel;
+use crate::emulator::{Chip, Counted, Counter, EmulatorError, Profile, footprint, job};
 use crate::scene_file::SceneFile;
 
 /// What a model takes on a chip. Instructions and stack are those of the build for speed.
@@ -42,7 +40,7 @@ pub fn measure(
     hands: &[Hand<f64>],
 ) -> Result<Measured, EmulatorError> {
     let (board, number) = (chip.board(), chip.number());
-    let code = rust_source_in(model, scene, number, evolution);
+    let code = rust_source(scene, model, number, evolution);
     let job = job(scene, Setting::exact(evolution), hands);
     Ok(Measured {
         flash_small: footprint(board, Profile::DeviceSmall, &code)?,

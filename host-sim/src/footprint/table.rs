@@ -3,10 +3,10 @@
 use std::fmt;
 
 use stiction_core::Evolution;
+use stiction_scene::SceneModel;
 
 use super::measure::Measured;
 use crate::emulator::Chip;
-use crate::model::SceneModel;
 
 /// What the columns mean.
 pub(super) const LEGEND: &str = "\

@@ -2,10 +2,10 @@
 //! origin.
 
 use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
+use stiction_scene::{InputError, Source};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
-use crate::source::{InputError, Source};
 
 /// Plane, scale and origin of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,8 +4,7 @@
 use std::path::Path;
 
 use stiction_core::TrackerSample;
-
-use crate::source::{InputError, Source};
+use stiction_scene::{InputError, Source};
 
 const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];

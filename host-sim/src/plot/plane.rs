@@ -1,8 +1,10 @@
 //! The plane in which the body moves, drawn to scale: surfaces, body, spring and forces. World frame, m and N.
 
+use stiction_scene::SurfaceInfo;
+
 use super::sheet::{Area, Drawn, Plane, px, size, stroke};
 use super::style::{FAINT, INK, SOLID};
-use crate::record::{Frame, Run, SurfaceInfo};
+use crate::record::{Frame, Run};
 use plotters::prelude::*;
 use std::ops::Range;
 

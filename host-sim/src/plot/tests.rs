@@ -5,10 +5,11 @@ use super::series::{envelope, outline, sparse};
 use super::sheet::PNG_SCALE;
 use super::*;
 use crate::number::Number;
-use crate::record::{ContactRecord, Frame, SurfaceInfo};
+use crate::record::{ContactRecord, Frame};
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status};
+use stiction_scene::SurfaceInfo;
 
 /// A size that an SVG stays below [bytes].
 const LARGEST_SVG: u64 = 1_000_000;

@@ -2,10 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::check::Check;
-use super::document;
+use stiction_scene::{Check, Hand, InputError, Numbers};
+
 use crate::hand_path::{HandPath, Placement, Row, RowPose, parse_plane};
-use crate::source::InputError;
 
 /// Where the hand's motion comes from.
 #[derive(Clone, Debug)]
@@ -29,7 +28,7 @@ pub struct HandSection {
 
 impl HandSection {
     /// Checks the section; a path is taken relative to the scene file.
-    pub(super) fn new(check: Check<'_>, hand: &document::Hand) -> Result<Self, InputError> {
+    pub(super) fn new(check: Check<'_>, hand: &Hand) -> Result<Self, InputError> {
         let rate = hand
             .rate
             .as_ref()
@@ -45,11 +44,11 @@ impl HandSection {
 
 fn motion(
     check: Check<'_>,
-    hand: &document::Hand,
+    hand: &Hand,
     placement: &Placement,
 ) -> Result<Option<Motion>, InputError> {
     match (&hand.keyframes, &hand.path) {
-        (Some(_), Some(path)) => Err(check.source.error_at(
+        (Some(_), Some(path)) => Err(check.source().error_at(
             path.span().start,
             "`hand.path` is given besides `hand.keyframes`, allowed: one of the two",
         )),
@@ -58,7 +57,7 @@ fn motion(
             Err(check.error("hand.path", path, "the name of a file"))
         }
         (None, Some(path)) => {
-            let folder = check.source.file().parent().unwrap_or(Path::new(""));
+            let folder = check.source().file().parent().unwrap_or(Path::new(""));
             Ok(Some(Motion::Recorded(folder.join(path.get_ref()))))
         }
         (Some(list), None) => {
@@ -66,19 +65,19 @@ fn motion(
             if rows.is_empty() {
                 return Err(check.error("hand.keyframes", list, "at least one keyframe"));
             }
-            let samples = placement.place(check.source, &rows)?;
+            let samples = placement.place(check.source(), &rows)?;
             Ok(Some(Motion::Keyframes(HandPath::new(samples))))
         }
     }
 }
 
-fn keyframes(check: Check<'_>, list: &[document::Numbers]) -> Result<Vec<Row>, InputError> {
+fn keyframes(check: Check<'_>, list: &[Numbers]) -> Result<Vec<Row>, InputError> {
     let mut rows: Vec<Row> = Vec::with_capacity(list.len());
     let (mut line, mut offset) = (1, 0);
     for (i, given) in list.iter().enumerate() {
         let key = format!("hand.keyframes[{i}]");
         let start = given.span().start;
-        line += check.source.text()[offset..start].matches('\n').count();
+        line += check.source().text()[offset..start].matches('\n').count();
         offset = start;
         let row = keyframe(check, &key, given, line)?;
         if rows.last().is_some_and(|last| row.t <= last.t) {
@@ -89,12 +88,7 @@ fn keyframes(check: Check<'_>, list: &[document::Numbers]) -> Result<Vec<Row>, I
     Ok(rows)
 }
 
-fn keyframe(
-    check: Check<'_>,
-    key: &str,
-    given: &document::Numbers,
-    line: usize,
-) -> Result<Row, InputError> {
+fn keyframe(check: Check<'_>, key: &str, given: &Numbers, line: usize) -> Result<Row, InputError> {
     let ([t, pose @ ..], held) = if given.get_ref().len() == 5 {
         let [t, x, y, phi, held] = check.numbers(key, given, "t, x, y, phi and held")?;
         if held != 0.0 && held != 1.0 {
@@ -115,9 +109,9 @@ fn keyframe(
     })
 }
 
-fn placement(check: Check<'_>, hand: &document::Hand) -> Result<Placement, InputError> {
+fn placement(check: Check<'_>, hand: &Hand) -> Result<Placement, InputError> {
     let mut placement = Placement {
-        limit: check.limit,
+        limit: check.limit(),
         ..Placement::default()
     };
     if let Some(plane) = &hand.plane {

@@ -3,14 +3,13 @@
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job;
+use stiction_scene::{BoardNumber, SceneModel, rust_source};
 
 use super::cost::Emulated;
 use super::measure::Row;
 use super::setting::{RATES, Setting};
 use super::suite::{Case, Group, Suite};
-use crate::emulator::{
-    BoardNumber, Chip, Counter, EmulatorError, Profile, footprint, job, rust_source,
-};
+use crate::emulator::{Chip, Counter, EmulatorError, Profile, footprint, job};
 use crate::number::Number;
 
 /// How images are built.
@@ -75,7 +74,8 @@ impl Build {
 
     /// The flash of the solver of a scene (bytes), by evolution.
     fn flash(&self, case: &Case, evolution: Evolution) -> Result<u64, EmulatorError> {
-        let code = rust_source(&case.scene, self.number, evolution);
+        let model = SceneModel::smallest(&case.scene);
+        let code = rust_source(&case.scene, model, self.number, evolution);
         footprint(self.chip.board(), PROFILE, &code)
     }
 

@@ -6,10 +6,10 @@ use std::ops::Range;
 use std::path::Path;
 
 use stiction_core::{Angle, Hand};
+use stiction_scene::{InputError, Source};
 
 use super::random::Random;
 use crate::hand_path::{HandPath, Placement, Sample};
-use crate::source::{InputError, Source};
 
 /// The scene; the hand holds the box above its middle, which is at (0.05, 0.05) when it lies in the corner.
 pub(super) const SCENE: &str = r#"

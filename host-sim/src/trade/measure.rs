@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use serde_json::Value;
-use stiction_core::{Fixed, Hand, Real};
+use stiction_core::{Fixed, Hand, Real, SiFloat, narrow_hand};
+use stiction_scene::InputError;
 
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Cost};
@@ -12,10 +13,9 @@ use super::setting::{FINEST, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use crate::emulator::Chip;
-use crate::number::{Number, SiFloat, narrow_hand};
+use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::simulate::simulate;
-use crate::source::InputError;
 
 /// What was measured of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,14 +1,13 @@
 //! What every setting is measured against: f64 with path evolution at the finest rate, and its answer at any instant
 //! between two of its frames.
 
-use stiction_core::{Output, State, StateKind};
+use stiction_core::{Output, State, StateKind, narrow_hand};
+use stiction_scene::InputError;
 
 use super::setting::{FINEST, Setting};
 use super::suite::Case;
 use crate::hand_path::Sample;
-use crate::number::narrow_hand;
 use crate::scene_file::HostSolver;
-use crate::source::InputError;
 
 /// Where the body is at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! What can be chosen: number type, evolution, dial and frame rate.
 
-use stiction_core::{Evolution, Real, Solver};
+use stiction_core::{Evolution, Real, SiFloat, Solver};
 
-use crate::number::{Number, SiFloat};
+use crate::number::Number;
 use crate::scene_file::{HostScene, HostSolver};
 
 /// Frame rates (Hz): the paper's tracker, a motion capture, a haptic device.

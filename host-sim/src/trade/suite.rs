@@ -3,13 +3,14 @@
 use std::fmt;
 use std::path::Path;
 
+use stiction_scene::{InputError, Source};
+
 use super::setting::FINEST;
 use super::{hand, random};
 use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::scene_file::{Motion, SceneFile};
 use crate::scenes;
-use crate::source::{InputError, Source};
 
 /// Which part of the suite a scene belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +58,7 @@ impl Case {
                 path: path.clone(),
                 scene,
             }),
-            _ => Err(scene.error("[hand] has no `keyframes`")),
+            _ => Err(scene.source().error("[hand] has no `keyframes`")),
         }
     }
 

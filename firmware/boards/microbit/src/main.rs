@@ -21,7 +21,7 @@ fn main() {
 
 #[cfg(target_os = "none")]
 mod scene {
-    include!(env!("STICTION_SCENE_FILE"));
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
 #[cfg(target_os = "none")]
@@ -38,10 +38,10 @@ mod app {
     use stiction_firmware::safety::Limits;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
 
-    /// Room for so many vertices.
-    const V: usize = 8;
+    /// Room for so many vertices: what is compiled in, see build.rs.
+    const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
-    const S: usize = 2;
+    const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second.
     const RATE: u16 = 250;
     type Model = <CompiledScene as SceneType>::Model;

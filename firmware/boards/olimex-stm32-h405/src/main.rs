@@ -32,7 +32,7 @@ mod device {
 
 #[cfg(target_os = "none")]
 mod scene {
-    include!(env!("STICTION_SCENE_FILE"));
+    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
 #[cfg(target_os = "none")]
@@ -41,16 +41,16 @@ mod app {
     use crate::board::{self, Board, Clock, Device, Uart, Watchdog};
     use crate::device::{LIMITS, PASSIVITY};
     use crate::log::info;
-    use crate::scene::{CompiledScene, EVOLUTION, SCENE};
+    use crate::scene::{CompiledScene, SCENE};
     use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
     use stiction_firmware::ring::Ring;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
     use stm32f4xx_hal::pac::Interrupt;
 
-    /// Room for so many vertices.
-    const V: usize = 8;
+    /// Room for so many vertices: what is compiled in, see build.rs.
+    const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
-    const S: usize = 4;
+    const S: usize = CompiledScene::SURFACES;
     /// Of a step: with these the worst tick stays below 30 % of its time.
     const EVENTS: u8 = 8;
     type Model = <CompiledScene as SceneType>::Model;
@@ -64,7 +64,6 @@ mod app {
         limits: LIMITS,
         passivity: PASSIVITY,
         mode: Mode {
-            evolution: EVOLUTION,
             event_limit: EVENTS,
             ..Mode::DEFAULT
         },

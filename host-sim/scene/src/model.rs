@@ -3,8 +3,8 @@
 
 use std::fmt;
 
-use crate::record::SurfaceInfo;
-use crate::scene_file::SceneFile;
+use crate::surface::SurfaceInfo;
+use crate::written::WrittenScene;
 
 /// The V, S and M of a `Solver<R, V, S, M>`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub struct SceneModel {
 
 impl SceneModel {
     /// The smallest model in which a scene runs.
-    pub fn smallest(scene: &SceneFile) -> Self {
+    pub fn smallest(scene: &WrittenScene) -> Self {
         Self {
             vertices: scene.vertices.len(),
             surfaces: scene.surfaces.len(),
@@ -33,11 +33,22 @@ impl SceneModel {
     /// Every part of the solver: friction, weight, room for at least 4 vertices and 2 surfaces.
     #[must_use]
     pub fn full(self) -> Self {
-        Self {
-            vertices: self.vertices.max(4),
-            surfaces: self.surfaces.max(2),
+        self.with(Self {
+            vertices: 4,
+            surfaces: 2,
             friction: true,
             weight: true,
+        })
+    }
+
+    /// What either of two models has.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            vertices: self.vertices.max(other.vertices),
+            surfaces: self.surfaces.max(other.surfaces),
+            friction: self.friction || other.friction,
+            weight: self.weight || other.weight,
         }
     }
 
@@ -52,7 +63,7 @@ impl SceneModel {
     }
 
     /// Why the smallest model of a scene has what it has, part by part: V, S, friction, weight.
-    pub fn reasons(scene: &SceneFile) -> [String; 4] {
+    pub fn reasons(scene: &WrittenScene) -> [String; 4] {
         let model = Self::smallest(scene);
         [
             format!("V = {}: {}", model.vertices, vertices(model.vertices)),
@@ -95,7 +106,7 @@ fn surfaces(model: SceneModel) -> &'static str {
     }
 }
 
-fn friction(scene: &SceneFile) -> String {
+fn friction(scene: &WrittenScene) -> String {
     let rough = scene.surfaces.iter().filter(|surface| is_rough(surface));
     let rough: Vec<String> = rough
         .map(|surface| format!("{:?} has mu_s = {}", surface.name, surface.friction_static))
@@ -109,17 +120,17 @@ fn friction(scene: &SceneFile) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Number;
-    use crate::scenes;
     use crate::source::Source;
+    use std::path::Path;
 
-    fn bundled(name: &str) -> SceneFile {
-        let source = scenes::find(name.as_ref()).expect("a bundled scene");
-        SceneFile::parse(source, Number::F32).expect("a sound scene")
+    fn bundled(name: &str) -> WrittenScene {
+        let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+        let file = scenes.join(name).with_extension("toml");
+        WrittenScene::read(&file, f64::MAX).expect("a bundled scene")
     }
 
     /// A scene of these vertices, weight and mu_s of each surface.
-    fn scene(vertices: &str, weight: f64, friction: &[f64]) -> SceneFile {
+    fn scene(vertices: &str, weight: f64, friction: &[f64]) -> WrittenScene {
         let surface = |(i, mu): (usize, &f64)| {
             format!(
                 "[[surface]]\nname = \"s{i}\"\nnormal = [0.0, 1.0]\noffset = -{i}.0\nstatic = {mu:?}\ndynamic = 0.0\n"
@@ -130,7 +141,7 @@ mod tests {
             "[body]\nvertices = {vertices}\nstart = [0.0, 1.0, 0.0]\nweight = {weight:?}\n\
              [spring]\ntranslation = 1.0\nrotation = 1.0\n{surfaces}"
         );
-        SceneFile::parse(Source::new("made.toml", text), Number::F32).expect("a sound scene")
+        WrittenScene::parse(Source::new("made.toml", text), f64::MAX).expect("a sound scene")
     }
 
     #[test]

@@ -1,19 +1,34 @@
 //! Numbers of a scene file: finite, within the number type, as many as the key takes.
 
-use super::document::{Number, Numbers};
+use crate::document::{Number, Numbers};
 use crate::source::{InputError, Source};
 
 /// Checks values of one file.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Check<'a> {
-    pub(super) source: &'a Source,
+pub struct Check<'a> {
+    source: &'a Source,
     /// The largest size of a number.
-    pub(super) limit: f64,
+    limit: f64,
 }
 
-impl Check<'_> {
+impl<'a> Check<'a> {
+    /// Checks values of `source`, which may be as large as `limit`.
+    pub const fn new(source: &'a Source, limit: f64) -> Self {
+        Self { source, limit }
+    }
+
+    /// The file.
+    pub const fn source(&self) -> &'a Source {
+        self.source
+    }
+
+    /// The largest size of a number.
+    pub const fn limit(&self) -> f64 {
+        self.limit
+    }
+
     /// A number.
-    pub(super) fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+    pub fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = *given.get_ref();
         self.finite(value)
             .map_err(|allowed| self.error(key, given, &allowed))?;
@@ -21,7 +36,7 @@ impl Check<'_> {
     }
 
     /// A number that may be absent.
-    pub(super) fn number_or(
+    pub fn number_or(
         &self,
         key: &str,
         given: Option<&Number>,
@@ -31,7 +46,7 @@ impl Check<'_> {
     }
 
     /// A number above zero.
-    pub(super) fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+    pub fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = self.number(key, given)?;
         if value > 0.0 {
             Ok(value)
@@ -41,7 +56,7 @@ impl Check<'_> {
     }
 
     /// N numbers; `names` says which.
-    pub(super) fn numbers<const N: usize>(
+    pub fn numbers<const N: usize>(
         &self,
         key: &str,
         given: &Numbers,
@@ -57,7 +72,7 @@ impl Check<'_> {
     }
 
     /// What is allowed, where `value` is not.
-    pub(super) fn finite(&self, value: f64) -> Result<(), String> {
+    fn finite(&self, value: f64) -> Result<(), String> {
         if value.abs() <= self.limit {
             Ok(())
         } else {
@@ -66,7 +81,7 @@ impl Check<'_> {
     }
 
     /// "`key` is value, allowed: ...", with the line.
-    pub(super) fn error<T: std::fmt::Debug>(
+    pub fn error<T: std::fmt::Debug>(
         &self,
         key: &str,
         given: &toml::Spanned<T>,

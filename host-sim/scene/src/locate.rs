@@ -1,13 +1,12 @@
 //! From a parameter that the solver refuses to the key of the scene file that gave it.
 
-use stiction_core::{Parameter, SceneError};
+use stiction_core::{Parameter, SceneError, SiFloat};
 
-use super::SceneFile;
-use crate::number::SiFloat;
 use crate::source::InputError;
+use crate::written::WrittenScene;
 
 /// What static friction may be.
-pub(super) const STATIC_FRICTION: &str = "not less than the dynamic friction";
+pub(crate) const STATIC_FRICTION: &str = "not less than the dynamic friction";
 
 /// A key, where its value starts in the text, and the value as it was written.
 type Place = (String, usize, String);
@@ -17,9 +16,9 @@ fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -
     (key.into(), given.span().start, value)
 }
 
-impl SceneFile {
+impl WrittenScene {
     /// The solver's error in the words of the file.
-    pub(super) fn explain<F: SiFloat>(&self, error: &SceneError<F>) -> InputError {
+    pub(crate) fn explain<F: SiFloat>(&self, error: &SceneError<F>) -> InputError {
         let allowed = error.allowed;
         if let Parameter::Penetration { surface, vertex } = error.parameter {
             let (key, offset, _) = place("body.start", &self.document.body.start);

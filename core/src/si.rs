@@ -1,6 +1,8 @@
 //! The floats in which the solver takes and gives SI values, and their way from and to the f64 and the bits of a file.
 
-use stiction_core::{Angle, Hand, Real};
+use crate::geometry::Angle;
+use crate::hand::Hand;
+use crate::real::Real;
 
 /// A float in which the solver takes and gives SI values.
 pub trait SiFloat: Real<Si = Self> {

@@ -1,0 +1,83 @@
+//! A scene file compiled into the boards: the solver is as large as the scene needs, and runs that scene.
+
+use crate::beside::{Beside, assert_same};
+use crate::board::Board;
+use crate::chip::{Chip, F405, MICROBIT, bundled};
+use crate::client::{BOX, Said, scene};
+use stiction_core::frame::{Command, Mode, Reason, Stepping};
+use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
+use stiction_scene::WrittenScene;
+
+/// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface, friction, no weight.
+const SCENE: &str = "point-stick-slip";
+const SAMPLES: u16 = 400;
+
+/// A vertex too many.
+const ROD: Description<'static, f32> = Description {
+    vertices: &[[0.0, 0.0], [0.01, 0.0]],
+    surfaces: &[],
+    ..BOX
+};
+
+/// The hand presses the tip 4 mm deep and draws it 50 mm along the plate.
+fn hand(i: u16) -> Hand<f32> {
+    let part = |from: u16, to: u16| {
+        let done = i.clamp(from, to) - from;
+        f32::from(done) / f32::from(to - from)
+    };
+    let (down, along) = (part(0, 100), part(100, SAMPLES));
+    Hand::new(0.05 * along, 0.05 - 0.014 * down, 0.1 * along)
+}
+
+fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
+    let (Some(own), Some(image)) = (chip.image(), chip.image_of(Some(SCENE))) else {
+        return;
+    };
+    println!("{}: flash {} of {}", chip.name, image.flash, own.flash);
+    assert!(image.flash < own.flash && image.variables < own.variables);
+    assert_eq!(image.panics(), [""; 0]);
+    let Some(mut board) = Board::start_image(chip, image) else {
+        return;
+    };
+    let info = board.info();
+    assert_eq!((info.room, info.has), ([1, 1], [true, false, false]));
+    assert_eq!((info.stiffness, info.friction), ([500.0, 0.5], [0.5, 0.3]));
+    board.send(scene(&ROD));
+    let refused = board.wait(|_, said| match said {
+        Said::Reply(answer) => Some((answer.reason, answer.value, answer.limit)),
+        _ => None,
+    });
+    assert_eq!(refused, (Reason::Unsupported, 2.0, 1.0));
+    board.done(Command::Mode(Mode {
+        stepping: Stepping::PerSample,
+        health_every: 0,
+        ..info.mode
+    }));
+    let written = WrittenScene::read(&bundled(SCENE), f64::from(f32::MAX)).unwrap();
+    let mut beside = written.described(|scene| Beside::<R>::of(scene, &info.mode));
+    let mut slips = 0;
+    for i in 0..SAMPLES {
+        board.send(Command::Hand(hand(i)));
+        let sample = board.client.sequence.wrapping_sub(1);
+        let pose = board.wait(|_, said| match said {
+            Said::Pose(pose) if pose.sample == sample => Some(*pose),
+            _ => None,
+        });
+        assert_same(&pose, &beside.step(hand(i)), &format!("{} {i}", chip.name));
+        slips += u32::from(pose.saw(Event::Slip));
+        if i > 100 {
+            assert_eq!(pose.state, StateKind::SingleVertex, "{i}");
+        }
+    }
+    assert!(slips > 1, "{slips}");
+}
+
+#[test]
+fn the_f405_runs_the_scene_file_that_it_is_built_with() {
+    runs_its_scene::<f32>(&F405);
+}
+
+#[test]
+fn the_microbit_runs_the_scene_file_that_it_is_built_with() {
+    runs_its_scene::<Fixed>(&MICROBIT);
+}

@@ -1,0 +1,106 @@
+//! A scene as the Rust code that is compiled into an image: the number type, room for its vertices and surfaces, and the
+//! parts of the solver.
+
+use stiction_core::{Description, Evolution, SurfaceDescription};
+
+use crate::model::SceneModel;
+use crate::written::WrittenScene;
+
+/// A number type of the images. A double float makes no sense on these boards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum BoardNumber {
+    /// Single precision.
+    F32,
+    /// Fixed point.
+    Fixed,
+}
+
+impl BoardNumber {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
+
+    /// The name, also in those of the images.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "fixed",
+        }
+    }
+
+    const fn path(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::Fixed => "stiction_core::Fixed",
+        }
+    }
+}
+
+/// The code of a scene in a model that has all that it needs, and of how a frame is evolved, as in
+/// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE` and `EVOLUTION`.
+pub fn rust_source(
+    scene: &WrittenScene,
+    model: SceneModel,
+    number: BoardNumber,
+    evolution: Evolution,
+) -> String {
+    let scene = scene_code(scene, model, number);
+    format!(
+        "{scene}pub(crate) const EVOLUTION: stiction_core::Evolution = stiction_core::Evolution::{evolution:?};\n"
+    )
+}
+
+/// The code of a scene alone: `CompiledScene` and `SCENE`.
+pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: BoardNumber) -> String {
+    let SceneModel {
+        vertices,
+        surfaces,
+        friction,
+        weight,
+    } = model;
+    let number = number.path();
+    let description = scene.described(description);
+    format!(
+        "pub(crate) type CompiledScene =
+    stiction_core::Scene<{number}, {vertices}, {surfaces}, stiction_core::Parts<{friction}, {weight}>>;
+pub(crate) const SCENE: stiction_core::Description<'static, f32> = {description};
+"
+    )
+}
+
+/// What reads back to the same bits.
+fn description(d: &Description<'_, f32>) -> String {
+    let surfaces: Vec<String> = d.surfaces.iter().map(surface).collect();
+    format!(
+        "stiction_core::Description {{
+    vertices: &{:?},
+    start: {:?},
+    weight: {:?},
+    holding_point: {:?},
+    reach: {:?},
+    stiffness_translation: {:?},
+    stiffness_rotation: {:?},
+    surfaces: &[{}],
+}}",
+        d.vertices,
+        d.start,
+        d.weight,
+        d.holding_point,
+        d.reach,
+        d.stiffness_translation,
+        d.stiffness_rotation,
+        surfaces.concat()
+    )
+}
+
+fn surface(d: &SurfaceDescription<f32>) -> String {
+    format!(
+        "
+        stiction_core::SurfaceDescription {{
+            normal: {:?},
+            offset: {:?},
+            friction_static: {:?},
+            friction_dynamic: {:?},
+        }},",
+        d.normal, d.offset, d.friction_static, d.friction_dynamic
+    )
+}

@@ -1,0 +1,66 @@
+//! For the build script of a board: from a scene file to the code of the scene in the folder of the build.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+use stiction_core::{Fixed, Full, Real};
+
+use crate::code::{BoardNumber, scene_code};
+use crate::model::SceneModel;
+use crate::source::InputError;
+use crate::written::{SURFACES, VERTICES, WrittenScene};
+
+/// The environment variable with the scene file that takes the place of a board's own.
+const SCENE: &str = "STICTION_SCENE";
+
+/// What is compiled into a board where nothing else is said.
+#[derive(Clone, Debug)]
+pub struct OwnScene {
+    /// The scene file.
+    pub file: PathBuf,
+    /// What comes over the wire has room in this model.
+    pub room: SceneModel,
+}
+
+/// Writes `scene.rs` into a folder: the board's own scene, or in its smallest model that of the file which the environment
+/// variable `STICTION_SCENE` names. Tells cargo on what it depends.
+///
+/// # Errors
+/// The scene cannot be used, or the code not be written.
+pub fn compile(own: &OwnScene, number: BoardNumber, folder: &Path) -> Result<(), InputError> {
+    println!("cargo::rerun-if-env-changed={SCENE}");
+    let named = env::var_os(SCENE).filter(|name| !name.is_empty());
+    let (file, room) = match &named {
+        Some(name) => (Path::new(name), None),
+        None => (own.file.as_path(), Some(own.room)),
+    };
+    println!("cargo::rerun-if-changed={}", file.display());
+    let code = code(file, number, room)?;
+    let target = folder.join("scene.rs");
+    std::fs::write(&target, code)
+        .map_err(|error| InputError::of_file(&target, format!("cannot be written: {error}")))
+}
+
+/// The code of a scene file for a board: in its smallest model, or in one with room for others too.
+///
+/// # Errors
+/// The messages of a scene that is run on a computer.
+pub fn code(
+    file: &Path,
+    number: BoardNumber,
+    room: Option<SceneModel>,
+) -> Result<String, InputError> {
+    let scene = WrittenScene::read(file, f64::from(f32::MAX))?;
+    match number {
+        BoardNumber::F32 => check::<f32>(&scene)?,
+        BoardNumber::Fixed => check::<Fixed>(&scene)?,
+    }
+    let smallest = SceneModel::smallest(&scene);
+    let model = room.map_or(smallest, |room| room.with(smallest));
+    Ok(scene_code(&scene, model, number))
+}
+
+/// The numbers make a scene.
+fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<(), InputError> {
+    scene.scene_in::<R, VERTICES, SURFACES, Full>().map(|_| ())
+}

@@ -1,0 +1,93 @@
+//! The scene file as TOML has it: sections, keys and types, each value with its place in the text; nothing is checked
+//! beyond that.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+/// A number with its place.
+pub type Number = Spanned<f64>;
+/// An array of numbers with its place.
+pub type Numbers = Spanned<Vec<f64>>;
+
+/// The whole file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Document {
+    pub(crate) body: Body,
+    #[serde(default)]
+    pub(crate) grasp: Grasp,
+    pub(crate) spring: Spring,
+    #[serde(default)]
+    pub(crate) friction: Friction,
+    #[serde(default)]
+    pub(crate) surface: Vec<Spanned<Surface>>,
+    #[serde(default)]
+    pub(crate) hand: Hand,
+}
+
+/// `[body]`
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Body {
+    pub(crate) vertices: Option<Spanned<Vec<Numbers>>>,
+    pub(crate) rectangle: Option<Numbers>,
+    pub(crate) start: Numbers,
+    pub(crate) weight: Option<Number>,
+}
+
+/// `[grasp]`
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Grasp {
+    pub(crate) point: Option<Numbers>,
+    pub(crate) reach: Option<Number>,
+}
+
+/// `[spring]`
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Spring {
+    pub(crate) translation: Number,
+    pub(crate) rotation: Number,
+}
+
+/// `[friction]`
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Friction {
+    #[serde(rename = "static")]
+    pub(crate) stick: Option<Number>,
+    #[serde(rename = "dynamic")]
+    pub(crate) slip: Option<Number>,
+}
+
+/// `[[surface]]`
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Surface {
+    pub(crate) name: Option<Spanned<String>>,
+    pub(crate) normal: Numbers,
+    pub(crate) offset: Number,
+    #[serde(rename = "static")]
+    pub(crate) stick: Option<Number>,
+    #[serde(rename = "dynamic")]
+    pub(crate) slip: Option<Number>,
+}
+
+/// `[hand]`: a program that runs the scene says whether its values are good.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Hand {
+    /// Frames per second (Hz).
+    pub rate: Option<Number>,
+    /// t (s), x, y (m), phi (rad) and whether it holds, of each.
+    pub keyframes: Option<Spanned<Vec<Numbers>>>,
+    /// A file with a recorded path.
+    pub path: Option<Spanned<String>>,
+    /// The axes of the path that become x and y.
+    pub plane: Option<Spanned<String>>,
+    /// Factor on positions.
+    pub scale: Option<Number>,
+    /// Added after scaling: x, y (m), phi (rad).
+    pub origin: Option<Numbers>,
+}

@@ -1,0 +1,161 @@
+//! A scene as a file has it: from TOML to checked numbers, and on to a [`Scene`] of the solver. Every message names the key,
+//! the line, the value and what is allowed.
+
+use std::path::Path;
+
+use stiction_core::{Description, Model, Real, Scene, SiFloat, SurfaceDescription};
+
+use crate::check::Check;
+use crate::document::{Body, Document, Hand};
+use crate::source::{InputError, Source};
+use crate::surface::{SurfaceInfo, surfaces};
+
+/// At most this many vertices, wherever the scene runs.
+pub const VERTICES: usize = 64;
+/// At most this many surfaces.
+pub const SURFACES: usize = 16;
+
+/// A scene file whose numbers are finite, in range and complete; its hand is not looked at. Whether they make a scene is for
+/// [`WrittenScene::scene_in`] to say. SI units; see [`Description`] for the meaning of each.
+#[derive(Clone, Debug)]
+pub struct WrittenScene {
+    /// The file name without its extension.
+    pub title: String,
+    /// Vertices (m), body frame.
+    pub vertices: Vec<[f64; 2]>,
+    /// x, y (m), theta (rad) of the body at the start.
+    pub start: [f64; 3],
+    /// Weight (N).
+    pub weight: f64,
+    /// The initial holding point (m), body frame.
+    pub holding_point: Option<[f64; 2]>,
+    /// How far outside the polygon a hand may be and still take hold (m).
+    pub reach: f64,
+    /// k_h (N/m)
+    pub stiffness_translation: f64,
+    /// k_theta (N·m/rad)
+    pub stiffness_rotation: f64,
+    /// The surfaces, their normals with length 1.
+    pub surfaces: Vec<SurfaceInfo>,
+    pub(crate) source: Source,
+    pub(crate) document: Document,
+}
+
+impl WrittenScene {
+    /// Reads a scene file for a number type whose largest number is `limit`.
+    ///
+    /// # Errors
+    /// The file cannot be read, is not TOML, or a key is unknown, missing, of the wrong type or out of range.
+    pub fn read(file: &Path, limit: f64) -> Result<Self, InputError> {
+        Self::parse(Source::read(file)?, limit)
+    }
+
+    /// Reads a scene from text.
+    ///
+    /// # Errors
+    /// As [`WrittenScene::read`].
+    pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
+        let document: Document = toml::from_str(source.text()).map_err(|error| {
+            let problem = error.message();
+            match error.span() {
+                Some(span) if span.start > 0 || span.len() < source.text().len() => {
+                    source.error_at(span.start, problem)
+                }
+                _ => source.error(problem),
+            }
+        })?;
+        let check = Check::new(&source, limit);
+        let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
+        let point = |given| check.numbers("grasp.point", given, "x and y");
+        let title = source.file().file_stem().unwrap_or_default();
+        Ok(Self {
+            title: title.to_string_lossy().into_owned(),
+            vertices: vertices(check, body)?,
+            start: check.numbers("body.start", &body.start, "x, y and theta")?,
+            weight: check.number_or("body.weight", body.weight.as_ref(), 0.0)?,
+            holding_point: grasp.point.as_ref().map(point).transpose()?,
+            reach: check.number_or("grasp.reach", grasp.reach.as_ref(), 0.0)?,
+            stiffness_translation: check.number("spring.translation", &spring.translation)?,
+            stiffness_rotation: check.number("spring.rotation", &spring.rotation)?,
+            surfaces: surfaces(check, &document)?,
+            document,
+            source,
+        })
+    }
+
+    /// The scene for a solver.
+    ///
+    /// # Errors
+    /// The numbers do not make a scene, or it does not fit: the message names the key that the solver's
+    /// [`SceneError`](stiction_core::SceneError) is about.
+    pub fn scene_in<R, const V: usize, const S: usize, M>(
+        &self,
+    ) -> Result<Scene<R, V, S, M>, InputError>
+    where
+        R: Real<Si: SiFloat>,
+        M: Model,
+    {
+        self.described(|description| Scene::new(description))
+            .map_err(|error| self.explain(&error))
+    }
+
+    /// The scene in the float of a solver, as it is given to it or sent to a board.
+    pub fn described<F: SiFloat, T>(&self, take: impl FnOnce(&Description<'_, F>) -> T) -> T {
+        let narrow = F::narrow;
+        let vertices: Vec<_> = self.vertices.iter().map(|v| v.map(narrow)).collect();
+        let surface = |s: &SurfaceInfo| SurfaceDescription {
+            normal: s.normal.map(narrow),
+            offset: narrow(s.offset),
+            friction_static: narrow(s.friction_static),
+            friction_dynamic: narrow(s.friction_dynamic),
+        };
+        let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
+        take(&Description {
+            vertices: &vertices,
+            start: self.start.map(narrow),
+            weight: narrow(self.weight),
+            holding_point: self.holding_point.map(|point| point.map(narrow)),
+            reach: narrow(self.reach),
+            stiffness_translation: narrow(self.stiffness_translation),
+            stiffness_rotation: narrow(self.stiffness_rotation),
+            surfaces: &surfaces,
+        })
+    }
+
+    /// The file.
+    pub const fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// `[hand]`, unchecked.
+    pub const fn hand(&self) -> &Hand {
+        &self.document.hand
+    }
+}
+
+fn vertices(check: Check<'_>, body: &Body) -> Result<Vec<[f64; 2]>, InputError> {
+    match (&body.vertices, &body.rectangle) {
+        (Some(list), None) => list
+            .get_ref()
+            .iter()
+            .enumerate()
+            .map(|(i, v)| check.numbers(&format!("body.vertices[{i}]"), v, "x and y"))
+            .collect(),
+        (None, Some(rectangle)) => {
+            let key = "body.rectangle";
+            let [width, height] = check.numbers(key, rectangle, "width and height")?;
+            if width <= 0.0 || height <= 0.0 {
+                return Err(check.error(key, rectangle, "width and height more than 0"));
+            }
+            let (x, y) = (width / 2.0, height / 2.0);
+            Ok(vec![[-x, -y], [x, -y], [x, y], [-x, y]])
+        }
+        (Some(_), Some(rectangle)) => Err(check.source().error_at(
+            rectangle.span().start,
+            "`body.rectangle` is given besides `body.vertices`, allowed: one of the two",
+        )),
+        (None, None) => Err(check
+            .source()
+            .error("[body] has neither `vertices` nor `rectangle`, allowed: one of the two")),
+    }
+}
