@@ -41,9 +41,26 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-e
 done
 
 stage 'emulators and interpreters'
+# QEMU knows both boards from version 10 on, which Debian 12 has among its backports.
+suite=
+if grep -qs '^VERSION_CODENAME=bookworm$' /etc/os-release; then
+  suite='-t bookworm-backports '
+  backports=/etc/apt/sources.list.d/bookworm-backports.list
+fi
+version() { "$1" --version 2>/dev/null | sed -n '1s/.* version \([0-9]*\)\..*/\1/p'; }
 for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3; do
-  install="apt-get install -y --no-install-recommends ${tool#*:}"
-  command -v "${tool%:*}" || { apt-get update && $install; } || missing "${tool%:*}" "$install"
+  program=${tool%:*} from=
+  case $program in
+    qemu-*)
+      from=$suite
+      [ "$(version "$program")" -ge 10 ] 2>/dev/null && continue
+      [ -z "$suite" ] || apt-cache policy | grep -q bookworm-backports ||
+        echo 'deb http://deb.debian.org/debian bookworm-backports main' >"$backports" || true
+      ;;
+    *) command -v "$program" && continue ;;
+  esac
+  install="apt-get install -y --no-install-recommends $from${tool#*:}"
+  { apt-get update && $install; } || missing "$program${suite:+, from the suite bookworm-backports}" "$install"
 done
 
 command -v flip-link || cargo install flip-link --locked || missing flip-link 'cargo install flip-link'
