@@ -2,7 +2,7 @@
 
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT};
-use crate::client::{BOX, Said, hand_path, scene};
+use crate::client::{BOX, Known, Said, hand_path, scene};
 use std::fs;
 use std::path::Path;
 use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};
@@ -83,25 +83,51 @@ fn commands(board: &mut Board) -> u32 {
     board.instructions(health.worst_tick)
 }
 
+/// What an image takes: bytes and instructions.
+pub(crate) struct Taken {
+    pub(crate) about: Known,
+    pub(crate) flash: u64,
+    pub(crate) variables: u64,
+    pub(crate) stack: u64,
+    /// The longest step, the longest tick, the longest tick with a command.
+    pub(crate) step: u32,
+    pub(crate) tick: u32,
+    pub(crate) command: u32,
+    /// Ticks on the way of the hand.
+    pub(crate) missed: u32,
+}
+
+/// Measures an image; nothing where something is missing.
+pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
+    let mut board = Board::start(chip)?;
+    let about = board.info();
+    let health = path(&mut board);
+    let command = commands(&mut board);
+    board.done(Command::Reset(Reset::Everything));
+    Some(Taken {
+        about,
+        flash: board.image.flash,
+        variables: board.image.variables,
+        stack: u64::try_from(board.stack()).unwrap(),
+        step: board.instructions(health.worst_step),
+        tick: board.instructions(health.worst_tick),
+        command,
+        missed: health.missed_ticks,
+    })
+}
+
 fn within_budget(chip: &'static Chip) {
     let Some(image) = chip.image() else { return };
-    let budget = Budget::of(chip);
     assert_eq!(image.panics(), [""; 0]);
-    budget.holds("flash", image.flash);
-    budget.holds("variables", image.variables);
-    let Some(mut board) = Board::start(chip) else {
-        return;
-    };
-    let health = path(&mut board);
-    println!("step: {}", board.instructions(health.worst_step));
-    budget.holds("tick", u64::from(board.instructions(health.worst_tick)));
-    budget.holds("missed", u64::from(health.missed_ticks));
-    let commands = commands(&mut board);
-    budget.holds("command", u64::from(commands));
-    board.done(Command::Reset(Reset::Everything));
-    let stack = u64::try_from(board.stack()).unwrap();
-    budget.holds("stack", stack);
-    println!("RAM: {}", stack + image.variables);
+    let Some(taken) = measure(chip) else { return };
+    println!("{}: step: {}", taken.about.name, taken.step);
+    let budget = Budget::of(chip);
+    budget.holds("flash", taken.flash);
+    budget.holds("variables", taken.variables);
+    budget.holds("tick", u64::from(taken.tick));
+    budget.holds("missed", u64::from(taken.missed));
+    budget.holds("command", u64::from(taken.command));
+    budget.holds("stack", taken.stack);
 }
 
 #[test]

@@ -15,3 +15,4 @@ mod pantograph;
 #[path = "../station/random.rs"]
 mod random;
 mod scene;
+mod table;

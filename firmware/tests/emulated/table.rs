@@ -1,0 +1,137 @@
+//! What the images of the boards take in the emulator, as the table of the README: bytes, instructions, silence, bits.
+
+use crate::bits::{SAMPLES, same_bits};
+use crate::budgets::{Taken, measure};
+use crate::chip::{Chip, F405, MICROBIT};
+use crate::line::silence;
+use std::fs;
+use stiction_core::frame::NumberType;
+use stiction_core::{Evolution, Fixed};
+
+const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+const BEGIN: &str = "<!-- boards: begin -->\n";
+const END: &str = "<!-- boards: end -->\n";
+const COMMAND: &str = "cargo test -p stiction-firmware --test emulated -- --ignored table";
+
+/// A board in the table.
+struct Column {
+    taken: Taken,
+    silence_us: u32,
+    same: u32,
+    /// Of its core in a second.
+    cycles: u32,
+}
+
+fn column(chip: &'static Chip, cycles: u32) -> Option<Column> {
+    let taken = measure(chip)?;
+    let same = match taken.about.number {
+        NumberType::F32 => same_bits::<f32>(chip, NumberType::F32)?,
+        NumberType::Fixed => same_bits::<Fixed>(chip, NumberType::Fixed)?,
+    };
+    Some(Column {
+        taken,
+        silence_us: silence(chip)?,
+        same,
+        cycles,
+    })
+}
+
+impl Column {
+    /// Cycles of a tick at the rate after power-up.
+    fn tick(&self) -> u32 {
+        self.cycles / u32::from(self.taken.about.mode.tick_rate)
+    }
+
+    fn of_tick(&self, instructions: u32) -> String {
+        let percent = 100.0 * f64::from(instructions) / f64::from(self.tick());
+        format!("{} ({percent:.0} %)", thousands(instructions.into()))
+    }
+
+    fn evolution(&self) -> String {
+        let mode = &self.taken.about.mode;
+        match mode.evolution {
+            Evolution::Path => format!("path, {} events", mode.event_limit),
+            Evolution::Frame => "frame".to_owned(),
+        }
+    }
+}
+
+/// A figure of a column.
+type Row = (&'static str, fn(&Column) -> String);
+
+const ROWS: [Row; 12] = [
+    ("number type, room for vertices and surfaces", |c| {
+        let [vertices, surfaces] = c.taken.about.room;
+        format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
+    }),
+    ("flash (bytes)", |c| thousands(c.taken.flash)),
+    ("RAM: variables + deepest stack (bytes)", |c| {
+        let (variables, stack) = (c.taken.variables, c.taken.stack);
+        format!("{} + {}", thousands(variables), thousands(stack))
+    }),
+    ("ticks per second after power-up, at most", |c| {
+        let about = &c.taken.about;
+        let [now, most] = [about.mode.tick_rate, about.fastest_tick];
+        format!("{}, {}", thousands(now.into()), thousands(most.into()))
+    }),
+    ("evolution after power-up", Column::evolution),
+    ("cycles of such a tick", |c| thousands(c.tick().into())),
+    ("the longest step (instructions)", |c| {
+        c.of_tick(c.taken.step)
+    }),
+    ("the longest tick", |c| c.of_tick(c.taken.tick)),
+    ("the longest tick with a command", |c| {
+        c.of_tick(c.taken.command)
+    }),
+    ("missed ticks", |c| c.taken.missed.to_string()),
+    ("the same bits as on this computer, path and frame", |c| {
+        format!("{} of {SAMPLES} poses each", c.same)
+    }),
+    ("from the last sample to zero force", |c| {
+        format!("{:.0} ms", f64::from(c.silence_us) / 1000.0)
+    }),
+];
+
+fn table(f405: &Column, microbit: &Column) -> String {
+    let mut lines = vec![
+        "| image without a log | F405 | micro:bit |".to_owned(),
+        "|---|---:|---:|".to_owned(),
+    ];
+    let rows = ROWS.iter();
+    lines.extend(rows.map(|(name, figure)| {
+        let (left, right) = (figure(f405), figure(microbit));
+        format!("| {name} | {left} | {right} |")
+    }));
+    format!(
+        "Written by `{COMMAND}`, measured in QEMU along {SAMPLES} samples of a\nhand that presses, drags, tips and \
+         whirls the box: instructions, not cycles, those of the serial line's interrupts among them.\n\n{}\n",
+        lines.join("\n")
+    )
+}
+
+/// Digits in threes.
+fn thousands(number: u64) -> String {
+    let digits = number.to_string();
+    let parts: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .filter_map(|part| std::str::from_utf8(part).ok())
+        .collect();
+    parts.join(" ")
+}
+
+#[test]
+#[ignore = "writes a table of the README"]
+fn the_table_of_the_readme() {
+    let columns = (column(&F405, 168_000_000), column(&MICROBIT, 16_000_000));
+    let (Some(f405), Some(microbit)) = columns else {
+        return;
+    };
+    let table = table(&f405, &microbit);
+    println!("{table}");
+    let readme = fs::read_to_string(README).unwrap();
+    let (head, rest) = readme.split_once(BEGIN).expect(BEGIN);
+    let (_, tail) = rest.split_once(END).expect(END);
+    fs::write(README, [head, BEGIN, &table, END, tail].concat()).unwrap();
+}
