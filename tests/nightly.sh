@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# What takes too long for every change: a thousand million steps of the hand, a million frames on every machine.
+# What takes too long for every change: a thousand million steps of the hand, a million frames on every machine, a hundred
+# thousand over a faulty line to both boards.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo run --release --locked -p stiction-tests --bin walk -- 1000000000
 cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
+cargo test --release --locked -p stiction-firmware --test emulated -- --ignored 100_000

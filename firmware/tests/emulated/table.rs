@@ -13,9 +13,14 @@ const BEGIN: &str = "<!-- boards: begin -->\n";
 const END: &str = "<!-- boards: end -->\n";
 const COMMAND: &str = "cargo test -p stiction-firmware --test emulated -- --ignored table";
 
+/// Smaller ones than the board's own.
+const SCENES: [&str; 2] = ["box-flat", "point-stick-slip"];
+
 /// A board in the table.
 struct Column {
     taken: Taken,
+    /// The flash with [`SCENES`] compiled in (bytes).
+    with_scenes: [u64; 2],
     silence_us: u32,
     same: u32,
     /// Of its core in a second.
@@ -24,12 +29,14 @@ struct Column {
 
 fn column(chip: &'static Chip, cycles: u32) -> Option<Column> {
     let taken = measure(chip)?;
+    let [first, second] = SCENES.map(|scene| chip.image_of(Some(scene)));
     let same = match taken.about.number {
         NumberType::F32 => same_bits::<f32>(chip, NumberType::F32)?,
         NumberType::Fixed => same_bits::<Fixed>(chip, NumberType::Fixed)?,
     };
     Some(Column {
         taken,
+        with_scenes: [first?.flash, second?.flash],
         silence_us: silence(chip)?,
         same,
         cycles,
@@ -59,12 +66,15 @@ impl Column {
 /// A figure of a column.
 type Row = (&'static str, fn(&Column) -> String);
 
-const ROWS: [Row; 12] = [
+const ROWS: [Row; 13] = [
     ("number type, room for vertices and surfaces", |c| {
         let [vertices, surfaces] = c.taken.about.room;
         format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
     }),
     ("flash (bytes)", |c| thousands(c.taken.flash)),
+    ("flash with box-flat, with point-stick-slip", |c| {
+        c.with_scenes.map(thousands).join(", ")
+    }),
     ("RAM: variables + deepest stack (bytes)", |c| {
         let (variables, stack) = (c.taken.variables, c.taken.stack);
         format!("{} + {}", thousands(variables), thousands(stack))
