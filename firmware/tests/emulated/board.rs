@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Health};
 
 /// Nothing takes longer.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(180);
 /// A command without an answer is sent again.
 const AGAIN: Duration = Duration::from_secs(1);
 
