@@ -61,8 +61,8 @@ fn actuators(about: &About) -> String {
 
 fn works(mode: &Mode) -> [(&'static str, String); 5] {
     let evolution = match mode.evolution {
-        Evolution::Path => "path",
-        Evolution::Frame => "frame",
+        Evolution::Path => format!("path, at most {} events in a step", mode.event_limit),
+        Evolution::Frame => "frame".to_owned(),
     };
     let tolerance = match mode.tolerance {
         0.0 => "exact".to_owned(),
@@ -76,13 +76,7 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
     let events = if mode.events { "yes" } else { "no" };
     let [x, y] = mode.plane.map(axis);
     [
-        (
-            "evolution",
-            format!(
-                "{evolution}, {tolerance}, at most {} events in a step",
-                mode.event_limit
-            ),
-        ),
+        ("evolution", format!("{evolution}, {tolerance}")),
         ("stepping", mode.stepping.name().to_owned()),
         ("tracker's plane", format!("{x}{y}")),
         (

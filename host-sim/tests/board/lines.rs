@@ -59,7 +59,7 @@ fn info_is_a_table_over_a_socket() {
         "16 vertices, 8 surfaces",
         "1000 Hz, at most 5000 Hz",
         "none",
-        "path, exact",
+        "path, at most 128 events in a step, exact",
         "timed",
         "xy",
         "every 50 ms",
