@@ -8,6 +8,7 @@ use crate::random::{Random, garbled};
 use std::collections::HashMap;
 use stiction_core::frame::{Command, Drive, Mode, Parameters, Pose, Reset, Stepping};
 use stiction_core::{Fixed, Hand, Real, Wrench};
+use stiction_firmware::safety::Limits;
 
 const DEEP: [f32; 3] = [0.0, 0.045, 0.0];
 
@@ -30,6 +31,19 @@ fn pressed(board: &mut Board) -> Pose {
     }
 }
 
+/// From the tick of the last sample that a pose follows to that of the first pose without force (µs), and that pose.
+fn fallen_silent(board: &mut Board) -> (u32, Pose) {
+    let (mut newest, mut came_us) = (None, 0);
+    board.wait(|time, said| match said {
+        Said::Pose(pose) if newest != Some(pose.sample) => {
+            (newest, came_us) = (Some(pose.sample), time);
+            None
+        }
+        Said::Pose(pose) if pose.force_off => Some((time.wrapping_sub(came_us), *pose)),
+        _ => None,
+    })
+}
+
 /// From the last sample to zero force, on the clock of the board.
 fn silence(chip: &'static Chip) {
     let Some(mut board) = Board::start(chip) else {
@@ -43,16 +57,7 @@ fn silence(chip: &'static Chip) {
     for _ in 0..30 {
         pressed(&mut board);
     }
-    let (mut newest, mut came_us) = (None, 0);
-    // The tick of the last sample that a pose follows, and that of the first pose without force.
-    let (off_us, pose) = board.wait(|time, said| match said {
-        Said::Pose(pose) if newest != Some(pose.sample) => {
-            (newest, came_us) = (Some(pose.sample), time);
-            None
-        }
-        Said::Pose(pose) if pose.force_off => Some((time.wrapping_sub(came_us), *pose)),
-        _ => None,
-    });
+    let (off_us, pose) = fallen_silent(&mut board);
     let feedback = board.wait(|_, said| match said {
         Said::Forces { feedback, .. } => Some(*feedback),
         _ => None,
@@ -74,6 +79,98 @@ fn silence_on_the_f405_is_zero_force_within_20_ms() {
 #[test]
 fn silence_on_the_microbit_is_zero_force_within_20_ms() {
     silence(&MICROBIT);
+}
+
+/// How large a force is (N).
+fn size(wrench: &Wrench<f32>) -> f32 {
+    let [x, y] = wrench.force;
+    x.hypot(y)
+}
+
+/// The hand presses until its force, told every few ticks, is almost that of the spring; every pose of this time is kept. From one
+/// telling to the next the force changes no faster than allowed.
+fn pressed_to_the_full(board: &mut Board, told_every_us: u32) -> Vec<Pose> {
+    let wanted = 500.0 * (0.05 - deep().position[1]);
+    let rate = Limits::DEFAULT.force_rate;
+    let (mut poses, mut before): (Vec<Pose>, Option<(u32, f32)>) = (Vec::new(), None);
+    loop {
+        board.send(Command::Hand(deep()));
+        // With every pose the next sample.
+        let full = board.wait(|time, said| match said {
+            Said::Pose(pose) => {
+                poses.push(*pose);
+                Some(false)
+            }
+            Said::Forces { feedback, .. } => {
+                let now = size(feedback);
+                let (at, force) = before.replace((time, now)).unwrap_or((time, 0.0));
+                // One that was not sent makes the step to the next larger.
+                let passed_us = time.wrapping_sub(at).max(told_every_us);
+                let step = rate * passed_us as f32 * 1e-6;
+                assert!(now <= force + 1.001 * step, "{force} N to {now} N");
+                (now > 0.99 * wanted).then_some(true)
+            }
+            _ => None,
+        });
+        if full {
+            return poses;
+        }
+    }
+}
+
+/// A client that dies in the middle of a frame, and another one on the same line.
+fn client_dies(chip: &'static Chip) {
+    let Some(mut board) = Board::start(chip) else {
+        return;
+    };
+    let mode = Mode {
+        forces_every: 10,
+        ..board.info().mode
+    };
+    // More forces, and so fewer poses: what the line carries.
+    let often = Mode {
+        pose_every: 2,
+        forces_every: 4,
+        ..mode
+    };
+    let told_every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
+    board.done(Command::Mode(often));
+    pressed_to_the_full(&mut board, told_every_us);
+    board.done(Command::Mode(mode));
+    let before = pressed(&mut board);
+    let frame = board.client.encode(Command::Hand(deep()));
+    board.send_bytes(&frame[..frame.len() / 2]);
+    let (off_us, off) = fallen_silent(&mut board);
+    println!("{}: no force {off_us} us after the last sample", chip.name);
+    assert!(off_us <= 20_000);
+    assert!(off.held && off.position == before.position);
+    let no_force = board.wait(|_, said| match said {
+        Said::Forces { feedback, .. } => Some(*feedback),
+        _ => None,
+    });
+    assert_eq!(no_force, Wrench::default());
+    // What is counted up to now, and what the half frame adds to it.
+    let health = board.health();
+    assert_eq!((health.drive, health.faults.total()), (Drive::Silent, 0));
+    board.client = Client::new();
+    assert_eq!(board.info().mode, mode);
+    board.done(Command::Mode(often));
+    // From nothing, and from where the body was left.
+    for pose in pressed_to_the_full(&mut board, told_every_us) {
+        assert!(pose.held && pose.position == before.position, "{pose:?}");
+    }
+    let health = board.health();
+    assert_eq!((health.faults.total(), health.lost_frames), (1, 0));
+}
+
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_with_the_f405() {
+    client_dies(&F405);
+}
+
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_with_the_microbit() {
+    client_dies(&MICROBIT);
 }
 
 /// Bytes as fast as the emulator takes them.
