@@ -11,7 +11,9 @@ mod chip;
 mod client;
 mod image;
 mod line;
+mod log;
 mod pantograph;
 #[path = "../station/random.rs"]
 mod random;
 mod scene;
+mod session;
