@@ -63,7 +63,9 @@ for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc
   { apt-get update && $install; } || missing "$program${suite:+, from the suite bookworm-backports}" "$install"
 done
 
-command -v flip-link || cargo install flip-link --locked || missing flip-link 'cargo install flip-link'
+for tool in flip-link defmt-print; do
+  command -v "$tool" || cargo install "$tool" --locked || missing "$tool" "cargo install $tool"
+done
 
 stage 'tests, debug'
 cargo test --workspace --locked

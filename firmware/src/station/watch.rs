@@ -5,7 +5,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use stiction_core::frame::{Drive, Health};
 
 /// What a log shows of [`Health`].
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Watch {
     drive: AtomicU32,
     ticks: AtomicU32,
@@ -38,11 +38,32 @@ pub struct Seen {
     pub worst_tick: u32,
 }
 
+impl Seen {
+    /// What has become of the force to the hand, as a log says it.
+    pub const fn force(&self) -> &'static str {
+        match self.drive {
+            Drive::On => "on",
+            Drive::Silent => "off",
+            Drive::Latched => "off until everything is reset",
+        }
+    }
+}
+
+impl Default for Watch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+const ON: u32 = 0;
+const SILENT: u32 = 1;
+const LATCHED: u32 = 2;
+
 impl Watch {
-    /// Nothing seen yet.
+    /// Nothing seen yet, and no force.
     pub const fn new() -> Self {
         Self {
-            drive: AtomicU32::new(0),
+            drive: AtomicU32::new(SILENT),
             ticks: AtomicU32::new(0),
             missed_ticks: AtomicU32::new(0),
             samples: AtomicU32::new(0),
@@ -56,9 +77,9 @@ impl Watch {
     /// After a tick.
     pub fn show(&self, health: &Health) {
         let drive = match health.drive {
-            Drive::On => 0,
-            Drive::Silent => 1,
-            Drive::Latched => 2,
+            Drive::On => ON,
+            Drive::Silent => SILENT,
+            Drive::Latched => LATCHED,
         };
         let put = |place: &AtomicU32, value| place.store(value, Ordering::Relaxed);
         put(&self.drive, drive);
@@ -76,8 +97,8 @@ impl Watch {
         let get = |place: &AtomicU32| place.load(Ordering::Relaxed);
         Seen {
             drive: match get(&self.drive) {
-                0 => Drive::On,
-                1 => Drive::Silent,
+                ON => Drive::On,
+                SILENT => Drive::Silent,
                 _ => Drive::Latched,
             },
             ticks: get(&self.ticks),

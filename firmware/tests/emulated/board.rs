@@ -219,7 +219,8 @@ impl Drop for Board {
     }
 }
 
-fn connected(path: &Path) -> UnixStream {
+/// A line to where the emulator opens one soon.
+pub(crate) fn connected(path: &Path) -> UnixStream {
     let begun = Instant::now();
     loop {
         if let Ok(stream) = UnixStream::connect(path) {

@@ -5,8 +5,12 @@ use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Known, Said, hand_path, scene};
 use std::fs;
 use std::path::Path;
+use stiction_core::Hand;
 use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};
 use toml::Table;
+
+/// Samples that are sent before the pose of the last of them is waited for.
+const WINDOW: usize = 4;
 
 /// Of a board: its part of the file.
 pub(crate) struct Budget(Table);
@@ -38,6 +42,20 @@ fn health_in(board: &mut Board, mode: Mode) -> Health {
     board.health()
 }
 
+/// Samples of the hand, no more of them on their way than the queue of a board holds.
+fn follow(board: &mut Board, hands: impl IntoIterator<Item = Hand<f32>>) {
+    for (i, hand) in hands.into_iter().enumerate() {
+        board.send(Command::Hand(hand));
+        if i % WINDOW == WINDOW - 1 {
+            let last = board.client.sequence.wrapping_sub(1);
+            board.wait(|_, said| match said {
+                Said::Pose(pose) if pose.sample == last => Some(()),
+                _ => None,
+            });
+        }
+    }
+}
+
 /// The hand along its path with everything told.
 fn path(board: &mut Board) -> Health {
     let mode = Mode {
@@ -47,16 +65,7 @@ fn path(board: &mut Board) -> Health {
         ..board.info().mode
     };
     board.done(Command::Mode(mode));
-    for (i, hand) in hand_path(3_000).into_iter().enumerate() {
-        board.send(Command::Hand(hand));
-        if i % 4 == 3 {
-            let last = board.client.sequence.wrapping_sub(1);
-            board.wait(|_, said| match said {
-                Said::Pose(pose) if pose.sample == last => Some(()),
-                _ => None,
-            });
-        }
-    }
+    follow(board, hand_path(3_000));
     let health = health_in(board, mode);
     assert_eq!((health.samples, health.lost_frames), (3_000, 0));
     health
@@ -66,9 +75,7 @@ fn path(board: &mut Board) -> Health {
 fn commands(board: &mut Board) -> u32 {
     board.done(Command::Reset(Reset::Everything));
     let mode = board.info().mode;
-    for hand in hand_path(3_000).into_iter().take(600) {
-        board.send(Command::Hand(hand));
-    }
+    follow(board, hand_path(3_000).into_iter().take(600));
     for (k_h, mu_s) in [(400.0, 0.8), (700.0, 0.4), (500.0, 0.5)] {
         board.done(Command::Parameters(Parameters {
             stiffness_translation: k_h,

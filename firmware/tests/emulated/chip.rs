@@ -68,10 +68,13 @@ impl Chip {
         Some(Image::of(copy))
     }
 
+    /// In firmware/boards.
+    pub(crate) fn folder(&self) -> PathBuf {
+        let boards = Path::new(env!("CARGO_MANIFEST_DIR")).join("boards");
+        boards.join(self.name)
+    }
+
     fn built(&self, scene: Option<&str>) -> Option<PathBuf> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("boards")
-            .join(self.name);
         // Cargo of the test sets what is not for this one.
         let mut cargo = Process::new("cargo");
         match scene {
@@ -82,7 +85,7 @@ impl Chip {
             .args(["build", "--profile", "device", "--locked"])
             .args(["--no-default-features", "--features", self.features])
             .arg("--message-format=json-render-diagnostics")
-            .current_dir(folder)
+            .current_dir(self.folder())
             .output()
             .unwrap();
         let (said, errors) = (
@@ -99,6 +102,15 @@ impl Chip {
         let (_, path) = said.rsplit_once("\"executable\":\"").expect("an image");
         let (path, _) = path.split_once('"').unwrap();
         Some(path.into())
+    }
+
+    /// What `cargo emulate` needs for the log.
+    pub(crate) fn log_installed(&self) -> Option<()> {
+        self.installed()?;
+        match is_there("defmt-print") {
+            true => Some(()),
+            false => missing("defmt-print", "cargo install defmt-print"),
+        }
     }
 
     fn installed(&self) -> Option<()> {

@@ -8,6 +8,7 @@ use crate::random::{Random, garbled};
 use std::collections::HashMap;
 use stiction_core::frame::{Command, Drive, Mode, Parameters, Pose, Reset, Stepping};
 use stiction_core::{Fixed, Hand, Real, Wrench};
+use stiction_firmware::safety::Limits;
 
 const DEEP: [f32; 3] = [0.0, 0.045, 0.0];
 
@@ -30,7 +31,20 @@ fn pressed(board: &mut Board) -> Pose {
     }
 }
 
-/// From the last sample to zero force, on the clock of the board (us); nothing where something is missing.
+/// From the tick of the last sample, the frame of this number, to that of the first pose without force (µs), and that pose. Between two
+/// samples before it, the emulator's time may have gone on for long enough for silence, too.
+fn fallen_silent(board: &mut Board, last: u8) -> (u32, Pose) {
+    let mut came_us = None;
+    board.wait(|time, said| match said {
+        Said::Pose(pose) if pose.sample == last => {
+            let came_us = *came_us.get_or_insert(time);
+            (pose.force_off).then(|| (time.wrapping_sub(came_us), *pose))
+        }
+        _ => None,
+    })
+}
+
+/// From the last sample to zero force, on the clock of the board (µs); nothing where something is missing.
 pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     let mut board = Board::start(chip)?;
     let mode = board.info().mode;
@@ -41,18 +55,9 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     for _ in 0..30 {
         pressed(&mut board);
     }
-    // The tick of the last sample, and that of the first pose after it without force. Meanwhile the emulator's time may have
-    // gone on for long enough for silence between two samples, too.
     board.send(Command::Hand(deep()));
     let last = board.client.sequence.wrapping_sub(1);
-    let mut came_us = None;
-    let (off_us, pose) = board.wait(|time, said| match said {
-        Said::Pose(pose) if pose.sample == last => {
-            let came_us = *came_us.get_or_insert(time);
-            (pose.force_off).then(|| (time.wrapping_sub(came_us), *pose))
-        }
-        _ => None,
-    });
+    let (off_us, pose) = fallen_silent(&mut board, last);
     let feedback = board.wait(|_, said| match said {
         Said::Forces { feedback, .. } => Some(*feedback),
         _ => None,
@@ -74,6 +79,99 @@ fn silence_on_the_f405_is_zero_force_within_20_ms() {
 #[test]
 fn silence_on_the_microbit_is_zero_force_within_20_ms() {
     silence(&MICROBIT);
+}
+
+/// How large a force is (N).
+fn size(wrench: &Wrench<f32>) -> f32 {
+    let [x, y] = wrench.force;
+    x.hypot(y)
+}
+
+/// The hand presses until its force, told every few ticks, is almost that of the spring; every pose of this time is kept. From one
+/// telling to the next the force changes no faster than allowed.
+fn pressed_to_the_full(board: &mut Board, told_every_us: u32) -> Vec<Pose> {
+    let wanted = 500.0 * (0.05 - deep().position[1]);
+    let rate = Limits::DEFAULT.force_rate;
+    let (mut poses, mut before): (Vec<Pose>, Option<(u32, f32)>) = (Vec::new(), None);
+    loop {
+        board.send(Command::Hand(deep()));
+        // With every pose the next sample.
+        let full = board.wait(|time, said| match said {
+            Said::Pose(pose) => {
+                poses.push(*pose);
+                Some(false)
+            }
+            Said::Forces { feedback, .. } => {
+                let now = size(feedback);
+                let (at, force) = before.replace((time, now)).unwrap_or((time, 0.0));
+                // One that was not sent makes the step to the next larger.
+                let passed_us = time.wrapping_sub(at).max(told_every_us);
+                let step = rate * passed_us as f32 * 1e-6;
+                assert!(now <= force + 1.001 * step, "{force} N to {now} N");
+                (now > 0.99 * wanted).then_some(true)
+            }
+            _ => None,
+        });
+        if full {
+            return poses;
+        }
+    }
+}
+
+/// A client that dies in the middle of a frame, and another one on the same line.
+fn client_dies(chip: &'static Chip) {
+    let Some(mut board) = Board::start(chip) else {
+        return;
+    };
+    let mode = Mode {
+        forces_every: 10,
+        ..board.info().mode
+    };
+    // More forces, and so fewer poses: what the line carries.
+    let often = Mode {
+        pose_every: 2,
+        forces_every: 4,
+        ..mode
+    };
+    let told_every_us = 4 * 1_000_000 / u32::from(mode.tick_rate);
+    board.done(Command::Mode(often));
+    pressed_to_the_full(&mut board, told_every_us);
+    board.done(Command::Mode(mode));
+    let before = pressed(&mut board);
+    let last = board.client.sequence.wrapping_sub(1);
+    let frame = board.client.encode(Command::Hand(deep()));
+    board.send_bytes(&frame[..frame.len() / 2]);
+    let (off_us, off) = fallen_silent(&mut board, last);
+    println!("{}: no force {off_us} us after the last sample", chip.name);
+    assert!(off_us <= 20_000);
+    assert!(off.held && off.position == before.position);
+    let no_force = board.wait(|_, said| match said {
+        Said::Forces { feedback, .. } => Some(*feedback),
+        _ => None,
+    });
+    assert_eq!(no_force, Wrench::default());
+    // What is counted up to now, and what the half frame adds to it.
+    let health = board.health();
+    assert_eq!((health.drive, health.faults.total()), (Drive::Silent, 0));
+    board.client = Client::new();
+    assert_eq!(board.info().mode, mode);
+    board.done(Command::Mode(often));
+    // From nothing, and from where the body was left.
+    for pose in pressed_to_the_full(&mut board, told_every_us) {
+        assert!(pose.held && pose.position == before.position, "{pose:?}");
+    }
+    let health = board.health();
+    assert_eq!((health.faults.total(), health.lost_frames), (1, 0));
+}
+
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_with_the_f405() {
+    client_dies(&F405);
+}
+
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_with_the_microbit() {
+    client_dies(&MICROBIT);
 }
 
 /// Bytes as fast as the emulator takes them.
@@ -129,24 +227,30 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
         depth: number as f32,
         ..path[number as usize % path.len()]
     };
+    /// So many samples may be under way, or lost, before the next one waits a little: the board is not flooded.
+    const UNDER_WAY: u32 = 8;
+    const MOST_READS: u32 = 40;
     let (mut out, mut back) = (Random(6), Random(7));
     // What the board says, before the line damages it, and after.
     let (mut at_board, mut beyond) = (Client::new(), Client::new());
     let mut beside = Beside::<R>::new(&mode);
     let mut sent: HashMap<u32, Pose> = HashMap::new();
-    let mut accepted = 0;
+    let (mut accepted, mut newest) = (0, 0);
     for number in 0..frames {
         let wire = board.client.encode(Command::Hand(hand(number)));
         board.send_bytes(&garbled(&mut out, &wire, per_byte));
-        for _ in 0..3 {
+        for reads in 1..=MOST_READS {
             let bytes = board.bytes();
             at_board.listen(&bytes);
             beyond.listen(&garbled(&mut back, &bytes, per_byte));
-        }
-        for pose in poses(&mut at_board) {
-            let number = pose.depth as u32;
-            assert_same(&pose, &beside.step(hand(number)), chip.name);
-            assert!(sent.insert(number, pose).is_none());
+            for pose in poses(&mut at_board) {
+                newest = pose.depth as u32;
+                assert_same(&pose, &beside.step(hand(newest)), chip.name);
+                assert!(sent.insert(newest, pose).is_none());
+            }
+            if reads > 2 && number < newest + UNDER_WAY {
+                break;
+            }
         }
         for pose in poses(&mut beyond) {
             accepted += 1;

@@ -12,8 +12,10 @@ mod chip;
 mod client;
 mod image;
 mod line;
+mod log;
 mod pantograph;
 #[path = "../station/random.rs"]
 mod random;
 mod scene;
+mod session;
 mod table;

@@ -161,15 +161,18 @@ mod app {
     #[idle]
     fn idle(_: idle::Context) -> ! {
         let mut last = WATCH.seen();
+        let mut drive = None;
         loop {
             let seen = WATCH.seen();
-            if seen.drive != last.drive {
-                info!("force: {=str}", seen.drive.name());
-                last.drive = seen.drive;
+            if drive != Some(seen.drive) {
+                info!("force: {=str}", seen.force());
+                drive = Some(seen.drive);
             }
-            // Ticks count anew after a reset.
-            let second = u32::from(SETUP.mode.tick_rate);
-            if seen.ticks.wrapping_sub(last.ticks) >= second {
+            if seen.ticks < last.ticks {
+                info!("everything reset");
+                last = seen;
+            }
+            if seen.ticks.saturating_sub(last.ticks) >= u32::from(SETUP.mode.tick_rate) {
                 log(&seen);
                 last = seen;
             }
@@ -179,7 +182,7 @@ mod app {
 
     fn log(seen: &Seen) {
         info!(
-            "{=u32} ticks, {=u32} missed, {=u32} ns the longest; {=u32} samples; {=u32} frames lost, {=u32} faulty, {=u32} not sent; {=u32} bytes lost",
+            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
             seen.ticks,
             seen.missed_ticks,
             seen.worst_tick,

@@ -1,0 +1,113 @@
+//! A board as a user runs it, `cargo emulate` in its folder: the lines of its log, and its serial line a socket of the test.
+
+use crate::board::connected;
+use crate::chip::Chip;
+use std::env;
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::os::unix::net::UnixStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command as Process, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+
+/// No line takes longer, its image's build before it included.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// What a user sees, and what the client at the serial line does.
+pub(crate) struct Session {
+    folder: PathBuf,
+    child: Child,
+    log: Receiver<String>,
+    line: UnixStream,
+}
+
+impl Session {
+    /// From power-up; nothing where something is missing.
+    pub(crate) fn start(chip: &Chip) -> Option<Self> {
+        chip.log_installed()?;
+        // Built before, and told what is missing for it.
+        chip.image()?;
+        let folder =
+            env::temp_dir().join(format!("stiction-log-{}-{}", std::process::id(), chip.name));
+        fs::create_dir_all(&folder).unwrap();
+        let at = |name: &str| format!("unix:{},server=on", folder.join(name).display());
+        let mut child = Process::new("cargo");
+        child
+            .args(["emulate", "--locked", "--"])
+            // Beside the one that is none, for the end.
+            .args(["-monitor", &(at("monitor") + ",wait=off")])
+            .env("SERIAL", at("line") + ",wait=on")
+            .env("ICOUNT", format!("shift={}", chip.shift))
+            .env_remove("STICTION_SCENE")
+            .env_remove("DEFMT_LOG")
+            .current_dir(chip.folder())
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped());
+        let mut child = child.spawn().unwrap();
+        let log = lines(child.stdout.take().unwrap());
+        let first = log.recv_timeout(PATIENCE).expect("the line is named");
+        assert_eq!(first, format!("serial line: {},wait=on", at("line")));
+        let line = connected(&folder.join("line"));
+        heard_by_nobody(line.try_clone().unwrap());
+        Some(Self {
+            folder,
+            child,
+            log,
+            line,
+        })
+    }
+
+    /// The next line of the log, without the level that all but errors have.
+    pub(crate) fn line(&self) -> String {
+        let line = self.log.recv_timeout(PATIENCE).expect("the board logs");
+        line.trim_start_matches("INFO").trim_start().to_owned()
+    }
+
+    /// Sends bytes as they are.
+    pub(crate) fn send(&mut self, bytes: &[u8]) {
+        self.line.write_all(bytes).unwrap();
+    }
+
+    /// The emulator ends, and all that it has begun: how it ended.
+    fn end(&mut self, monitor: &Path) -> bool {
+        // Where it never was, there is nothing to end but what began it.
+        match UnixStream::connect(monitor).and_then(|mut monitor| writeln!(monitor, "quit")) {
+            Ok(()) => {}
+            Err(_) => drop(self.child.kill()),
+        }
+        self.child.wait().is_ok_and(|status| status.success())
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        let ended = self.end(&self.folder.join("monitor"));
+        let _ = fs::remove_dir_all(&self.folder);
+        assert!(ended || thread::panicking(), "cargo emulate failed");
+    }
+}
+
+/// What a program prints, line by line.
+fn lines(from: impl Read + Send + 'static) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
+        let lines = BufReader::new(from).lines().map_while(Result::ok);
+        // The test may have ended.
+        for line in lines {
+            if sender.send(line).is_err() {
+                break;
+            }
+        }
+    });
+    receiver
+}
+
+/// What the board sends is taken from the line, so that it can send more.
+fn heard_by_nobody(mut line: UnixStream) {
+    thread::spawn(move || {
+        let mut bytes = [0; 4096];
+        while line.read(&mut bytes).is_ok_and(|count| count > 0) {}
+    });
+}

@@ -1,0 +1,75 @@
+//! `stiction board --emulate` and `stiction info --emulate` from the command line to the emulator and back. What is not
+//! installed is skipped with the command that installs it; with CI=true it must be there.
+#![cfg(unix)]
+
+mod common;
+
+use std::env;
+use std::io::{self, Write};
+
+use common::{Folder, text};
+
+/// The folder's program with an emulated board, patient with a slow machine: what it prints; nothing where something is
+/// missing.
+fn emulated(folder: &Folder, arguments: &[&str]) -> Option<String> {
+    let output = folder.stiction(&[arguments, &["--timeout", "60"]].concat());
+    let errors = text(&output.stderr);
+    if errors.contains("missing: ") && env::var("CI").as_deref() != Ok("true") {
+        // Not `println!`, which is silent in a test that passes.
+        let _ = writeln!(io::stderr(), "skipped: {errors}");
+        return None;
+    }
+    let said = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{said}{errors}");
+    Some(said)
+}
+
+/// A hand that takes the box of `box-flat`, presses it 10 mm deep to the floor, drags it and turns it a little.
+fn hand(samples: u32, rate: f64) -> String {
+    let rows = (0..samples).map(|i| {
+        let part = f64::from(i) / f64::from(samples - 1);
+        let down = (part / 0.3).min(1.0);
+        let along = (part - 0.3).max(0.0) / 0.7;
+        let (x, y, phi) = (0.05 * along, 0.07 - 0.03 * down, 0.2 * along);
+        format!("{},{x},{y},{phi}\n", f64::from(i) / rate)
+    });
+    "t,x,y,phi\n".to_owned() + &rows.collect::<String>()
+}
+
+/// 300 samples: every answer of the board has the bits of this computer.
+fn streamed_and_verified(board: &str, rate: f64) {
+    let folder = Folder::new();
+    folder.write("hand.csv", hand(300, rate));
+    let emulate = ["board", "box-flat", "--emulate", board];
+    let rate = rate.to_string();
+    let rest = ["--rate", &rate, "--hand", "hand.csv", "--verify", "--quiet"];
+    if let Some(said) = emulated(&folder, &[&emulate[..], &rest].concat()) {
+        assert_eq!(said, "300 of 300 frames equal\n", "{board}");
+    }
+}
+
+#[test]
+fn the_emulated_f405_has_the_bits_of_this_computer() {
+    streamed_and_verified("olimex-stm32-h405", 1_000.0);
+}
+
+#[test]
+fn the_emulated_microbit_has_the_bits_of_this_computer() {
+    streamed_and_verified("microbit", 100.0);
+}
+
+#[test]
+fn emulated_boards_say_what_they_are() {
+    let folder = Folder::new();
+    for (board, number, room) in [
+        ("olimex-stm32-h405", "f32", "8 vertices, 4 surfaces"),
+        ("microbit", "fixed", "8 vertices, 2 surfaces"),
+    ] {
+        let Some(said) = emulated(&folder, &["info", "--emulate", board]) else {
+            continue;
+        };
+        for part in [board, number, room] {
+            assert!(said.contains(part), "{part:?} in {said}");
+        }
+    }
+}
