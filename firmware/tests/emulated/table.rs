@@ -114,8 +114,8 @@ fn table(f405: &Column, microbit: &Column) -> String {
         format!("| {name} | {left} | {right} |")
     }));
     format!(
-        "Written by `{COMMAND}`, measured in QEMU along {SAMPLES} samples of a\nhand that presses, drags, tips and \
-         whirls the box: instructions, not cycles, those of the serial line's interrupts among them.\n\n{}\n",
+        "Written by `{COMMAND}`, measured in QEMU along {SAMPLES}\nsamples of a hand that presses, drags, tips and \
+         whirls the box: instructions, not cycles, those of the serial line's\ninterrupts among them.\n\n{}\n",
         lines.join("\n")
     )
 }
