@@ -58,7 +58,6 @@ fn the_solver_has_what_the_scene_needs() {
     ] {
         let code = code_with(from, to);
         assert!(code.contains(expected), "{expected}: {code}");
-        assert!(code.contains("stiction_core::Evolution::Path"), "{code}");
     }
 }
 
