@@ -60,7 +60,7 @@ for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc
     *) command -v "$program" && continue ;;
   esac
   install="apt-get install -y --no-install-recommends $from${tool#*:}"
-  { apt-get update && $install; } || missing "$program${suite:+, from the suite bookworm-backports}" "$install"
+  { apt-get update && $install; } || missing "$program${from:+, from the suite bookworm-backports}" "$install"
 done
 
 for tool in flip-link defmt-print; do
