@@ -8,7 +8,7 @@ use std::time::Duration;
 use serial2::SerialPort;
 use stiction_core::Fixed;
 
-use crate::common::text;
+use crate::common::{Folder, text};
 use crate::fake::{Tricks, behind_socket, behind_tcp, on};
 use crate::{DRAGGED, SAMPLES, assert_error, board, place, said};
 
@@ -69,22 +69,19 @@ fn info_is_a_table_over_a_socket() {
     assert_tells(&text(&output.stdout), &parts);
 }
 
+/// The board at a place has the bits of this computer in every frame.
+fn assert_verified(folder: &Folder, place: [&str; 2]) {
+    let rest = ["--verify", "--timeout", "20"];
+    let output = folder.stiction(&[&["board", "scene.toml"], &place[..], &rest].concat());
+    assert!(output.status.success(), "{}", said(&output));
+    assert_tells(&said(&output), &["301 of 301 frames equal"]);
+}
+
 #[test]
 fn a_board_behind_tcp_is_verified() {
     let (folder, _) = place(DRAGGED);
     let (address, fake) = behind_tcp::<f32>(Tricks::default());
-    let arguments = [
-        "board",
-        "scene.toml",
-        "--tcp",
-        &address,
-        "--verify",
-        "--timeout",
-        "20",
-    ];
-    let output = folder.stiction(&arguments);
-    assert!(output.status.success(), "{}", said(&output));
-    assert_tells(&said(&output), &["301 of 301 frames equal"]);
+    assert_verified(&folder, ["--tcp", &address]);
     assert_eq!(fake.join().expect("no panic").samples, SAMPLES);
 }
 
@@ -93,18 +90,7 @@ fn a_board_on_a_serial_port_is_verified() {
     let (folder, _) = place(DRAGGED);
     let (line, port, _open) = terminal();
     let _fake = on::<f32>(line, Tricks::default());
-    let arguments = [
-        "board",
-        "scene.toml",
-        "--port",
-        &port,
-        "--verify",
-        "--timeout",
-        "20",
-    ];
-    let output = folder.stiction(&arguments);
-    assert!(output.status.success(), "{}", said(&output));
-    assert_tells(&said(&output), &["301 of 301 frames equal"]);
+    assert_verified(&folder, ["--port", &port]);
 }
 
 #[test]
