@@ -71,6 +71,8 @@ pub(crate) struct Course<R> {
     pub(crate) end: Place<R>,
     /// |tau| stays below this.
     pub(crate) reach: R,
+    /// tau only grows.
+    pub(crate) rises: bool,
     pub(crate) folds: bool,
     pub(crate) unsure: bool,
 }
@@ -146,8 +148,25 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         self.rate.sign()
     }
 
+    /// The place of parameter 0.
+    fn begin(&self) -> Place<R> {
+        Place {
+            x: R::ZERO,
+            turn: R::ZERO,
+            versine: R::ZERO,
+            sine: R::ZERO,
+            h: R::ZERO,
+            h_slope: (self.bend).slope(self.stiffness + self.hold.x, (R::ONE, R::ZERO)),
+            d: R::ONE,
+            d_slope: -self.drive.x,
+        }
+    }
+
     /// The place of parameter x.
     pub(crate) fn at(&self, x: R) -> Place<R> {
+        if x == R::ZERO {
+            return self.begin();
+        }
         let turn = self.rate * x;
         let half = turn.halved();
         let (sinc, c) = half.sinc_cos();
@@ -189,7 +208,16 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
 
     /// To tau = 1, or to the fold before it, where ϑ would have to jump.
     pub(crate) fn course(&self) -> Course<R> {
+        self.course_until(None).0
+    }
+
+    /// The same, or to where a margin is used up, if that is earlier: true if it is.
+    pub(crate) fn course_until(&self, margin: Option<&Margin<R>>) -> (Course<R>, bool) {
         let (z0, zp) = (self.hold.reach(), self.drive.reach());
+        let margin = margin.map(|margin| {
+            let margin = margin.scaled();
+            (margin, self.bow(&margin))
+        });
         let whole = self.whole();
         let rate = self.rate.abs();
         let least = if whole > R::ZERO {
@@ -197,49 +225,70 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         } else {
             R::ONE
         };
-        let end = |p: &Place<R>| Slope {
-            value: p.d - p.h,
-            slope: p.d_slope - p.h_slope,
-            curvature: rate * (self.bend.bound(z0, 2) + zp),
-            rounding: R::EPSILON,
-        };
-        let fold = |p: &Place<R>, window: R| {
-            let (h2, d2) = self.second(p);
-            let d_most = p.d.abs() + window * zp;
-            let bent = self.bend.bound(z0, 3);
-            let curved = bent * (rate * d_most + zp) + zp * (whole + rate * d_most);
-            Slope {
-                value: p.h_slope * p.d - p.h * p.d_slope,
-                slope: h2 * p.d - p.h * d2,
-                curvature: rate * curved,
-                rounding: R::rounding(whole),
+        let bent = self.bend.bound(z0, 2);
+        // How much H' and H' - D' change at most.
+        let (change, changes) = (rate * bent, rate * (bent + zp));
+        let per = |change: R| {
+            if change > R::ZERO {
+                R::ONE / change
+            } else {
+                R::HUGE
             }
         };
-        let found = if !B::GLIDES && self.stiffness > z0 + zp {
-            // kappa < 1 all the way: no fold. (Frames of a foot that glides are hardly ever so.)
-            match first_zero((R::HUGE, self.tolerance), |x| Look::far([end(&self.at(x))])) {
-                Found::Zero { x, .. } => Found::Zero { x, which: 1 },
-                other => other,
+        let (per_change, per_changes) = (per(change), per(changes));
+        let found = first_zero((R::HUGE, self.tolerance), |x| {
+            let p = self.at(x);
+            let mut window = least + x.doubled();
+            // Before the end H < D, so that dtau/dx D = H' - tau D' > 0 as long as neither H' nor H' - D' falls to zero.
+            let rises = p.h_slope - p.d_slope;
+            let clear = (p.h_slope * per_change).min(rises * per_changes);
+            let fold = if clear > window.halved().halved().halved().halved() {
+                window = clear;
+                None
+            } else {
+                Some(self.fold(&p, window))
+            };
+            let end = Slope {
+                value: p.d - p.h,
+                slope: -rises,
+                curvature: changes,
+                rounding: R::EPSILON,
+            };
+            let margin =
+                (margin.as_ref()).map(|(margin, bow)| self.slope(margin, &p, (bow, window)));
+            Look {
+                functions: [fold, margin, Some(end)],
+                window,
             }
-        } else {
-            first_zero((R::HUGE, self.tolerance), |x| {
-                let p = self.at(x);
-                let window = least + x.doubled();
-                Look {
-                    functions: [fold(&p, window), end(&p)],
-                    window,
-                }
-            })
+        });
+        let (x, which, unsure) = match found {
+            Found::Zero { x, which } => (x, which, false),
+            Found::Unsure { x, .. } | Found::Nothing { x } => (x, 2, true),
         };
-        let (x, folds, unsure) = match found {
-            Found::Zero { x, which } => (x, which == 0, false),
-            Found::Unsure { x, .. } | Found::Nothing { x } => (x, false, true),
-        };
-        Course {
+        let course = Course {
             end: self.at(x),
             reach: R::ONE,
-            folds,
+            rises: true,
+            folds: which == 0,
             unsure,
+        };
+        (course, which == 1)
+    }
+
+    /// dtau/dx D²: zero at a fold.
+    fn fold(&self, p: &Place<R>, window: R) -> Slope<R> {
+        let (z0, zp) = (self.hold.reach(), self.drive.reach());
+        let rate = self.rate.abs();
+        let whole = self.whole();
+        let (h2, d2) = self.second(p);
+        let d_most = p.d.abs() + window * zp;
+        let bent = self.bend.bound(z0, 3);
+        let curved = bent * (rate * d_most + zp) + zp * (whole + rate * d_most);
+        Slope {
+            value: p.h_slope * p.d - p.h * p.d_slope,
+            slope: h2 * p.d - p.h * d2,
+            curvature: rate * curved,
+            rounding: R::rounding(whole),
         }
     }
 
@@ -248,6 +297,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         Course {
             end: self.at(x),
             reach: x * self.whole(),
+            rises: false,
             folds: false,
             unsure: false,
         }

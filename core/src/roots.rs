@@ -40,10 +40,17 @@ impl<R: Real> Slope<R> {
         }
     }
 
+    /// True if it has no zero within a step, as its lowest course, which is concave, is positive at both ends: cheaper
+    /// than to ask how far it has none.
+    fn is_clear_of(&self, step: R) -> bool {
+        let fall = (self.curvature * step).halved() - self.slope;
+        self.value > self.rounding && self.value - fall * step > self.rounding
+    }
+
     /// After a certified step E is at most K step²; true if that or E itself counts as zero.
     fn is_closed_by(&self, step: R, tolerance: R) -> bool {
         let closed = self.closed(tolerance);
-        self.value <= closed || self.curvature * step * step <= closed
+        self.value <= closed || (self.curvature * step * step).doubled() <= closed
     }
 
     /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
@@ -73,7 +80,8 @@ pub(crate) enum Found<R> {
 
 /// What a search sees at one place.
 pub(crate) struct Look<R, const M: usize> {
-    pub(crate) functions: [Slope<R>; M],
+    /// One that is left out has no zero within the window.
+    pub(crate) functions: [Option<Slope<R>>; M],
     /// The farthest that the next step may go: the curvatures need to hold up to there only.
     pub(crate) window: R,
 }
@@ -82,7 +90,7 @@ impl<R: Real, const M: usize> Look<R, M> {
     /// With curvatures that hold everywhere.
     pub(crate) fn far(functions: [Slope<R>; M]) -> Self {
         Self {
-            functions,
+            functions: functions.map(Some),
             window: R::HUGE,
         }
     }
@@ -101,6 +109,10 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         let mut step = window;
         let mut closest = None;
         for (which, function) in functions.iter().enumerate() {
+            let Some(function) = function else { continue };
+            if function.is_clear_of(step) {
+                continue;
+            }
             let safe = if i == 0 {
                 function.first_step()
             } else {

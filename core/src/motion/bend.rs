@@ -9,8 +9,6 @@ use core::fmt::Debug;
 /// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of
 /// the first harmonic; `turn` is (cos ϑ, sin ϑ).
 pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
-    /// The foot may glide.
-    const GLIDES: bool;
     /// A foot that stays.
     const NONE: Self;
 
@@ -43,7 +41,6 @@ pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
 pub(crate) struct Unbent;
 
 impl<R: Real> Bend<R> for Unbent {
-    const GLIDES: bool = false;
     const NONE: Self = Self;
 
     fn gliding(_: (R, R)) -> Self {
@@ -96,7 +93,6 @@ impl<R: Real> Gliding<R> {
 }
 
 impl<R: Real> Bend<R> for Gliding<R> {
-    const GLIDES: bool = true;
     const NONE: Self = Self { second: Vec2::ZERO };
 
     fn gliding((along, off): (R, R)) -> Self {

@@ -29,7 +29,7 @@ impl<R: Real> Margin<R> {
     }
 
     /// In units of its largest part.
-    fn scaled(&self) -> Self {
+    pub(super) fn scaled(&self) -> Self {
         let unit = (self.start.abs().max(self.along.abs())).max(self.turning.reach());
         if unit == R::ZERO {
             return *self;
@@ -57,29 +57,53 @@ impl<R: Real> Margin<R> {
     }
 }
 
+/// A bound of the second derivative of E·D, of first order in E less its part along tau, in D and in how far it must hold.
+pub(super) struct Bow<R> {
+    per_d: R,
+    per_e: R,
+    per_window: R,
+    least: R,
+}
+
+impl<R: Real> Bow<R> {
+    /// From a place on, as far as a window.
+    fn bound(&self, (e, d): (R, R), window: R) -> R {
+        self.least + self.per_d * d.abs() + self.per_e * e.abs() + self.per_window * window
+    }
+}
+
 impl<R: Real, B: Bend<R>> Motion<R, B> {
-    /// E·D and its slope at a place; `curvature` as given.
-    fn slope(&self, margin: &Margin<R>, p: &Place<R>, curvature: R) -> Slope<R> {
+    /// E·D and its slope at a place, and its curvature from there as far as a window.
+    pub(super) fn slope(
+        &self,
+        margin: &Margin<R>,
+        p: &Place<R>,
+        (bow, window): (&Bow<R>, R),
+    ) -> Slope<R> {
         let cosine = R::ONE - p.versine;
         let e = margin.at(p);
         let turning = margin.turning.y * cosine - margin.turning.x * p.sine;
         Slope {
             value: e * p.d + margin.along * p.h + margin.credit(),
             slope: self.rate * turning * p.d + e * p.d_slope + margin.along * p.h_slope,
-            curvature,
+            curvature: bow.bound((e, p.d), window),
             rounding: margin.rounding,
         }
     }
 
-    /// A bound of the second derivative of E·D up to `limit`.
-    fn curvature(&self, margin: &Margin<R>, limit: &Place<R>) -> R {
+    /// How the second derivative of E·D is bounded.
+    pub(super) fn bow(&self, margin: &Margin<R>) -> Bow<R> {
         let rate = self.rate.abs();
         let (z0, zp) = (self.hold.reach(), self.drive.reach());
-        let swing = margin.turning.reach();
-        let d_most = R::ONE + limit.x * zp;
-        let value = margin.start.abs() + swing * (limit.turn.abs().min(R::TWO));
+        let swing = rate * margin.turning.reach();
+        let per_d = rate * swing;
         let bent = self.bend.bound(z0, 2);
-        rate * (swing * (rate * d_most + zp.doubled()) + value * zp + margin.along.abs() * bent)
+        Bow {
+            per_d,
+            per_e: rate * zp,
+            least: (swing * zp).doubled() + rate * (margin.along.abs() * bent),
+            per_window: (per_d * zp).doubled(),
+        }
     }
 
     /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
@@ -88,6 +112,9 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         // The farthest that it can fall on the way: the ordinary frame is done here.
         let fall = margin.along.abs() * course.reach + margin.turning.reach() * limit.turn.abs();
         if margin.start - fall > margin.rounding {
+            return false;
+        }
+        if margin.start - self.fall(margin, course) > margin.rounding {
             return false;
         }
         let found = if self.rate == R::ZERO {
@@ -102,11 +129,25 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         };
         *course = Course {
             end: self.at(x),
-            reach: course.reach,
             folds: false,
             unsure: course.unsure || unsure,
+            ..*course
         };
         true
+    }
+
+    /// How far a margin can fall on a course: by what goes with tau, and by the turn below the chord between its ends, from
+    /// which it strays by a sagitta.
+    fn fall(&self, margin: &Margin<R>, course: &Course<R>) -> R {
+        let (along, limit) = (margin.along, &course.end);
+        let falls = if course.rises {
+            (-along).max(R::ZERO) * limit.part()
+        } else {
+            along.abs() * course.reach
+        };
+        let chord = (margin.start - margin.at(limit)).max(R::ZERO);
+        let sagitta = margin.turning.reach() * (limit.turn * limit.turn);
+        falls + chord + sagitta.halved().halved().halved()
     }
 
     /// The zero of a margin where the body does not turn: E·D is linear.
@@ -126,15 +167,9 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     /// The first zero of a margin before a place.
     fn curved_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
         let margin = &margin.scaled();
-        // It lies above its chord but for the sagitta of its curvature.
-        let curvature = self.curvature(margin, limit);
-        let end = margin.at(limit) * limit.d + margin.along * limit.h;
-        let sagitta = (curvature * limit.x * limit.x).halved().halved().halved();
-        if margin.start > margin.rounding && margin.start.min(end) > sagitta {
-            return Found::Nothing { x: limit.x };
-        }
+        let bow = self.bow(margin);
         first_zero((limit.x, self.tolerance), |x| {
-            Look::far([self.slope(margin, &self.at(x), curvature)])
+            Look::far([self.slope(margin, &self.at(x), (&bow, limit.x - x))])
         })
     }
 }

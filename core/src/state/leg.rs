@@ -37,10 +37,32 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         (lever, way): (Vec2<R>, &Way<R>),
         trigger: Trigger<R>,
     ) -> Self {
+        let motion = Self::motion(moment, lever, way);
+        Self::of(motion, motion.course(), trigger)
+    }
+
+    /// The same, to where a margin is used up, if that is earlier: what usually ends it, in one search with the others.
+    pub(super) fn balanced_until(
+        moment: &Moment<R, B>,
+        (lever, way): (Vec2<R>, &Way<R>),
+        trigger: Trigger<R>,
+        (margin, ends): (&Margin<R>, Trigger<R>),
+    ) -> Self {
+        let motion = Self::motion(moment, lever, way);
+        let (course, ended) = motion.course_until(Some(margin));
+        let leg = Self::of(motion, course, if ended { ends } else { trigger });
+        Self {
+            goes_on: leg.goes_on && !ended,
+            ..leg
+        }
+    }
+
+    fn motion(moment: &Moment<R, B>, lever: Vec2<R>, way: &Way<R>) -> Motion<R, B> {
         let drive = lever.conj_mul(way.hand);
-        let motion =
-            Motion::balanced(moment, drive, way.turn).to_within(moment.tolerance, way.hand.reach());
-        let course = motion.course();
+        Motion::balanced(moment, drive, way.turn).to_within(moment.tolerance, way.hand.reach())
+    }
+
+    fn of(motion: Motion<R, B>, course: Course<R>, trigger: Trigger<R>) -> Self {
         let trigger = if course.folds {
             Trigger::Fold(motion.direction())
         } else {

@@ -270,10 +270,11 @@ impl<R: Real> SingleVertex<R> {
         let surface = self.pivot.surface(scene);
         let way = Way::slide(surface.tangent * shift);
         let moment = stance.pinned::<Unbent>();
-        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Stopped);
         let Reaction { normal, friction } = Self::reaction(stance, &surface, &way);
         let drives = surface.friction.drives(normal, friction, shift.sign());
-        leg.stop_at(&drives, Trigger::Stopped);
+        let ends = (&drives, Trigger::Stopped);
+        let lever = stance.lever;
+        let mut leg = Leg::balanced_until(&moment, (lever, &way), Trigger::Stopped, ends);
         let keeps = self.contacts();
         leg.stop_at_touch(scene, &stance.placed, (surface.tangent * shift, &keeps));
         leg.stop_at(&normal, Trigger::Clear);
