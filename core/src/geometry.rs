@@ -39,9 +39,10 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn length(self) -> R {
         self.x.hypot(self.y)
     }
-    /// An upper bound of the length that costs no root: |x| + |y|.
+    /// An upper bound of the length that costs no root, larger by at most an eighth.
     pub(crate) fn reach(self) -> R {
-        self.x.abs() + self.y.abs()
+        let (x, y) = (self.x.abs(), self.y.abs());
+        x.max(y) + x.min(y).halved()
     }
     /// conj(a) b: the dot product and the cross product as one vector.
     pub(crate) fn conj_mul(self, b: Self) -> Self {
@@ -50,6 +51,10 @@ impl<R: Real> Vec2<R> {
     /// Divided by a number.
     pub(crate) fn over(self, k: R) -> Self {
         Self::new(self.x / k, self.y / k)
+    }
+    /// In other units.
+    pub(crate) fn in_units(self, unit: R) -> Self {
+        Self::new(self.x.in_units(unit), self.y.in_units(unit))
     }
     /// Linear interpolation: `self` at 0, `b` at 1.
     pub(crate) fn lerp(self, b: Self, part: R) -> Self {

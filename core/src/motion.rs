@@ -89,16 +89,17 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let start = stiffness * dphi + drive.y;
         // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
         let largest = bend.bound(stiffness + hold.reach(), 1).max(drive.reach());
-        let scale = start.abs().max(largest.halved().halved());
-        if scale == R::ZERO {
+        let size = start.abs().max(largest.halved().halved());
+        if size == R::ZERO {
             return Self::straight();
         }
+        let unit = size.unit();
         Self {
-            rate: start / scale,
-            stiffness: stiffness / scale,
-            hold: hold.over(scale),
-            drive: drive.over(scale),
-            bend: bend.over(scale),
+            rate: start.in_units(unit),
+            stiffness: stiffness.in_units(unit),
+            hold: hold.in_units(unit),
+            drive: drive.in_units(unit),
+            bend: bend.in_units(unit),
             tolerance: R::ZERO,
         }
     }

@@ -98,6 +98,14 @@ pub trait Real:
     fn root_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::sum_of_products(a, b, c, d).sqrt()
     }
+    /// A unit for numbers of this size, positive: the size itself, or a power of two nearby.
+    fn unit(self) -> Self {
+        self
+    }
+    /// This number in such units.
+    fn in_units(self, unit: Self) -> Self {
+        self / unit
+    }
     /// The rounding of a sum of numbers of a size.
     fn rounding(size: Self) -> Self {
         Self::EPSILON * size

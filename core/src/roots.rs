@@ -251,18 +251,19 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
         found
     }
 
-    /// In units of the largest of moment, load and stiffness.
+    /// In units of about the largest of moment, load and stiffness.
     fn scaled(&self) -> Self {
         let load = self.bend.bound(self.hold.reach(), 1);
-        let unit = load.max(self.now().abs()).max(self.stiffness);
-        if unit == R::ZERO {
+        let size = load.max(self.now().abs()).max(self.stiffness);
+        if size == R::ZERO {
             return *self;
         }
+        let unit = size.unit();
         Self {
-            couple: self.couple / unit,
-            stiffness: self.stiffness / unit,
-            hold: self.hold.over(unit),
-            bend: self.bend.over(unit),
+            couple: self.couple.in_units(unit),
+            stiffness: self.stiffness.in_units(unit),
+            hold: self.hold.in_units(unit),
+            bend: self.bend.in_units(unit),
             tolerance: self.tolerance,
         }
     }

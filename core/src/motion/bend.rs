@@ -31,7 +31,7 @@ pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
     /// A bound of its derivative of an order, from that of the first harmonic; of order 0, half of how far it falls.
     fn bound(self, first: R, order: u8) -> R;
     /// In other units of moment.
-    fn over(self, unit: R) -> Self;
+    fn in_units(self, unit: R) -> Self;
     /// The same `k` times as large.
     fn times(self, k: R) -> Self;
 }
@@ -70,7 +70,7 @@ impl<R: Real> Bend<R> for Unbent {
     fn bound(self, first: R, _: u8) -> R {
         first
     }
-    fn over(self, _: R) -> Self {
+    fn in_units(self, _: R) -> Self {
         Self
     }
     fn times(self, _: R) -> Self {
@@ -130,9 +130,9 @@ impl<R: Real> Bend<R> for Gliding<R> {
     fn bound(self, first: R, order: u8) -> R {
         first + (0..order).fold(self.second.reach(), |bound, _| bound.doubled())
     }
-    fn over(self, unit: R) -> Self {
+    fn in_units(self, unit: R) -> Self {
         Self {
-            second: self.second.over(unit),
+            second: self.second.in_units(unit),
         }
     }
     fn times(self, k: R) -> Self {

@@ -28,17 +28,18 @@ impl<R: Real> Margin<R> {
         }
     }
 
-    /// In units of its largest part.
+    /// In units of about its largest part.
     pub(super) fn scaled(&self) -> Self {
-        let unit = (self.start.abs().max(self.along.abs())).max(self.turning.reach());
-        if unit == R::ZERO {
+        let size = (self.start.abs().max(self.along.abs())).max(self.turning.reach());
+        if size == R::ZERO {
             return *self;
         }
+        let unit = size.unit();
         Self {
-            start: self.start / unit,
-            along: self.along / unit,
-            turning: self.turning.over(unit),
-            rounding: (self.rounding / unit).max(R::from_int(4) * R::EPSILON),
+            start: self.start.in_units(unit),
+            along: self.along.in_units(unit),
+            turning: self.turning.in_units(unit),
+            rounding: (self.rounding.in_units(unit)).max(R::from_int(4) * R::EPSILON),
         }
     }
 

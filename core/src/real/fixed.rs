@@ -4,7 +4,7 @@
 //!
 //! | function | error |
 //! |---|---|
-//! | +, -, ×, a b ± c d, /, square root, hypotenuse, from and to f32 | rounded to the nearest |
+//! | +, -, ×, a b ± c d, /, in other units, square root, hypotenuse, from and to f32 | rounded to the nearest |
 //! | sine, cosine, arctangent, turns | 0.75 |
 //! | sin(x) / x | 1.2 |
 
@@ -134,6 +134,12 @@ impl Real for Fixed {
     }
     fn halved(self) -> Self {
         Self::new(self.bits() / 2)
+    }
+    fn unit(self) -> Self {
+        Self::new(quotient::power_below(self.bits()))
+    }
+    fn in_units(self, unit: Self) -> Self {
+        Self::new(quotient::divide_by_power(self.bits(), unit.bits()))
     }
     fn rounding(size: Self) -> Self {
         Self::EPSILON.max(Self::new(size.bits() >> product::PLACES))

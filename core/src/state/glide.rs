@@ -42,7 +42,7 @@ impl<R: Real> SingleVertex<R> {
             return false;
         }
         // The foot's way closes no gap to the surface that it is on. A point touches nothing else.
-        if W::SEVERAL && !self.has_room(scene, calm.orientation, calm.reach) {
+        if W::SEVERAL && !self.has_room_to_turn(scene, &calm) {
             return false;
         }
         self.pivot.orientation = calm.orientation;

@@ -14,6 +14,8 @@ pub(super) struct ShortSlip<R> {
     pub(super) turn: R,
     /// No point of the body moves farther towards a surface.
     pub(super) reach: R,
+    /// Nor does one stray farther from the chord of its way.
+    pub(super) sagitta: R,
 }
 
 /// Newton's steps before a slip is not called short.
@@ -125,6 +127,7 @@ impl<R: Real> ShortSlip<R> {
                     slide: sign * slide,
                     turn,
                     reach: widest + farthest,
+                    sagitta: (swing * swing * bend).halved(),
                 };
                 return if ends_within && presses {
                     Ok(slip)

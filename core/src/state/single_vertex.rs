@@ -7,7 +7,7 @@ use super::{Moved, Pairs, Reactions, Terms, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
-use crate::geometry::{Orientation, Vec2};
+use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::motion::{Margin, Unbent};
 use crate::real::Real;
@@ -73,7 +73,7 @@ impl<R: Real> SingleVertex<R> {
                 return None;
             }
         };
-        self.has_room(scene, orientation, calm.reach).then(|| {
+        self.has_room_to_turn(scene, &calm).then(|| {
             self.pivot.orientation = orientation;
             trigger
         })
@@ -87,22 +87,18 @@ impl<R: Real> SingleVertex<R> {
         (surface.friction).is_within(normal, friction, slack)
     }
 
-    /// True if no other vertex can reach a surface on a turn by at most `reach` that ends at `orientation`.
+    /// True if no other vertex can reach a surface on the way to `end`, on which no point of the body goes farther than
+    /// `reach`, and none strays by more than `sagitta` from the chord of its way.
     pub(super) fn has_room(
         &mut self,
         scene: &impl World<R>,
-        orientation: Orientation<R>,
-        reach: R,
+        end: &Pivot<R>,
+        (reach, sagitta): (R, R),
     ) -> bool {
-        // No point of the body is farther from the pivot than one body size, so that no gap shrinks by more than the turn.
         let mut room = self.room - reach;
         if room <= R::ZERO {
-            let end = Pivot {
-                orientation,
-                ..self.pivot
-            };
             room = end.placed(scene).room(scene, Some(end.contact.vertex));
-            if room <= (reach * reach).halved() {
+            if room <= sagitta {
                 return false;
             }
         }
@@ -110,13 +106,14 @@ impl<R: Real> SingleVertex<R> {
         true
     }
 
-    /// The same of any motion from here.
-    fn has_room_now(&mut self, scene: &impl World<R>, reach: R) -> bool {
-        if self.room <= reach {
-            let vertex = self.pivot.contact.vertex;
-            self.room = self.pivot.placed(scene).room(scene, Some(vertex));
-        }
-        self.room > reach
+    /// The same of a calm turn. No point of the body is farther from the pivot than one body size.
+    pub(super) fn has_room_to_turn(&mut self, scene: &impl World<R>, calm: &Calm<R>) -> bool {
+        let end = Pivot {
+            orientation: calm.orientation,
+            ..self.pivot
+        };
+        let sagitta = (calm.reach * calm.reach).halved();
+        self.has_room(scene, &end, (calm.reach, sagitta))
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -172,7 +169,7 @@ impl<R: Real> SingleVertex<R> {
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let stance = self.pivot.stance(scene, grip);
         if let Some(calm) = Calm::pinned::<Unbent>(scene, &stance, grip, &Way::turn(R::ZERO))
-            && self.has_room(scene, calm.orientation, calm.reach)
+            && self.has_room_to_turn(scene, &calm)
         {
             self.pivot.orientation = calm.orientation;
             return Moved::by(self.test(scene, &self.pivot.stance(scene, grip)));
@@ -229,15 +226,15 @@ impl<R: Real> SingleVertex<R> {
         let mut stance = self.pivot.stance(scene, grip);
         let placed = (&self.pivot, &stance);
         let found = ShortSlip::find(scene, placed, grip, sign);
-        if let Ok(slip) = found
-            && self.has_room_now(scene, slip.reach)
-        {
-            self.room = self.room - slip.reach;
-            self.pivot = self.pivot.moved(slip.slide, slip.turn);
-            return Moved {
-                slip: slip.slide,
-                ..Moved::by(Trigger::Stopped)
-            };
+        if let Ok(slip) = found {
+            let end = self.pivot.moved(slip.slide, slip.turn);
+            if self.has_room(scene, &end, (slip.reach, slip.sagitta)) {
+                self.pivot = end;
+                return Moved {
+                    slip: slip.slide,
+                    ..Moved::by(Trigger::Stopped)
+                };
+            }
         }
         self.room = R::ZERO;
         if self.pivot.surface(scene).friction.is_continuous() {

@@ -50,6 +50,31 @@ fn refined(reciprocal: u32, top: u32) -> u32 {
     reciprocal.wrapping_mul(excess >> 16) >> 15
 }
 
+/// The largest power of two that is not larger than |a|; at least the last place.
+pub(super) fn power_below(a: i32) -> i32 {
+    let top = 31u32.wrapping_sub((a.unsigned_abs() | 1).leading_zeros());
+    1 << top.min(30)
+}
+
+/// a / b for a power of two b, rounded to the nearest, halves away from zero.
+pub(super) fn divide_by_power(a: i32, b: i32) -> i32 {
+    let places = b.trailing_zeros();
+    let size = a.unsigned_abs();
+    let size = if places >= PLACES {
+        let down = places.wrapping_sub(PLACES);
+        size.wrapping_add((1 << down) >> 1) >> down
+    } else {
+        let up = PLACES.wrapping_sub(places);
+        if size > RAIL.unsigned_abs() >> up {
+            RAIL.unsigned_abs()
+        } else {
+            size << up
+        }
+    };
+    let sign = a >> 31;
+    (size.cast_signed() ^ sign).wrapping_sub(sign)
+}
+
 /// a / b, rounded to the nearest, halves away from zero; the rail of the sign of a for b = 0, 0 for 0 / 0.
 #[inline(never)]
 pub(super) fn divide(a: i32, b: i32) -> i32 {
@@ -94,7 +119,7 @@ fn quotient(dividend: u32, divisor: u32) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{nearest, pairs, random};
+    use super::super::samples::{edges, nearest, pairs, random};
     use super::*;
 
     fn check(a: i32, b: i32) {
@@ -111,6 +136,20 @@ mod tests {
         random(4_000_000)
             .zip(random(4_000_001).skip(1))
             .for_each(|(a, b)| check(a, b));
+    }
+
+    #[test]
+    fn units_are_powers_of_two_and_divide_alike() {
+        for a in edges().chain(random(100_000)) {
+            let power = power_below(a);
+            let size = a.unsigned_abs().max(1);
+            assert_eq!(power.count_ones(), 1, "{a}");
+            assert_eq!(size / power.unsigned_abs(), 1, "{a}");
+            for places in 0..31 {
+                let unit = 1 << places;
+                assert_eq!(divide_by_power(a, unit), divide(a, unit), "{a} / {unit}");
+            }
+        }
     }
 
     #[test]
