@@ -175,24 +175,21 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let versine = (s * s).doubled();
         let sine = (s * c).doubled();
         let cosine = R::ONE - versine;
-        // sin(ϑ)/rate and (1 - cos ϑ)/rate
-        let sine_x = x * sinc * c;
-        let versine_x = x * sinc * s;
+        // sin(ϑ)/ϑ and (1 - cos ϑ)/ϑ. Next to a fold the parts of H are large, but not those of H/ϑ.
+        let (sine_part, versine_part) = (sinc * c, sinc * s);
+        let with = |z: Vec2<R>| R::sum_of_products(sine_part, z.x, versine_part, z.y);
+        let per_turn = self.stiffness + with(self.hold);
         Place {
             x,
             turn,
             versine,
             sine,
-            h: self.bend.rises(
-                x * self.stiffness + versine_x * self.hold.y + sine_x * self.hold.x,
-                sine_x,
-                (cosine, sine),
-            ),
+            h: x * self.bend.rises(per_turn, sine_part, (cosine, sine)),
             h_slope: self.bend.slope(
                 self.stiffness + cosine * self.hold.x + sine * self.hold.y,
                 (cosine, sine),
             ),
-            d: R::ONE - (sine_x * self.drive.x + versine_x * self.drive.y),
+            d: R::ONE - x * with(self.drive),
             d_slope: -(cosine * self.drive.x + sine * self.drive.y),
         }
     }
