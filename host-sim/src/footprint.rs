@@ -22,10 +22,10 @@ use stiction_scene::{InputError, SceneModel};
 
 use crate::emulator::{Chip, EmulatorError};
 use crate::number::Number;
-use crate::readme::Section;
 use crate::report;
 use crate::run::{open_path, open_scene};
 use crate::scene_file::SceneFile;
+use stiction_tools::readme::Section;
 use table::{Row, Table};
 
 /// The arguments of `stiction footprint`.

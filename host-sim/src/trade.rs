@@ -38,12 +38,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 use stiction_scene::InputError;
 
 use crate::emulator::EmulatorError;
-use crate::machine::processor;
 use crate::plot::{self, PlotError};
-use crate::readme::Section;
 use emulated::Count;
 use files::Folder;
 use front::Place;
+use stiction_tools::machine::processor;
+use stiction_tools::readme::Section;
 
 /// The arguments of `stiction trade`.
 #[derive(Args, Clone, Debug)]
