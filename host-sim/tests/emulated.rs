@@ -83,20 +83,12 @@ fn counts<R: Real<Si = f32>>(number: BoardNumber) {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn a_board_gives_the_answers_of_this_machine_and_its_count() {
     counts::<f32>(BoardNumber::F32);
     counts::<Fixed>(BoardNumber::Fixed);
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn every_machine_gives_the_same_bits() {
     const FRAMES: u32 = 20_000;
     for number in BoardNumber::ALL {
@@ -113,10 +105,6 @@ fn every_machine_gives_the_same_bits() {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn the_solver_fits_into_the_flash() {
     for (board, number) in [
         (Board::Stm32F405, BoardNumber::F32),
@@ -169,10 +157,6 @@ fn assert_same_answer(small: &Frame, full: &Frame, name: &str) {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
     for (board, number, evolution, name) in [
         (

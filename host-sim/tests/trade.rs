@@ -172,10 +172,6 @@ fn pictures(folder: &Folder) {
 /// Counting needs QEMU and two targets. What is not installed is skipped with the command that installs it; with CI=true it
 /// must be there.
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn chips_are_counted_in_emulation() {
     let folder = Folder::new();
     let output = folder.stiction(&["trade", "--quick", "--emulated"]);

@@ -11,8 +11,7 @@ use stiction_core::{Evolution, Fixed};
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
 const BEGIN: &str = "<!-- boards: begin -->\n";
 const END: &str = "<!-- boards: end -->\n";
-const COMMAND: &str =
-    "cargo test --release -p stiction-firmware --test emulated -- --ignored table";
+const COMMAND: &str = "cargo test -p stiction-firmware --test emulated -- --ignored table";
 
 /// Smaller ones than the board's own.
 const SCENES: [&str; 2] = ["box-flat", "point-stick-slip"];
