@@ -36,14 +36,14 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use stiction_scene::InputError;
+use stiction_tools::machine::processor;
+use stiction_tools::process::EmulatorError;
+use stiction_tools::readme::Section;
 
-use crate::emulator::EmulatorError;
 use crate::plot::{self, PlotError};
 use emulated::Count;
 use files::Folder;
 use front::Place;
-use stiction_tools::machine::processor;
-use stiction_tools::readme::Section;
 
 /// The arguments of `stiction trade`.
 #[derive(Args, Clone, Debug)]

@@ -1,19 +1,15 @@
 //! The solver on emulated boards against the solver on this machine. What is not installed is skipped with the command
 //! that installs it; with CI=true it must be there.
 
-use std::env;
-use std::io::{self, Write};
-
 use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
-use stiction_host_sim::emulator::{
-    Board, Counted, Counter, EmulatorError, Machine, Profile, footprint, job,
-};
+use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
 use stiction_scene::{BoardNumber, SceneModel, rust_source};
+use stiction_tools::process::{EmulatorError, if_installed};
 
 fn scene() -> SceneFile {
     bundled(scenes::DEFAULT)
@@ -22,18 +18,6 @@ fn scene() -> SceneFile {
 fn bundled(name: &str) -> SceneFile {
     let source = scenes::find(name.as_ref()).unwrap();
     SceneFile::parse(source, Number::F32).unwrap()
-}
-
-/// Nothing where something is not installed.
-fn if_installed<T>(result: Result<T, EmulatorError>) -> Option<T> {
-    match result {
-        Err(error @ EmulatorError::Missing { .. }) if env::var("CI").as_deref() != Ok("true") => {
-            // Not `println!`, which is silent in a test that passes.
-            let _ = writeln!(io::stderr(), "skipped: {error}");
-            None
-        }
-        result => Some(result.unwrap()),
-    }
 }
 
 /// The answers of the solver on this machine.
