@@ -23,7 +23,7 @@ boards=()
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
   stage "core and firmware on $target"
   if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
-    cargo build -p stiction-core --release --locked --target "$target"
+    cargo build -p stiction-core --profile device --locked --target "$target"
     [ "$target" != wasm32-unknown-unknown ] || continue
     boards+=(--target "$target")
     cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
