@@ -19,12 +19,14 @@ cargo fmt --all --check
 stage 'lints'
 cargo clippy --workspace --all-targets --locked -- -D warnings
 
+boards=()
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
   stage "core and firmware on $target"
   if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
-    cargo build -p stiction-core --release --locked --target "$target"
-    [ "$target" = wasm32-unknown-unknown ] ||
-      cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
+    cargo build -p stiction-core --profile device --locked --target "$target"
+    [ "$target" != wasm32-unknown-unknown ] || continue
+    boards+=(--target "$target")
+    cargo clippy -p stiction-firmware --features board --locked --target "$target" -- -D warnings
     case $target in
       thumbv7em-none-eabihf) board=olimex-stm32-h405 ;;
       thumbv6m-none-eabi) board=microbit ;;
@@ -67,11 +69,18 @@ for tool in flip-link defmt-print; do
   command -v "$tool" || cargo install "$tool" --locked || missing "$tool" "cargo install $tool"
 done
 
-stage 'tests, debug'
-cargo test --workspace --locked
+# Tests run with debug assertions and overflow checks. What computes is run as it is shipped, too; the program around it and the
+# images of boards, which are the same whatever the tests are built with, are not.
+stage 'images of emulated boards'
+# By one cargo for all, on all cores; the tests that run them would build one after the other.
+[ ${#boards[@]} = 0 ] ||
+  cargo build -p stiction-firmware --profile device --features board --bins --locked "${boards[@]}"
+
+stage 'tests'
+cargo test --workspace --exclude stiction-bench --locked
 
 stage 'tests, release'
-cargo test --workspace --release --locked
+cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
 
 stage 'ten million steps of the hand'
 cargo run --release --locked -p stiction-tests --bin walk -- 10000000

@@ -5,4 +5,4 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo run --release --locked -p stiction-tests --bin walk -- 1000000000
 cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
-cargo test --release --locked -p stiction-firmware --test emulated -- --ignored 100_000
+cargo test --locked -p stiction-host-sim --test firmware -- --ignored 100_000

@@ -51,6 +51,7 @@ mod refusal;
 mod store;
 
 pub use change::{Parameters, Placement};
+pub(crate) use controller::NO_HAND;
 pub use controller::{Controller, Pose, Settings, Tick};
 pub use ports::{Actuators, FromLine, NoActuators, Outage, Sample, Source};
 pub use refusal::Refusal;

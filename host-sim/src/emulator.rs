@@ -7,27 +7,22 @@
 mod bits;
 mod chip;
 mod image;
-mod process;
 
 pub use bits::Machine;
 pub use chip::Chip;
-pub(crate) use image::board_image;
 pub use image::{Profile, footprint};
-pub use process::EmulatorError;
-pub(crate) use process::require_qemu_arm;
 
 use std::convert::Infallible;
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
 use stiction_core::Hand;
 use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
 use stiction_scene::BoardNumber;
+use stiction_tools::process::{EmulatorError, output_of};
 
 use crate::scene_file::SceneFile;
 use image::Image;
-use process::output_of;
 
 /// An emulated board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -155,9 +150,10 @@ impl Counter {
             .arg(format!("shift={}", self.board.instruction_shift()));
         run(emulator, &self.image, &["count", "job", "results"])?;
         let bytes = fs::read(folder.path().join("results"))?;
-        let results = Results::read(&bytes)?;
+        let unread = |error| EmulatorError::Output(format!("the results of the board: {error}"));
+        let results = Results::read(&bytes).map_err(unread)?;
         Ok(Counted {
-            frames: results.frames().collect::<Result<_, _>>()?,
+            frames: results.frames().collect::<Result<_, _>>().map_err(unread)?,
             totals: results.totals,
         })
     }
@@ -172,9 +168,4 @@ fn run(mut emulator: Command, image: &Image, line: &[&str]) -> Result<String, Em
         .arg("-kernel")
         .arg(image.path());
     output_of(emulator)
-}
-
-/// The folder of the workspace: there lies what images are built from.
-fn workspace() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }

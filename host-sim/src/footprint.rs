@@ -19,10 +19,11 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use stiction_core::{Evolution, Fixed, Hand};
 use stiction_scene::{InputError, SceneModel};
+use stiction_tools::process::EmulatorError;
+use stiction_tools::readme::Section;
 
-use crate::emulator::{Chip, EmulatorError};
+use crate::emulator::Chip;
 use crate::number::Number;
-use crate::readme::Section;
 use crate::report;
 use crate::run::{open_path, open_scene};
 use crate::scene_file::SceneFile;

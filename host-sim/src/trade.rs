@@ -36,11 +36,11 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use stiction_scene::InputError;
+use stiction_tools::machine::processor;
+use stiction_tools::process::EmulatorError;
+use stiction_tools::readme::Section;
 
-use crate::emulator::EmulatorError;
-use crate::machine::processor;
 use crate::plot::{self, PlotError};
-use crate::readme::Section;
 use emulated::Count;
 use files::Folder;
 use front::Place;

@@ -1,19 +1,15 @@
 //! The solver on emulated boards against the solver on this machine. What is not installed is skipped with the command
 //! that installs it; with CI=true it must be there.
 
-use std::env;
-use std::io::{self, Write};
-
 use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
-use stiction_host_sim::emulator::{
-    Board, Counted, Counter, EmulatorError, Machine, Profile, footprint, job,
-};
+use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
 use stiction_scene::{BoardNumber, SceneModel, rust_source};
+use stiction_tools::process::{EmulatorError, if_installed};
 
 fn scene() -> SceneFile {
     bundled(scenes::DEFAULT)
@@ -22,18 +18,6 @@ fn scene() -> SceneFile {
 fn bundled(name: &str) -> SceneFile {
     let source = scenes::find(name.as_ref()).unwrap();
     SceneFile::parse(source, Number::F32).unwrap()
-}
-
-/// Nothing where something is not installed.
-fn if_installed<T>(result: Result<T, EmulatorError>) -> Option<T> {
-    match result {
-        Err(error @ EmulatorError::Missing { .. }) if env::var("CI").as_deref() != Ok("true") => {
-            // Not `println!`, which is silent in a test that passes.
-            let _ = writeln!(io::stderr(), "skipped: {error}");
-            None
-        }
-        result => Some(result.unwrap()),
-    }
 }
 
 /// The answers of the solver on this machine.
@@ -83,20 +67,12 @@ fn counts<R: Real<Si = f32>>(number: BoardNumber) {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn a_board_gives_the_answers_of_this_machine_and_its_count() {
     counts::<f32>(BoardNumber::F32);
     counts::<Fixed>(BoardNumber::Fixed);
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn every_machine_gives_the_same_bits() {
     const FRAMES: u32 = 20_000;
     for number in BoardNumber::ALL {
@@ -113,10 +89,6 @@ fn every_machine_gives_the_same_bits() {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn the_solver_fits_into_the_flash() {
     for (board, number) in [
         (Board::Stm32F405, BoardNumber::F32),
@@ -169,10 +141,6 @@ fn assert_same_answer(small: &Frame, full: &Frame, name: &str) {
 }
 
 #[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "boards are compared once, with a release build"
-)]
 fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
     for (board, number, evolution, name) in [
         (

@@ -130,7 +130,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     pub(super) fn new(d: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
         let solver = solver(d, settings)?;
         let store = Store::new(d).ok_or(Refusal::Unsettled(Status::Saturated))?;
-        let (_, output) = solver.start(ABSENT);
+        let (_, output) = solver.start(NO_HAND);
         Ok(Self {
             store,
             solver,
@@ -168,8 +168,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
     }
 }
 
-/// No hand: the body stays at its start.
-const ABSENT: Hand<f32> = Hand {
+/// No hand, and a sample without usable numbers: the body stays where it is.
+pub(crate) const NO_HAND: Hand<f32> = Hand {
     position: [f32::NAN; 2],
     angle: Angle {
         turns: 0,

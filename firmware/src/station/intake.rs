@@ -2,18 +2,9 @@
 //! step is made with, and the counts of those that were overtaken or lost.
 
 use stiction_core::frame::{Mode, Sequence};
-use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
+use stiction_core::{Axis, Hand, Projection, TrackerSample};
 
-/// What a sample without usable numbers is to the solver: the last pose is held.
-const LOST: Hand<f32> = Hand {
-    position: [f32::NAN; 2],
-    angle: Angle {
-        turns: 0,
-        rest: 0.0,
-    },
-    depth: 0.0,
-    held: false,
-};
+use crate::device::NO_HAND;
 
 /// A sample of the planar hand and the sequence number of its frame.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +71,7 @@ impl Intake {
     /// A sample of a tracker came. Its turns are counted with every one, the overtaken ones too.
     pub(super) fn tracker(&mut self, sample: &TrackerSample<f32>, sequence: u8) {
         let planar = self.projection.as_mut().and_then(|p| p.planar(sample));
-        self.hand(planar.unwrap_or(LOST), sequence);
+        self.hand(planar.unwrap_or(NO_HAND), sequence);
     }
 
     /// The sample for the next step.

@@ -14,12 +14,11 @@ use crate::written::{SURFACES, VERTICES, WrittenScene};
 const SCENE: &str = "STICTION_SCENE";
 
 /// What is compiled into a board where nothing else is said.
-#[derive(Clone, Debug)]
-pub struct OwnScene {
+pub(crate) struct OwnScene {
     /// The scene file.
-    pub file: PathBuf,
+    pub(crate) file: PathBuf,
     /// What comes over the wire has room in this model.
-    pub room: SceneModel,
+    pub(crate) room: SceneModel,
 }
 
 /// Writes `scene.rs` into a folder: the board's own scene, or in its smallest model that of the file which the environment
@@ -27,7 +26,11 @@ pub struct OwnScene {
 ///
 /// # Errors
 /// The scene cannot be used, or the code not be written.
-pub fn compile(own: &OwnScene, number: BoardNumber, folder: &Path) -> Result<(), InputError> {
+pub(crate) fn compile(
+    own: &OwnScene,
+    number: BoardNumber,
+    folder: &Path,
+) -> Result<(), InputError> {
     println!("cargo::rerun-if-env-changed={SCENE}");
     let named = env::var_os(SCENE).filter(|name| !name.is_empty());
     let (file, room) = match &named {

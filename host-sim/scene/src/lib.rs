@@ -3,11 +3,12 @@
 //! ```text
 //! scene.toml ─ Source ─ document.rs ─ check.rs ─ WrittenScene ─┬─ scene_in ─ Scene of the solver, or locate.rs: the key
 //!                                                              ├─ SceneModel: the smallest that it runs in, and why
-//!                                                              └─ compile.rs, code.rs: scene.rs in a board's build
+//!                                                              └─ board.rs, compile.rs, code.rs: scene.rs in a board's build
 //! ```
 //!
 //! A program that runs scenes reads [`WrittenScene::hand`] as well, with the same [`Check`].
 
+mod board;
 mod check;
 mod code;
 mod compile;
@@ -18,9 +19,10 @@ mod source;
 mod surface;
 mod written;
 
+pub use board::BoardBuild;
 pub use check::Check;
 pub use code::{BoardNumber, rust_source};
-pub use compile::{OwnScene, code, compile};
+pub use compile::code;
 pub use document::{Hand, Number, Numbers};
 pub use model::SceneModel;
 pub use source::{InputError, Source};

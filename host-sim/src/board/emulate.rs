@@ -1,18 +1,15 @@
-//! A board in QEMU: its image is built, the emulator started with the serial line on a socket of its own, and ended with
-//! this value.
+//! A board in QEMU: its image is built, the emulator started, and ended with this value.
 
-use std::io::Read;
 use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use tempfile::TempDir;
+use stiction_tools::board::{Board, Emulator as Qemu};
+use stiction_tools::process::{EmulatorError, require_qemu_arm};
 
 use super::link::Link;
 use super::stop;
-use crate::emulator::{self, EmulatorError};
 
 /// The emulator opens its socket at once, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
@@ -29,20 +26,16 @@ pub enum EmulatedBoard {
 }
 
 impl EmulatedBoard {
-    /// The name of its folder in `firmware/boards`, and of its machine in QEMU.
-    pub(super) const fn name(self) -> &'static str {
+    const fn board(self) -> Board {
         match self {
-            Self::Olimex => "olimex-stm32-h405",
-            Self::Microbit => "microbit",
+            Self::Olimex => Board::OLIMEX,
+            Self::Microbit => Board::MICROBIT,
         }
     }
 
-    /// Serial lines of the machine before the one that the image uses.
-    const fn lines_before(self) -> usize {
-        match self {
-            Self::Olimex => 1,
-            Self::Microbit => 0,
-        }
+    /// The name of its folder in `firmware/boards`, and of its machine in QEMU.
+    pub(super) const fn name(self) -> &'static str {
+        self.board().name
     }
 }
 
@@ -50,37 +43,23 @@ impl EmulatedBoard {
 #[derive(Debug)]
 pub(super) struct Emulator {
     board: EmulatedBoard,
-    process: Child,
-    folder: TempDir,
+    qemu: Qemu,
 }
 
 impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
     pub(super) fn start(board: EmulatedBoard) -> Result<Self, EmulatorError> {
-        emulator::require_qemu_arm()?;
+        require_qemu_arm()?;
         eprintln!("building the image of {} ...", board.name());
-        let image = emulator::board_image(board.name())?;
-        let folder = tempfile::tempdir()?;
-        let socket = folder.path().join("line");
-        let mut qemu = Command::new("qemu-system-arm");
-        qemu.args(["-M", board.name(), "-display", "none", "-monitor", "none"]);
-        for _ in 0..board.lines_before() {
-            qemu.args(["-serial", "null"]);
-        }
-        let line = format!("unix:{},server=on,wait=on", socket.display());
-        // Its clock goes with the real one; with none at all, ticks are lost.
-        qemu.args(["-serial", &line, "-icount", "shift=auto"]);
-        qemu.arg("-kernel").arg(image);
-        qemu.stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::piped());
+        let image = board.board().image("", None)?;
+        // Its clock goes with the real one.
+        let mut qemu = board.board().emulator(&image, "shift=auto");
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut qemu, 0);
         Ok(Self {
             board,
-            process: qemu.spawn()?,
-            folder,
+            qemu: Qemu::start(qemu)?,
         })
     }
 
@@ -89,24 +68,14 @@ impl Emulator {
     }
 
     fn socket(&self) -> PathBuf {
-        self.folder.path().join("line")
+        self.qemu.file("line")
     }
 
     /// A line to the board.
     pub(super) fn open(&mut self) -> Result<Link, EmulatorError> {
         let begun = Instant::now();
         loop {
-            if let Some(status) = self.process.try_wait()? {
-                let mut message = String::from("\n");
-                if let Some(text) = &mut self.process.stderr {
-                    text.read_to_string(&mut message)?;
-                }
-                return Err(EmulatorError::Failed {
-                    program: "qemu-system-arm".to_owned(),
-                    status,
-                    message: message.trim_end().to_owned(),
-                });
-            }
+            self.qemu.runs()?;
             match Link::socket(&self.socket()) {
                 Ok(link) => return Ok(link),
                 Err(error) if begun.elapsed() > OPENING || stop::asked() => {
@@ -115,13 +84,5 @@ impl Emulator {
                 Err(_) => thread::sleep(Duration::from_millis(10)),
             }
         }
-    }
-}
-
-impl Drop for Emulator {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.process.kill();
-        let _ = self.process.wait();
     }
 }

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use stiction_core::frame::FaultKind;
 use stiction_scene::InputError;
+use stiction_tools::process::EmulatorError;
 
 use super::line::Line;
-use crate::emulator::EmulatorError;
 
 /// Why a board could not be worked with.
 #[derive(Debug, thiserror::Error)]

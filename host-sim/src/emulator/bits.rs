@@ -3,9 +3,9 @@
 use std::process::Command;
 
 use stiction_scene::BoardNumber;
+use stiction_tools::process::{EmulatorError, output_of};
 
 use super::image::{Image, Profile};
-use super::process::{EmulatorError, output_of};
 use super::{Board, run};
 
 /// A machine whose bits are compared.

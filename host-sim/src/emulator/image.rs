@@ -1,17 +1,16 @@
-//! Images of the firmware: built by cargo, and how much of a board's flash they fill.
+//! Images of the firmware: built by cargo, and how much of a board's flash the solver fills.
 
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
-use object::{Object, ObjectSection, SectionFlags, elf};
-use serde_json::Value;
+use stiction_tools::image::{Contents, built, cargo_build};
+use stiction_tools::process::EmulatorError;
+use stiction_tools::workspace;
 use tempfile::TempDir;
 
-use super::process::{EmulatorError, output_of};
-use super::{Board, workspace};
+use super::Board;
 
 /// How the compiler optimises; the profiles of the workspace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -94,34 +93,20 @@ impl Image {
         Self::built(cargo)
     }
 
-    /// The file of the last program that cargo speaks of.
     fn built(cargo: Command) -> Result<Self, EmulatorError> {
-        let messages = output_of(cargo)?;
-        match messages.lines().rev().find_map(artifact) {
-            Some(path) => Ok(Self {
-                path,
-                _folder: None,
-            }),
-            None => Err(EmulatorError::Output("cargo names no image".to_owned())),
-        }
+        Ok(Self {
+            path: built(cargo)?,
+            _folder: None,
+        })
     }
 
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// The flash that it takes (bytes): instructions, constants, the first values of variables.
+    /// The flash that it takes (bytes).
     fn flash(&self) -> Result<u64, EmulatorError> {
-        let bytes = fs::read(&self.path)?;
-        let file = object::File::parse(&*bytes)
-            .map_err(|error| EmulatorError::Output(error.to_string()))?;
-        let sections = file.sections().filter(|section| match section.flags() {
-            SectionFlags::Elf { sh_type, sh_flags } => {
-                sh_type != elf::SHT_NOBITS && sh_flags.contains(elf::SHF_ALLOC)
-            }
-            _ => false,
-        });
-        Ok(sections.map(|section| section.size()).sum())
+        Ok(Contents::of(&self.path)?.flash)
     }
 }
 
@@ -148,18 +133,6 @@ fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
     Ok(flash)
 }
 
-/// The image of a folder in `firmware/boards`, without a log. The settings of the build are those of the folder.
-pub(crate) fn board_image(board: &str) -> Result<PathBuf, EmulatorError> {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(workspace().join("firmware/boards").join(board));
-    cargo.args(["build", "--locked", "--profile", Profile::Device.name()]);
-    cargo.args([
-        "--no-default-features",
-        "--message-format=json-render-diagnostics",
-    ]);
-    Image::built(cargo).map(|image| image.path)
-}
-
 /// Builds a binary of the firmware for a board.
 fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     let mut cargo = cargo(profile, Some(board.target()));
@@ -169,28 +142,10 @@ fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
 
 /// Builds something of the firmware.
 fn cargo(profile: Profile, target: Option<&str>) -> Command {
-    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(workspace());
-    cargo.args(["build", "--locked", "--package", "stiction-firmware"]);
-    cargo.args(["--profile", profile.name()]);
+    let mut cargo = cargo_build(workspace(), profile.name());
+    cargo.args(["--package", "stiction-firmware"]);
     if let Some(target) = target {
         cargo.args(["--target", target]);
     }
-    cargo.arg("--message-format=json-render-diagnostics");
     cargo
-}
-
-/// The file in a message of cargo, if the message is of a finished program.
-fn artifact(message: &str) -> Option<PathBuf> {
-    let message: Value = serde_json::from_str(message).ok()?;
-    if message["reason"] != "compiler-artifact" {
-        return None;
-    }
-    if let Some(executable) = message["executable"].as_str() {
-        return Some(executable.into());
-    }
-    let mut files = message["filenames"].as_array()?.iter();
-    files
-        .find_map(|file| file.as_str().filter(|name| name.ends_with(".wasm")))
-        .map(PathBuf::from)
 }

@@ -3,8 +3,9 @@
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::Setting;
 use stiction_scene::{SceneModel, rust_source};
+use stiction_tools::process::EmulatorError;
 
-use crate::emulator::{Chip, Counted, Counter, EmulatorError, Profile, footprint, job};
+use crate::emulator::{Chip, Counted, Counter, Profile, footprint, job};
 use crate::scene_file::SceneFile;
 
 /// What a model takes on a chip. Instructions and stack are those of the build for speed.

@@ -4,12 +4,13 @@
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job;
 use stiction_scene::{BoardNumber, SceneModel, rust_source};
+use stiction_tools::process::EmulatorError;
 
 use super::cost::Emulated;
 use super::measure::Row;
 use super::setting::{RATES, Setting};
 use super::suite::{Case, Group, Suite};
-use crate::emulator::{Chip, Counter, EmulatorError, Profile, footprint, job};
+use crate::emulator::{Chip, Counter, Profile, footprint, job};
 use crate::number::Number;
 
 /// How images are built.

@@ -9,13 +9,13 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 use stiction_core::{Evolution, Fixed, Status};
-use stiction_host_sim::machine::processor;
-use stiction_host_sim::readme::Section;
 use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
 use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
+use stiction_tools::machine::processor;
+use stiction_tools::readme::Section;
 
 /// 0.1 m at 0.02 m/s and 1 kHz.
 const FRAMES: usize = 5000;

@@ -31,8 +31,11 @@ impl Session {
         chip.log_installed()?;
         // Built before, and told what is missing for it.
         chip.image()?;
-        let folder =
-            env::temp_dir().join(format!("stiction-log-{}-{}", std::process::id(), chip.name));
+        let folder = env::temp_dir().join(format!(
+            "stiction-log-{}-{}",
+            std::process::id(),
+            chip.name()
+        ));
         fs::create_dir_all(&folder).unwrap();
         let at = |name: &str| format!("unix:{},server=on", folder.join(name).display());
         let mut child = Process::new("cargo");
@@ -44,7 +47,7 @@ impl Session {
             .env("ICOUNT", format!("shift={}", chip.shift))
             .env_remove("STICTION_SCENE")
             .env_remove("DEFMT_LOG")
-            .current_dir(chip.folder())
+            .current_dir(chip.board.folder())
             .stdin(Stdio::null())
             .stdout(Stdio::piped());
         let mut child = child.spawn().unwrap();

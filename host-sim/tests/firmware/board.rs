@@ -1,17 +1,15 @@
 //! An emulated board: QEMU started with its image, its serial line a socket, its RAM read when asked for.
 
-use crate::chip::Chip;
+use crate::chip::{Chip, Image};
 use crate::client::{Client, Known, Said};
-use crate::image::{Image, RAM};
-use std::env;
 use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command as Process, Stdio};
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::path::Path;
 use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Health};
+use stiction_tools::board::Emulator;
+use stiction_tools::image::RAM;
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -22,8 +20,7 @@ const AGAIN: Duration = Duration::from_secs(1);
 pub(crate) struct Board {
     chip: &'static Chip,
     pub(crate) image: Image,
-    folder: PathBuf,
-    emulator: Child,
+    emulator: Emulator,
     line: UnixStream,
     /// Came while something was sent.
     came: Vec<u8>,
@@ -38,30 +35,13 @@ impl Board {
 
     /// From power-up, an image of the board.
     pub(crate) fn start_image(chip: &'static Chip, image: Image) -> Option<Self> {
-        static NUMBER: AtomicU32 = AtomicU32::new(0);
-        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-        let folder = env::temp_dir().join(format!("stiction-{}-{number}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let mut emulator = Process::new("qemu-system-arm");
-        emulator.args(["-M", chip.machine, "-display", "none"]);
-        for _ in 0..chip.unused_lines {
-            emulator.args(["-serial", "null"]);
-        }
-        emulator
-            .args(["-serial", "unix:line,server=on,wait=on"])
-            .args(["-monitor", "unix:monitor,server=on,wait=off"])
-            .args(["-icount", &format!("shift={}", chip.shift)])
-            .arg("-kernel")
-            .arg(&image.path)
-            .current_dir(&folder)
-            .stdin(Stdio::null());
-        let emulator = emulator.spawn().unwrap();
-        let line = connected(&folder.join("line"));
+        let clock = format!("shift={}", chip.shift);
+        let emulator = Emulator::start(chip.board.emulator(&image.path, &clock)).unwrap();
+        let line = connected(&emulator.file("line"));
         line.set_nonblocking(true).unwrap();
         let mut board = Self {
             chip,
             image,
-            folder,
             emulator,
             line,
             came: Vec::new(),
@@ -142,7 +122,7 @@ impl Board {
             assert!(
                 begun.elapsed() < PATIENCE,
                 "{} does not answer",
-                self.chip.name
+                self.chip.name()
             );
             self.listen();
         }
@@ -175,7 +155,7 @@ impl Board {
             assert!(
                 begun.elapsed() < PATIENCE,
                 "{} does not answer",
-                self.chip.name
+                self.chip.name()
             );
         }
     }
@@ -196,26 +176,18 @@ impl Board {
     /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
     /// than what was never touched.
     pub(crate) fn stack(&mut self) -> usize {
-        let mut monitor = connected(&self.folder.join("monitor"));
-        let size = usize::try_from(self.image.stack_top - RAM).unwrap();
+        let mut monitor = connected(&self.emulator.file("monitor"));
+        let size = usize::try_from(self.image.contents.stack_top.unwrap() - RAM).unwrap();
         writeln!(monitor, "memsave {RAM} {size} ram").unwrap();
         let begun = Instant::now();
         loop {
-            let ram = fs::read(self.folder.join("ram")).unwrap_or_default();
+            let ram = fs::read(self.emulator.file("ram")).unwrap_or_default();
             if ram.len() == size {
                 return size - ram.iter().take_while(|byte| **byte == 0).count();
             }
             assert!(begun.elapsed() < PATIENCE);
             self.listen();
         }
-    }
-}
-
-impl Drop for Board {
-    fn drop(&mut self) {
-        let _ = self.emulator.kill();
-        let _ = self.emulator.wait();
-        let _ = fs::remove_dir_all(&self.folder);
     }
 }
 

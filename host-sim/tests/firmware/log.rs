@@ -112,11 +112,11 @@ fn log_is_golden(chip: &Chip) {
         return;
     };
     let golden = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/emulated/golden")
-        .join(chip.name)
+        .join("tests/firmware/golden")
+        .join(chip.name())
         .with_extension("log");
     let golden = fs::read_to_string(golden).unwrap();
-    assert_eq!(text, golden, "{}:\n{text}", chip.name);
+    assert_eq!(text, golden, "{}:\n{text}", chip.name());
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! stiction beside a physics engine: the same scenes, the same hand, in one run; a table on the terminal.
 //!
 //! ```sh
-//! cargo bench --bench rivals               # the table
-//! cargo bench --bench rivals -- --write    # and puts it into the README
+//! cargo bench -p stiction-bench --bench rivals               # the table
+//! cargo bench -p stiction-bench --bench rivals -- --write    # and puts it into the README
 //! ```
 //!
 //! Under `cargo test --benches` a short run shows that everything works.
@@ -20,8 +20,8 @@ use case::Case;
 use engine::{Engine, Stiction};
 use measure::{Findings, observe, statics, time};
 use rapier::Rapier;
-use stiction_host_sim::machine::processor;
-use stiction_host_sim::readme::Section;
+use stiction_tools::machine::processor;
+use stiction_tools::readme::Section;
 use table::{Row, Setting};
 
 /// Name in the table and bundled scene.
@@ -142,13 +142,13 @@ fn main() -> std::io::Result<()> {
     );
     if !full {
         println!(
-            "rivals: ok, too short to be measured; `cargo bench --bench rivals` gives the table"
+            "rivals: ok, too short to be measured; `cargo bench -p stiction-bench --bench rivals` gives the table"
         );
         return Ok(());
     }
     print!("{plain}");
     if has("--write") {
-        let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"));
+        let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md"));
         Section::find(readme, "rivals")?.write(&markdown)?;
     }
     Ok(())

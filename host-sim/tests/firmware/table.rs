@@ -4,15 +4,12 @@ use crate::bits::{SAMPLES, same_bits};
 use crate::budgets::{Taken, measure};
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::line::silence;
-use std::fs;
 use stiction_core::frame::NumberType;
 use stiction_core::{Evolution, Fixed};
+use stiction_tools::readme::Section;
+use stiction_tools::workspace;
 
-const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
-const BEGIN: &str = "<!-- boards: begin -->\n";
-const END: &str = "<!-- boards: end -->\n";
-const COMMAND: &str =
-    "cargo test --release -p stiction-firmware --test emulated -- --ignored table";
+const COMMAND: &str = "cargo test -p stiction-host-sim --test firmware -- --ignored table";
 
 /// Smaller ones than the board's own.
 const SCENES: [&str; 2] = ["box-flat", "point-stick-slip"];
@@ -37,7 +34,7 @@ fn column(chip: &'static Chip, cycles: u32) -> Option<Column> {
     };
     Some(Column {
         taken,
-        with_scenes: [first?.flash, second?.flash],
+        with_scenes: [first?.contents.flash, second?.contents.flash],
         silence_us: silence(chip)?,
         same,
         cycles,
@@ -141,8 +138,7 @@ fn the_table_of_the_readme() {
     };
     let table = table(&f405, &microbit);
     println!("{table}");
-    let readme = fs::read_to_string(README).unwrap();
-    let (head, rest) = readme.split_once(BEGIN).expect(BEGIN);
-    let (_, tail) = rest.split_once(END).expect(END);
-    fs::write(README, [head, BEGIN, &table, END, tail].concat()).unwrap();
+    let readme = workspace().join("README.md");
+    let section = Section::find(&readme, "boards").unwrap();
+    section.write(&table).unwrap();
 }

@@ -142,7 +142,10 @@ fn client_dies(chip: &'static Chip) {
     let frame = board.client.encode(Command::Hand(deep()));
     board.send_bytes(&frame[..frame.len() / 2]);
     let (off_us, off) = fallen_silent(&mut board, last);
-    println!("{}: no force {off_us} us after the last sample", chip.name);
+    println!(
+        "{}: no force {off_us} us after the last sample",
+        chip.name()
+    );
     assert!(off_us <= 20_000);
     assert!(off.held && off.position == before.position);
     let no_force = board.wait(|_, said| match said {
@@ -191,11 +194,11 @@ fn flood(chip: &'static Chip, size: usize) {
         let health = board.health();
         assert_eq!(health.drive, Drive::Silent);
         board.settle();
-        assert_eq!(board.info().name, chip.name);
+        assert_eq!(board.info().name, chip.name());
     }
     pressed(&mut board);
     let health = board.health();
-    println!("{}: {health:?}", chip.name);
+    println!("{}: {health:?}", chip.name());
     assert_eq!(health.missed_ticks, 0, "no tick was missed for it");
 }
 
@@ -245,7 +248,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
             beyond.listen(&garbled(&mut back, &bytes, per_byte));
             for pose in poses(&mut at_board) {
                 newest = pose.depth as u32;
-                assert_same(&pose, &beside.step(hand(newest)), chip.name);
+                assert_same(&pose, &beside.step(hand(newest)), chip.name());
                 assert!(sent.insert(newest, pose).is_none());
             }
             if reads > 2 && number < newest + UNDER_WAY {
@@ -271,7 +274,8 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
     assert!(health.samples > frames / 2);
     println!(
         "{}: {} of {frames} samples came, {accepted} poses accepted, none wrong",
-        chip.name, health.samples
+        chip.name(),
+        health.samples
     );
 }
 

@@ -58,7 +58,7 @@ pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberTy
         let mut beside = Beside::<R>::new(&mode);
         let poses = poses(&mut board);
         for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
-            assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name));
+            assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name()));
         }
         assert_eq!(poses.len(), SAMPLES as usize);
     }

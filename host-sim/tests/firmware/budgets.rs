@@ -4,9 +4,9 @@ use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Known, Said, hand_path, scene};
 use std::fs;
-use std::path::Path;
 use stiction_core::Hand;
 use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};
+use stiction_tools::workspace;
 use toml::Table;
 
 /// Samples that are sent before the pose of the last of them is waited for.
@@ -17,10 +17,10 @@ pub(crate) struct Budget(Table);
 
 impl Budget {
     pub(crate) fn of(chip: &Chip) -> Self {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("budgets.toml");
+        let path = workspace().join("firmware/budgets.toml");
         let text = fs::read_to_string(path).unwrap();
         let all: Table = text.parse().unwrap();
-        Self(all[chip.name].as_table().unwrap().clone())
+        Self(all[chip.name()].as_table().unwrap().clone())
     }
 
     /// The figure is within its budget.
@@ -113,8 +113,8 @@ pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
     board.done(Command::Reset(Reset::Everything));
     Some(Taken {
         about,
-        flash: board.image.flash,
-        variables: board.image.variables,
+        flash: board.image.contents.flash,
+        variables: board.image.contents.variables,
         stack: u64::try_from(board.stack()).unwrap(),
         step: board.instructions(health.worst_step),
         tick: board.instructions(health.worst_tick),
@@ -125,7 +125,7 @@ pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
 
 fn within_budget(chip: &'static Chip) {
     let Some(image) = chip.image() else { return };
-    assert_eq!(image.panics(), [""; 0]);
+    assert_eq!(image.contents.panics(), [""; 0]);
     let Some(taken) = measure(chip) else { return };
     println!("{}: step: {}", taken.about.name, taken.step);
     let budget = Budget::of(chip);

@@ -84,7 +84,8 @@ pub(crate) fn plain(rows: &[Row], setting: &Setting) -> String {
 /// For the README.
 pub(crate) fn markdown(rows: &[Row], setting: &Setting) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let mut text = "Written by `cargo bench --bench rivals -- --write`.\n\n".to_owned();
+    let mut text =
+        "Written by `cargo bench -p stiction-bench --bench rivals -- --write`.\n\n".to_owned();
     text.push_str(&line(&HEAD.map(str::to_owned)));
     text.push_str(&format!("|{}\n", "---|".repeat(HEAD.len())));
     for row in rows {
@@ -125,7 +126,7 @@ fn words(rows: &[Row], setting: &Setting) -> [String; 4] {
         how(rows, setting),
         "rapier2d has one coefficient of friction; it gets mu_s. With one coefficient the statics has no stick-slip: the body breaks \
          away once and slides along. rapier2d is tuned, as the comments in \
-         host-sim/benches/rivals/rapier.rs tell; what is left of its pose error is mostly momentum: a body with mass slides on when \
+         host-sim/bench/benches/rivals/rapier.rs tell; what is left of its pose error is mostly momentum: a body with mass slides on when \
          the hand stops, as a real one does."
             .to_owned(),
         format!(

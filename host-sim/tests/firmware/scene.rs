@@ -33,9 +33,17 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
     let (Some(own), Some(image)) = (chip.image(), chip.image_of(Some(SCENE))) else {
         return;
     };
-    println!("{}: flash {} of {}", chip.name, image.flash, own.flash);
-    assert!(image.flash < own.flash && image.variables < own.variables);
-    assert_eq!(image.panics(), [""; 0]);
+    println!(
+        "{}: flash {} of {}",
+        chip.name(),
+        image.contents.flash,
+        own.contents.flash
+    );
+    assert!(
+        image.contents.flash < own.contents.flash
+            && image.contents.variables < own.contents.variables
+    );
+    assert_eq!(image.contents.panics(), [""; 0]);
     let Some(mut board) = Board::start_image(chip, image) else {
         return;
     };
@@ -63,7 +71,11 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
             Said::Pose(pose) if pose.sample == sample => Some(*pose),
             _ => None,
         });
-        assert_same(&pose, &beside.step(hand(i)), &format!("{} {i}", chip.name));
+        assert_same(
+            &pose,
+            &beside.step(hand(i)),
+            &format!("{} {i}", chip.name()),
+        );
         slips += u32::from(pose.saw(Event::Slip));
         if i > 100 {
             assert_eq!(pose.state, StateKind::SingleVertex, "{i}");

@@ -15,10 +15,10 @@ fn the_f405_with_a_pantograph_steps_by_itself() {
     let Some(mut board) = Board::start(&PANTOGRAPH) else {
         return;
     };
-    assert_eq!(board.image.panics(), [""; 0]);
+    assert_eq!(board.image.contents.panics(), [""; 0]);
     let budget = Budget::of(&PANTOGRAPH);
-    budget.holds("flash", board.image.flash);
-    budget.holds("variables", board.image.variables);
+    budget.holds("flash", board.image.contents.flash);
+    budget.holds("variables", board.image.contents.variables);
     let info = board.info();
     assert!(info.has[2] && info.stiffest[0] == 1_000.0, "{info:?}");
     board.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));

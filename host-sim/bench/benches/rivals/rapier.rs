@@ -11,7 +11,7 @@ use crate::case::{self, Case, hand_pose};
 use crate::engine::Engine;
 
 /// The lock file of the workspace: what is linked.
-const LOCK: &str = include_str!("../../../Cargo.lock");
+const LOCK: &str = include_str!("../../../../Cargo.lock");
 
 /// Statics knows no mass (kg), so it is free. A heavier body slides on when the hand stops; with a lighter one the contacts,
 /// whose stiffness in rapier follows the mass, give way, and at 10 g the hand's damping is unstable.

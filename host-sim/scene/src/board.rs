@@ -1,0 +1,69 @@
+//! The build script of a board: which scene is compiled in, where the linker finds flash and RAM, what it must know of the log.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use crate::code::BoardNumber;
+use crate::compile::{OwnScene, compile};
+use crate::model::SceneModel;
+use crate::source::InputError;
+
+/// In what one board differs from another.
+#[derive(Clone, Debug)]
+pub struct BoardBuild {
+    /// For another target there is nothing to do.
+    pub target: &'static str,
+    /// What its solver computes with.
+    pub number: BoardNumber,
+    /// What the solver of the board's own scene has, as any scene may come over the wire. That of a scene file which is named by
+    /// STICTION_SCENE has what this scene needs.
+    pub room: SceneModel,
+    /// Where flash and RAM are: a file of `firmware/memory`.
+    pub memory: &'static str,
+}
+
+impl BoardBuild {
+    /// Does all that the script of a package in `firmware/boards` has to do.
+    pub fn run(&self) -> ExitCode {
+        println!("cargo::rerun-if-changed=build.rs");
+        match self.built() {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("{error}");
+                ExitCode::FAILURE
+            }
+        }
+    }
+
+    fn built(&self) -> Result<(), InputError> {
+        if variable("TARGET")? != self.target {
+            return Ok(());
+        }
+        let firmware = PathBuf::from(variable("CARGO_MANIFEST_DIR")?).join("../..");
+        let folder = PathBuf::from(variable("OUT_DIR")?);
+        let own = OwnScene {
+            file: firmware.join("scenes/board.toml"),
+            room: self.room,
+        };
+        compile(&own, self.number, &folder)?;
+        let memory = firmware.join("memory").join(self.memory);
+        println!("cargo::rerun-if-changed={}", memory.display());
+        fs::copy(&memory, folder.join("memory.x"))
+            .map_err(|error| InputError::of_file(&memory, error))?;
+        println!("cargo::rustc-link-search={}", folder.display());
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        println!("cargo::rustc-link-arg-bins=--nmagic");
+        let logs = ["CARGO_FEATURE_RTT", "CARGO_FEATURE_SEMIHOSTING"];
+        if logs.into_iter().any(|log| env::var_os(log).is_some()) {
+            println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
+        }
+        Ok(())
+    }
+}
+
+/// What cargo sets for every build script.
+fn variable(name: &str) -> Result<String, InputError> {
+    env::var(name).map_err(|error| InputError::of_file(Path::new(name), error))
+}

@@ -1,0 +1,89 @@
+//! The boards, and their images as cargo builds them: with the board's own scene, or with another one. What is missing is told
+//! with the command that installs it; with CI=true it must be there.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command as Process;
+use std::sync::Mutex;
+use stiction_tools::board::Board;
+use stiction_tools::image::Contents;
+use stiction_tools::process::{if_installed, output_of, require_qemu_arm};
+use stiction_tools::workspace;
+
+/// A board with its emulator.
+#[derive(Debug)]
+pub(crate) struct Chip {
+    pub(crate) board: Board,
+    /// Of its package.
+    features: &'static str,
+    /// An instruction takes 2^N ns: near to what it takes on the chip.
+    pub(crate) shift: u32,
+}
+
+pub(crate) const F405: Chip = Chip {
+    board: Board::OLIMEX,
+    features: "",
+    shift: 3,
+};
+
+/// With a device of its own.
+pub(crate) const PANTOGRAPH: Chip = Chip {
+    features: "pantograph",
+    ..F405
+};
+
+pub(crate) const MICROBIT: Chip = Chip {
+    board: Board::MICROBIT,
+    features: "",
+    shift: 6,
+};
+
+/// An image and what is in it.
+pub(crate) struct Image {
+    pub(crate) path: PathBuf,
+    pub(crate) contents: Contents,
+}
+
+impl Chip {
+    /// Of its folder in firmware/boards.
+    pub(crate) const fn name(&self) -> &'static str {
+        self.board.name
+    }
+
+    /// The release image without logs; nothing where something is missing.
+    pub(crate) fn image(&self) -> Option<Image> {
+        self.image_of(None)
+    }
+
+    /// The image with a bundled scene of the host compiled in, or with the board's own. It is built once and copied: in the
+    /// folder of the build the next one takes its place.
+    pub(crate) fn image_of(&self, scene: Option<&str>) -> Option<Image> {
+        static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+        if_installed(require_qemu_arm())?;
+        let name = [self.name(), self.features, scene.unwrap_or("own")].join("-");
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        let mut built = BUILT.lock().unwrap();
+        if !built.contains(&path) {
+            let scene = scene.map(bundled);
+            let image = if_installed(self.board.image(self.features, scene.as_deref()))?;
+            fs::copy(image, &path).unwrap();
+            built.insert(path.clone());
+        }
+        let contents = Contents::of(&path).unwrap();
+        Some(Image { path, contents })
+    }
+
+    /// What `cargo emulate` needs for the log.
+    pub(crate) fn log_installed(&self) -> Option<()> {
+        let mut printer = Process::new("defmt-print");
+        printer.arg("--version");
+        if_installed(output_of(printer)).map(drop)
+    }
+}
+
+/// The file of a bundled scene of the host.
+pub(crate) fn bundled(name: &str) -> PathBuf {
+    let scenes = workspace().join("host-sim/scenes");
+    scenes.join(name).with_extension("toml")
+}

@@ -1,0 +1,19 @@
+//! The images of the boards in QEMU, talked to over their serial lines.
+#![cfg(unix)]
+
+#[path = "../../../firmware/tests/station/beside.rs"]
+mod beside;
+mod bits;
+mod board;
+mod budgets;
+mod chip;
+#[path = "../../../firmware/tests/station/client.rs"]
+mod client;
+mod line;
+mod log;
+mod pantograph;
+#[path = "../../../firmware/tests/station/random.rs"]
+mod random;
+mod scene;
+mod session;
+mod table;

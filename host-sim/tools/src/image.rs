@@ -1,0 +1,108 @@
+//! Images of the firmware: built by cargo, and what is in them: flash and RAM, where the stack begins, symbols.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
+use serde_json::Value;
+
+use crate::process::{EmulatorError, output_of};
+
+/// The RAM of the chips begins here, and with flip-link the stack grows down to here.
+pub const RAM: u64 = 0x2000_0000;
+
+/// Cargo, building in a folder with a profile; its messages tell [`built`] which file it has built.
+pub fn cargo_build(folder: &Path, profile: &str) -> Command {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(folder);
+    cargo.args(["build", "--locked", "--profile", profile]);
+    cargo.arg("--message-format=json-render-diagnostics");
+    cargo
+}
+
+/// The file of the last program that cargo speaks of.
+///
+/// # Errors
+/// Cargo, the target or the linker is missing, or the program cannot be built.
+pub fn built(cargo: Command) -> Result<PathBuf, EmulatorError> {
+    let messages = output_of(cargo)?;
+    let file = messages.lines().rev().find_map(artifact);
+    file.ok_or_else(|| EmulatorError::Output("cargo names no image".to_owned()))
+}
+
+/// The file in a message of cargo, if the message is of a finished program.
+fn artifact(message: &str) -> Option<PathBuf> {
+    let message: Value = serde_json::from_str(message).ok()?;
+    if message["reason"] != "compiler-artifact" {
+        return None;
+    }
+    if let Some(executable) = message["executable"].as_str() {
+        return Some(executable.into());
+    }
+    let mut files = message["filenames"].as_array()?.iter();
+    files
+        .find_map(|file| file.as_str().filter(|name| name.ends_with(".wasm")))
+        .map(PathBuf::from)
+}
+
+/// What is in the image of a board.
+#[derive(Clone, Debug)]
+pub struct Contents {
+    /// Instructions, constants, the first values of variables (bytes).
+    pub flash: u64,
+    /// Static variables (bytes).
+    pub variables: u64,
+    /// The address from which the stack grows down, where the linker names it.
+    pub stack_top: Option<u64>,
+    /// Names of functions, mangled.
+    pub symbols: Vec<String>,
+}
+
+impl Contents {
+    /// Those of a file.
+    ///
+    /// # Errors
+    /// It cannot be read, or is no image.
+    pub fn of(image: &Path) -> Result<Self, EmulatorError> {
+        let bytes = fs::read(image)?;
+        let file = object::File::parse(&*bytes)
+            .map_err(|error| EmulatorError::Output(error.to_string()))?;
+        let mut contents = Self {
+            flash: 0,
+            variables: 0,
+            stack_top: None,
+            symbols: Vec::new(),
+        };
+        for section in file.sections() {
+            let SectionFlags::Elf { sh_type, sh_flags } = section.flags() else {
+                continue;
+            };
+            if !sh_flags.contains(elf::SHF_ALLOC) {
+                continue;
+            }
+            if sh_type != elf::SHT_NOBITS {
+                contents.flash += section.size();
+            }
+            if section.address() >= RAM {
+                contents.variables += section.size();
+            }
+        }
+        for symbol in file.symbols() {
+            let name = symbol.name().unwrap_or_default();
+            if name == "_stack_start" {
+                contents.stack_top = Some(symbol.address());
+            }
+            contents.symbols.push(name.to_owned());
+        }
+        Ok(contents)
+    }
+
+    /// Symbols of panics: none in an image in which nothing can panic.
+    pub fn panics(&self) -> Vec<&str> {
+        let names = self.symbols.iter().map(String::as_str);
+        let of_panics = |name: &&str| name.contains("panic") || name.contains("unwrap_failed");
+        names.filter(of_panics).collect()
+    }
+}

@@ -1,0 +1,24 @@
+//! The solver by law and by state. One program, so that every number type, evolution and model of the solver is compiled once
+//! for all; `cargo test -p stiction-tests --test solver NAME` runs the tests of a module.
+
+mod allocation;
+mod analytic;
+mod comparison;
+mod creep;
+mod dragged_box;
+mod event_limit;
+mod extremes;
+mod follows_reference;
+mod glide;
+mod hand;
+mod laws;
+mod models;
+mod one_coefficient;
+mod projection;
+mod residual;
+mod scene_errors;
+mod size;
+mod snapshot;
+mod symmetry;
+mod tolerance;
+mod transitions;
