@@ -47,7 +47,7 @@ impl<R: Real> Slope<R> {
         self.value > self.rounding && self.value - fall * step > self.rounding
     }
 
-    /// After a certified step E is at most K step²; true if that or E itself counts as zero.
+    /// After a certified step E is at most K step²; true if twice that, or E itself, counts as zero.
     fn is_closed_by(&self, step: R, tolerance: R) -> bool {
         let closed = self.closed(tolerance);
         self.value <= closed || (self.curvature * step * step).doubled() <= closed

@@ -14,8 +14,8 @@ pub(super) struct ShortSlip<R> {
     pub(super) turn: R,
     /// No point of the body moves farther towards a surface.
     pub(super) reach: R,
-    /// Nor does one stray farther from the chord of its way.
-    pub(super) sagitta: R,
+    /// A gap that is larger at the end was open all the way.
+    pub(super) open: R,
 }
 
 /// Newton's steps before a slip is not called short.
@@ -127,7 +127,7 @@ impl<R: Real> ShortSlip<R> {
                     slide: sign * slide,
                     turn,
                     reach: widest + farthest,
-                    sagitta: (swing * swing * bend).halved(),
+                    open: swing * swing * bend,
                 };
                 return if ends_within && presses {
                     Ok(slip)

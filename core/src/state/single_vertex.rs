@@ -88,17 +88,17 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// True if no other vertex can reach a surface on the way to `end`, on which no point of the body goes farther than
-    /// `reach`, and none strays by more than `sagitta` from the chord of its way.
+    /// `reach`, and on which a gap that ends larger than `open` was never closed.
     pub(super) fn has_room(
         &mut self,
         scene: &impl World<R>,
         end: &Pivot<R>,
-        (reach, sagitta): (R, R),
+        (reach, open): (R, R),
     ) -> bool {
         let mut room = self.room - reach;
         if room <= R::ZERO {
             room = end.placed(scene).room(scene, Some(end.contact.vertex));
-            if room <= sagitta {
+            if room <= open {
                 return false;
             }
         }
@@ -112,8 +112,8 @@ impl<R: Real> SingleVertex<R> {
             orientation: calm.orientation,
             ..self.pivot
         };
-        let sagitta = (calm.reach * calm.reach).halved();
-        self.has_room(scene, &end, (calm.reach, sagitta))
+        let open = (calm.reach * calm.reach).halved();
+        self.has_room(scene, &end, (calm.reach, open))
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -228,7 +228,7 @@ impl<R: Real> SingleVertex<R> {
         let found = ShortSlip::find(scene, placed, grip, sign);
         if let Ok(slip) = found {
             let end = self.pivot.moved(slip.slide, slip.turn);
-            if self.has_room(scene, &end, (slip.reach, slip.sagitta)) {
+            if self.has_room(scene, &end, (slip.reach, slip.open)) {
                 self.pivot = end;
                 return Moved {
                     slip: slip.slide,
