@@ -51,8 +51,9 @@ impl<R: Real> Calm<R> {
     ) -> Option<Self> {
         // The least stability and the largest |z| of the way.
         let least = moment.stability() - drive.x.max(R::ZERO);
-        let size = moment.bent() + drive.reach();
-        if least <= R::ZERO || drive.reach() > least.halved() || !moment.is_carried() {
+        let pull = drive.reach();
+        let size = moment.bent() + pull;
+        if least <= R::ZERO || pull > least.halved() || !moment.is_carried() {
             return None;
         }
         let per_stability = R::ONE / moment.stability();

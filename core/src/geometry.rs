@@ -42,7 +42,7 @@ impl<R: Real> Vec2<R> {
     /// An upper bound of the length that costs no root, larger by at most an eighth.
     pub(crate) fn reach(self) -> R {
         let (x, y) = (self.x.abs(), self.y.abs());
-        x.max(y) + x.min(y).halved()
+        x + y - x.min(y).halved()
     }
     /// conj(a) b: the dot product and the cross product as one vector.
     pub(crate) fn conj_mul(self, b: Self) -> Self {
