@@ -186,7 +186,8 @@ fn block_slid_flush() -> Scenario {
     from_grip(setup, &[[0.0, -0.13, 0.0], [0.83, -0.13, 0.0]])
 }
 
-fn strut(kappa: f64, theta: f64) -> Setup {
+/// The triangle on its tip, to be pulled down by a hand below the floor; kappa is that of the fold.
+pub fn strut(kappa: f64, theta: f64) -> Setup {
     Setup::triangle()
         .held_at([0.0, 1.0])
         .springs(1.0, 1.0 / kappa)
@@ -237,16 +238,21 @@ fn strut_falls_on_its_edge() -> Scenario {
     )
 }
 
-/// A rod that leans between floor and wall under a load, while the hand turns to `phi`.
-fn rod_between_floor_and_wall(phi: f64) -> Scenario {
-    let (sin, cos) = 1f64.sin_cos();
+/// A rod that leans by 1 rad between floor and wall.
+pub fn leaning_rod() -> Setup {
     let friction = [0.4, 0.2];
-    let setup = Setup::new(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]])
+    Setup::new(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]])
         .held_at([1.0, 0.0])
         .springs(1.0, 4.0)
-        .standing(0, [-2.0 * cos, 0.0], 1.0)
+        .standing(0, [-2.0 * 1f64.cos(), 0.0], 1.0)
         .floor(friction)
-        .wall(0.0, friction);
+        .wall(0.0, friction)
+}
+
+/// It under a load, while the hand turns to `phi`.
+fn rod_between_floor_and_wall(phi: f64) -> Scenario {
+    let (sin, cos) = 1f64.sin_cos();
+    let setup = leaning_rod();
     scenario(setup, &[[-cos, sin - 2.0, 1.905], [-cos, sin - 2.0, phi]])
 }
 

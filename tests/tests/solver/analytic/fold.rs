@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 use stiction_core::{Event, Evolution, StateKind};
+use stiction_tests::scenes::strut;
 use stiction_tests::{Number, Run, Setup, close, test_each};
 
 test_each!(
@@ -21,15 +22,6 @@ mod cases {
     /// The bound of an angle just before its fold.
     fn double_root<R: Number>() -> f64 {
         if R::ROUNDING < 1e-10 { 1e-6 } else { 5e-3 }
-    }
-
-    /// The triangle on its tip, pulled down by a hand below the floor.
-    fn strut(kappa: f64, theta: f64) -> Setup {
-        Setup::triangle()
-            .held_at([0.0, 1.0])
-            .springs(1.0, 1.0 / kappa)
-            .standing(0, [0.0, 0.0], theta)
-            .floor([0.95, 0.5])
     }
 
     fn hand(phi: f64) -> [f64; 3] {

@@ -3,6 +3,7 @@
 use super::threshold;
 use std::f64::consts::{FRAC_PI_4, PI};
 use stiction_core::{Evolution, StateKind};
+use stiction_tests::scenes::leaning_rod;
 use stiction_tests::{Number, Run, Setup, close, test_each};
 
 test_each!(
@@ -88,15 +89,8 @@ mod cases {
     /// moment holds the rod off the wall.
     pub(super) fn trammel_slip_ends_at_the_first_root<R: Number>(evolution: Evolution) {
         let (sin, cos) = 1f64.sin_cos();
-        let friction = [0.4, 0.2];
-        let setup = Setup::new(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]])
-            .held_at([1.0, 0.0])
-            .springs(1.0, 4.0)
-            .standing(0, [-2.0 * cos, 0.0], 1.0)
-            .floor(friction)
-            .wall(0.0, friction);
         let hand = |phi: f64| [-cos, sin - 2.0, phi];
-        let mut run = Run::<R>::start(&setup, evolution, hand(1.905_464_288_4));
+        let mut run = Run::<R>::start(&leaning_rod(), evolution, hand(1.905_464_288_4));
         let trigger = run.onset(hand(0.9), |f| f.slips > 0);
         close("trigger", trigger.hand[2], 0.905_464_288_398, R::ANALYTIC);
         close("before", trigger.before.pose[2], 1.0, R::ANALYTIC);
