@@ -45,7 +45,7 @@ fn a_frame_tells_of_the_springs_the_reference_and_the_strip() {
     let view = View::start(&["box-flat"]);
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.0, 0.04, 0.0], 20);
-    let frame = client.frame(|frame| frame["frame"]["hand"][1] == json!(0.04_f32));
+    let frame = client.frame(|frame| frame["frame"]["hand"][1] == json!(0.04));
     // The edge lies on the floor: the box is 0.06 m high and held 0.02 m above its middle, the hand 10 mm below that.
     let holding = numbers(&frame["holding"]);
     assert!(
@@ -120,11 +120,7 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.01, 0.04, 0.0], 20);
     let pose = |client: &mut crate::program::Client| {
-        numbers(
-            &client.frame(|frame| {
-                frame["frame"]["hand"][1] == json!(0.04_f32) || frame["frame"]["hand"][1] == 0.04
-            })["frame"]["pose"],
-        )
+        numbers(&client.frame(|frame| frame["frame"]["hand"][1] == json!(0.04))["frame"]["pose"])
     };
     let before = pose(&mut client);
     for change in [

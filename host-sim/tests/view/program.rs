@@ -86,9 +86,12 @@ impl View {
     pub(crate) fn http(&self, method: &str, path: &str, extra: &str, body: &[u8]) -> Answer {
         let mut stream = TcpStream::connect(&self.place).expect("a connection");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time-out");
+        let host = match extra.starts_with("Host:") {
+            true => String::new(),
+            false => format!("Host: {}\r\n", self.place),
+        };
         let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\nContent-Length: {}\r\n{extra}\r\n",
-            self.place,
+            "{method} {path} HTTP/1.1\r\n{host}Connection: close\r\nContent-Length: {}\r\n{extra}\r\n",
             body.len()
         );
         stream.write_all(head.as_bytes()).expect("a request");

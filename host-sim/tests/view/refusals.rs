@@ -90,7 +90,7 @@ fn other_pages_are_refused() {
         );
     }
     let rebound = view.http("GET", "/", "Host: example.org\r\n", b"").status;
-    assert!(rebound >= 400, "{rebound}");
+    assert_eq!(rebound, 403);
 }
 
 #[test]
@@ -161,6 +161,22 @@ fn a_port_that_is_taken_is_said_and_the_next_one_is_served() {
     second.wait().expect("it ends");
     let (_, port) = first.place.split_once(':').expect("a port");
     assert!(line.contains(port) && line.contains("taken"), "{line}");
+}
+
+#[test]
+fn without_arguments_the_page_is_served() {
+    let folder = Folder::new();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_stiction"))
+        .current_dir(folder.file(""))
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut line = String::new();
+    let said = std::io::BufReader::new(child.stdout.take().expect("its output"));
+    std::io::BufRead::read_line(&mut { said }, &mut line).expect("a line");
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    assert!(line.starts_with("http://127.0.0.1:"), "{line}");
 }
 
 #[test]
