@@ -243,7 +243,7 @@ impl Tracker {
             Some(f64::from_le_bytes(bytes.try_into().ok()?))
         };
         let [x, y, depth] = [value(0)?, value(1)?, value(2)?].map(|cm| cm / CENTIMETRES + 0.0);
-        let roll = value(5)?.to_radians();
+        let roll = Some(value(5)?.to_radians()).filter(|roll| roll.abs() <= FARTHEST)?;
         let last = self.hand.map_or(0.0, |hand| hand.pose[2]);
         let change = (roll - last + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU);
         let phi = last + change - std::f64::consts::PI;

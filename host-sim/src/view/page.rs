@@ -1,17 +1,13 @@
 //! The files of the page, built into the program.
 
-macro_rules! files {
-    ($($name:literal: $kind:literal),* $(,)?) => {
-        &[$((concat!("/", $name), $kind, include_bytes!(concat!("../../web/", $name)))),*]
-    };
-}
-
 /// Path, type and bytes.
 type File = (&'static str, &'static str, &'static [u8]);
 
-const FILES: &[File] = files![
-    "index.html": "text/html; charset=utf-8",
-];
+const FILES: &[File] = &[(
+    "/index.html",
+    "text/html; charset=utf-8",
+    include_bytes!("plain.html"),
+)];
 
 /// Type and bytes of the file at a path.
 pub(super) fn find(path: &str) -> Option<(&'static str, &'static [u8])> {
