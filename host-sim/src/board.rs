@@ -26,7 +26,7 @@ mod refusal;
 mod session;
 mod setup;
 mod steps;
-mod stop;
+pub(crate) mod stop;
 mod stream;
 mod trace;
 mod tracker;

@@ -44,9 +44,30 @@ impl HandPath {
     /// The file cannot be read, its format is unknown, or a record cannot be used.
     pub fn read(file: &Path, placement: &Placement) -> Result<Self, InputError> {
         let format = recorded::Format::of(file)?;
-        let source = Source::read(file)?;
-        let rows = recorded::rows(&source, format)?;
-        Ok(Self::new(placement.place(&source, &rows)?))
+        Self::of_source(&Source::read(file)?, format, placement)
+    }
+
+    /// A recorded path from text; the extension of its name says the format.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub(crate) fn parse(source: &Source, placement: &Placement) -> Result<Self, InputError> {
+        let format = recorded::Format::of(source.file())?;
+        Self::of_source(source, format, placement)
+    }
+
+    fn of_source(
+        source: &Source,
+        format: recorded::Format,
+        placement: &Placement,
+    ) -> Result<Self, InputError> {
+        let rows = recorded::rows(source, format)?;
+        Ok(Self::new(placement.place(source, &rows)?))
+    }
+
+    /// How many samples there are.
+    pub(crate) fn count(&self) -> usize {
+        self.samples.len()
     }
 
     /// How many frames [`Self::frames`] gives; more than [`Self::LARGEST_COUNT`] for a rate that is too high.
@@ -72,9 +93,24 @@ impl HandPath {
         })
     }
 
-    fn resampled(&self, k: usize, rate: f64, reached: &mut usize) -> Sample {
+    /// Frame `k` of [`Self::frames`] at a rate (Hz), found without those before it.
+    pub(crate) fn sample(&self, k: usize, rate: f64) -> Option<Sample> {
+        if k >= self.frame_count(Some(rate)) {
+            return None;
+        }
+        let until = self.time(k, rate) + 1e-6 / rate;
+        let reached = self.samples.partition_point(|sample| sample.t <= until);
+        Some(self.resampled(k, rate, &mut reached.saturating_sub(1)))
+    }
+
+    /// The time of frame `k` (s).
+    fn time(&self, k: usize, rate: f64) -> f64 {
         let (first, last) = (self.samples[0], self.samples[self.samples.len() - 1]);
-        let t = (first.t + k as f64 / rate).min(last.t);
+        (first.t + k as f64 / rate).min(last.t)
+    }
+
+    fn resampled(&self, k: usize, rate: f64, reached: &mut usize) -> Sample {
+        let t = self.time(k, rate);
         let rounding = 1e-6 / rate;
         while (self.samples.get(*reached + 1)).is_some_and(|next| next.t <= t + rounding) {
             *reached += 1;

@@ -11,6 +11,8 @@
 //!
 //! [`board`] feeds a board with the hand's motion in real time, instead of the solver on this computer, or beside it.
 //!
+//! [`view`] shows it in real time, with the hand of whoever holds the mouse.
+//!
 //! [`footprint`] builds the solver that a scene needs for two chips: how large it is there and what a frame costs.
 
 mod balance;
@@ -29,3 +31,4 @@ pub mod simulate;
 pub mod summary;
 pub mod trace;
 pub mod trade;
+pub mod view;

@@ -1,4 +1,4 @@
-//! The program `stiction`: without arguments it runs a bundled scene and leaves plots behind.
+//! The program `stiction`: without arguments it shows a bundled scene, to be held with the mouse.
 
 use std::process::ExitCode;
 
@@ -7,6 +7,7 @@ use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
 use stiction_host_sim::footprint::{FootprintArgs, footprint};
 use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::trade::{TradeArgs, trade};
+use stiction_host_sim::view::{ViewArgs, view};
 
 /// Statics-based contact of an object held in the hand
 #[derive(Parser)]
@@ -18,6 +19,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
+    /// The live page: hold the body with the mouse; poses for renderers (without a command: this)
+    View(Box<ViewArgs>),
     /// Run a scene: a trace, a summary, plots
     Run(RunArgs),
     /// Measure every setting of the solver: errors, costs, and which one to take
@@ -38,7 +41,8 @@ fn main() -> ExitCode {
         Some(Command::Footprint(args)) => footprint(&args).map(|()| true).map_err(Into::into),
         Some(Command::Board(args)) => board(&args).map_err(Into::into),
         Some(Command::Info(args)) => info(&args).map(|()| true).map_err(Into::into),
-        None => run(&RunArgs::demonstration())
+        Some(Command::View(args)) => view(&args).map(|()| true).map_err(Into::into),
+        None => view(&ViewArgs::default())
             .map(|()| true)
             .map_err(Into::into),
     };

@@ -14,11 +14,12 @@ use crate::hand_path::{HandPath, Sample};
 use crate::number::Number;
 use crate::plot::{self, PlotError};
 use crate::record::{Frame, Run};
+use crate::report;
 use crate::scene_file::{HostSolver, Motion, SceneFile};
+use crate::scenes;
 use crate::simulate::simulate;
 use crate::summary::Summary;
 use crate::trace::{Format, TraceWriter};
-use crate::{report, scenes};
 
 /// The arguments of `stiction run`.
 #[derive(Args, Clone, Debug)]
@@ -46,22 +47,6 @@ pub struct RunArgs {
     /// Neither summary nor progress
     #[arg(long)]
     pub quiet: bool,
-}
-
-impl RunArgs {
-    /// What `stiction` does without arguments: the default scene, with plots in `plots`.
-    pub fn demonstration() -> Self {
-        Self {
-            scene: scenes::DEFAULT.into(),
-            hand: None,
-            number: Number::F32,
-            evolution: Evolution::Path,
-            rate: None,
-            out: None,
-            plot: Some("plots".into()),
-            quiet: false,
-        }
-    }
 }
 
 pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {

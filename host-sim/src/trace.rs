@@ -49,8 +49,9 @@ impl Serialize for Value {
     }
 }
 
+/// A record of a trace.
 #[derive(Serialize)]
-struct Record<'a> {
+pub(crate) struct Record<'a> {
     t: f64,
     hand: [Value; 3],
     held: bool,
@@ -74,7 +75,8 @@ struct ContactEntry<'a> {
 }
 
 impl<'a> Record<'a> {
-    fn new(frame: &Frame, surfaces: &'a [String], single: bool) -> Self {
+    /// Of a frame; `surfaces`: their names, `single`: the numbers have the digits of f32.
+    pub(crate) fn new(frame: &Frame, surfaces: &'a [String], single: bool) -> Self {
         let value = |value| Value { value, single };
         let contacts = frame.contacts.iter().map(|contact| ContactEntry {
             vertex: contact.vertex,

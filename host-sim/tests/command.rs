@@ -6,26 +6,6 @@ use common::{Folder, SCENE, numbers, records, text};
 use serde_json::Value;
 
 #[test]
-fn without_arguments_a_bundled_scene_runs_and_leaves_plots() {
-    let folder = Folder::new();
-    let output = folder.stiction(&[]);
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    let summary = text(&output.stdout);
-    for part in [
-        "vertex-stick-slip",
-        "single-vertex",
-        "slips",
-        "largest force",
-        "ns per frame",
-        "plots",
-    ] {
-        assert!(summary.contains(part), "{part}: {summary}");
-    }
-    assert_eq!(folder.names(), ["plots"]);
-    assert!(folder.file("plots").read_dir().expect("a folder").count() > 0);
-}
-
-#[test]
 fn bundled_scenes_run_by_name() {
     let folder = Folder::new();
     let output = folder.stiction(&["run", "box-flat", "--out", "trace.jsonl"]);

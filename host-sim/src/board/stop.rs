@@ -5,12 +5,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// From now on Ctrl-C, and the request of the system to end, are heard.
-pub(super) fn listen() {
+pub(crate) fn listen() {
     // Where somebody else listens, he decides.
     let _ = ctrlc::set_handler(|| ASKED.store(true, Ordering::Relaxed));
 }
 
 /// Somebody wants an end.
-pub(super) fn asked() -> bool {
+pub(crate) fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }

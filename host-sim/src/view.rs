@@ -1,0 +1,344 @@
+//! `stiction view`: the solver in real time, with a page, a socket and UDP around it, as `host-sim/VIEW.md` says.
+//!
+//! ```text
+//! page, programs ═ server ─ client ─ hear ──┐ orders                    ┌─ say ─ client ═ page, programs
+//! trackers ═ outward ───────────────────────┴─ engine ─ pair ─ feed ────┴─ outward ═ renderers
+//!                                               │        └ body: the solver; the f64 path reference
+//!                                               ├─ guide, holder: the hand
+//!                                               └─ recording, replay
+//! ```
+//!
+//! The engine has a thread of its own and waits for nobody.
+
+mod body;
+mod carry;
+mod client;
+mod counts;
+mod engine;
+mod feed;
+mod free;
+mod guide;
+mod hear;
+mod holder;
+mod orders;
+mod outward;
+mod page;
+mod pair;
+mod recording;
+mod replay;
+mod say;
+mod server;
+mod stage;
+
+use std::future::IntoFuture;
+use std::io;
+use std::net::{SocketAddr, TcpListener};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use clap::Args;
+use stiction_core::Evolution;
+use stiction_scene::InputError;
+use tokio::sync::{mpsc, watch};
+
+use crate::board::stop;
+use crate::hand_path::HandPath;
+use crate::number::Number;
+use crate::report;
+use crate::run::{evolution_parser, open_scene, parse_rate};
+use crate::scenes;
+use body::Setting;
+use engine::Engine;
+use feed::Feed;
+use outward::Format;
+use replay::Way;
+use server::Hub;
+use stage::Stage;
+
+/// The scene where none is named.
+const SCENE: &str = "box-flat";
+/// Orders that wait for the solver.
+const ORDERS: usize = 1024;
+/// Ports that are tried after one that is taken.
+const PORTS: u16 = 100;
+/// Ctrl-C is looked for so often.
+const BREATH: Duration = Duration::from_millis(50);
+/// Connections may end by themselves for so long.
+const FAREWELL: Duration = Duration::from_secs(1);
+
+/// The arguments of `stiction view`.
+#[derive(Args, Clone, Debug)]
+pub struct ViewArgs {
+    /// Scene file (TOML), or the name of a bundled scene
+    #[arg(default_value = SCENE)]
+    scene: PathBuf,
+    /// Recorded hand path (csv, tum, txt) that the hand follows from the beginning
+    #[arg(long, value_name = "FILE")]
+    hand: Option<PathBuf>,
+    /// Number type of the solver
+    #[arg(long, value_enum, default_value_t = Number::F32)]
+    number: Number,
+    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    #[arg(long, default_value = "path", value_parser = evolution_parser())]
+    evolution: Evolution,
+    /// Where the page is; the next free port where that is taken. Everyone who reaches another address than this computer's
+    /// own can hold the hand
+    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:8405")]
+    listen: SocketAddr,
+    /// The socket, OSC and OpenTrack only, no page
+    #[arg(long)]
+    headless: bool,
+    /// Send poses by OSC over UDP
+    #[arg(long, value_name = "HOST:PORT")]
+    osc: Option<String>,
+    /// Poses a second by OSC and OpenTrack (1 to 1000)
+    #[arg(long, value_name = "HZ", default_value = "100", value_parser = parse_pose_rate)]
+    osc_rate: f64,
+    /// Take the hand by OSC on this UDP port
+    #[arg(long, value_name = "PORT")]
+    osc_in: Option<u16>,
+    /// Send poses as OpenTrack does, over UDP
+    #[arg(long, value_name = "HOST:PORT")]
+    opentrack: Option<String>,
+    /// Take the hand from OpenTrack on this UDP port
+    #[arg(long, value_name = "PORT")]
+    opentrack_in: Option<u16>,
+}
+
+impl Default for ViewArgs {
+    /// What `stiction` does without arguments.
+    fn default() -> Self {
+        Self {
+            scene: SCENE.into(),
+            hand: None,
+            number: Number::F32,
+            evolution: Evolution::Path,
+            listen: ([127, 0, 0, 1], 8405).into(),
+            headless: false,
+            osc: None,
+            osc_rate: 100.0,
+            osc_in: None,
+            opentrack: None,
+            opentrack_in: None,
+        }
+    }
+}
+
+fn parse_pose_rate(text: &str) -> Result<f64, String> {
+    match parse_rate(text) {
+        Ok(rate) if (1.0..=1000.0).contains(&rate) => Ok(rate),
+        _ => Err("allowed: 1 to 1000".to_owned()),
+    }
+}
+
+/// Why there is nothing to view.
+#[derive(Debug, thiserror::Error)]
+pub enum ViewError {
+    /// The scene or the hand's path cannot be used.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The solver does not take the scene, or the path is too long.
+    #[error("{0}")]
+    Scene(String),
+    /// An address cannot be used.
+    #[error("{address}: {error}")]
+    Address {
+        /// As it was given.
+        address: String,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// The system does not give what a server needs.
+    #[error(transparent)]
+    System(#[from] io::Error),
+    /// The solver's thread ended.
+    #[error("the solver ended by itself")]
+    Solver,
+}
+
+/// Serves until Ctrl-C.
+///
+/// # Errors
+/// Input that cannot be used, an address that cannot be listened to.
+pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
+    stop::listen();
+    let (engine, feed) = prepared(args)?;
+    let scenes = orders::scene_names(engine.own.as_ref());
+    let listener = listen(args.listen)?;
+    let place = listener.local_addr()?;
+    let (orders, inbox) = mpsc::channel(ORDERS);
+    let ends = Ends::open(args, place)?;
+    let ending = Arc::new(AtomicBool::new(false));
+    let solver = {
+        let ending = Arc::clone(&ending);
+        let thread = thread::Builder::new().name("solver".to_owned());
+        thread.spawn(move || engine.run(inbox, &ending))?
+    };
+    let (stopper, stop) = watch::channel(false);
+    let hub = Arc::new(Hub {
+        feed,
+        orders,
+        scenes,
+        stop,
+        clients: AtomicU32::new(0),
+    });
+    greet(args, place);
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .build()?;
+    let result = runtime.block_on(serve(args, listener, ends, hub, (stopper, &solver)));
+    ending.store(true, Ordering::Relaxed);
+    let ended = solver.join();
+    runtime.shutdown_timeout(FAREWELL);
+    result.and(ended.map_err(|_| ViewError::Solver))
+}
+
+/// The solver with its scene, before its first tick.
+fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
+    let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
+    let setting = Setting {
+        scene: Arc::clone(&stage.scene),
+        number: args.number,
+        evolution: args.evolution,
+    };
+    // Said with the key and the line.
+    stage.scene.scene::<f64>()?;
+    let is_bundled = !args.scene.exists() && scenes::find(&args.scene).is_some();
+    let feed = Arc::new(Feed::default());
+    let own = (!is_bundled).then(|| stage.clone());
+    let placement = stage.scene.hand.placement;
+    let mut engine = Engine::new(stage, &setting, Arc::clone(&feed)).map_err(ViewError::Scene)?;
+    engine.own = own;
+    if let Some(file) = &args.hand {
+        let path = HandPath::read(file, &placement)?;
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        engine.upload = Some((name.into_owned(), Way::Path(Arc::new(path))));
+        engine.follow_upload().map_err(ViewError::Scene)?;
+    }
+    Ok((engine, feed))
+}
+
+/// Listens at an address, or at the next free port.
+fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
+    let mut tried = address;
+    loop {
+        match TcpListener::bind(tried) {
+            Ok(listener) => {
+                if tried != address {
+                    eprintln!(
+                        "port {} is taken, the next free one is {}",
+                        address.port(),
+                        tried.port()
+                    );
+                }
+                if !address.ip().is_loopback() {
+                    eprintln!(
+                        "warning: everyone who reaches {} can hold the hand",
+                        address.ip()
+                    );
+                }
+                listener.set_nonblocking(true)?;
+                return Ok(listener);
+            }
+            Err(error)
+                if error.kind() == io::ErrorKind::AddrInUse
+                    && tried.port() < u16::MAX
+                    && tried.port() - address.port() < PORTS =>
+            {
+                tried.set_port(tried.port() + 1);
+            }
+            Err(error) => {
+                let address = address.to_string();
+                return Err(ViewError::Address { address, error });
+            }
+        }
+    }
+}
+
+/// The sockets of renderers and trackers.
+struct Ends {
+    out: Vec<(std::net::UdpSocket, Format)>,
+    inward: Vec<(std::net::UdpSocket, Format)>,
+}
+
+impl Ends {
+    fn open(args: &ViewArgs, place: SocketAddr) -> Result<Self, ViewError> {
+        let mut ends = Self {
+            out: Vec::new(),
+            inward: Vec::new(),
+        };
+        let outward = [
+            (&args.osc, Format::Osc),
+            (&args.opentrack, Format::OpenTrack),
+        ];
+        for (address, format) in outward {
+            let Some(address) = address else { continue };
+            let socket = outward::to(address).map_err(|error| ViewError::Address {
+                address: address.clone(),
+                error,
+            })?;
+            ends.out.push((socket, format));
+        }
+        let inward = [
+            (args.osc_in, Format::Osc),
+            (args.opentrack_in, Format::OpenTrack),
+        ];
+        for (port, format) in inward {
+            let Some(port) = port else { continue };
+            let socket = outward::at(place.ip(), port).map_err(|error| ViewError::Address {
+                address: format!("UDP port {port}"),
+                error,
+            })?;
+            ends.inward.push((socket, format));
+        }
+        Ok(ends)
+    }
+}
+
+/// Says where it is.
+fn greet(args: &ViewArgs, place: SocketAddr) {
+    let what = match args.headless {
+        true => format!("ws://{place}/ws"),
+        false => format!("http://{place}/"),
+    };
+    report::print(&format!("{what}   Ctrl-C ends it\n"));
+}
+
+/// Until Ctrl-C, or until the solver is gone.
+async fn serve(
+    args: &ViewArgs,
+    listener: TcpListener,
+    ends: Ends,
+    hub: Arc<Hub>,
+    (stopper, solver): (watch::Sender<bool>, &JoinHandle<()>),
+) -> Result<(), ViewError> {
+    for (socket, format) in ends.out {
+        let feed = Arc::clone(&hub.feed);
+        tokio::spawn(outward::send(socket, format, feed, args.osc_rate));
+    }
+    for (socket, format) in ends.inward {
+        tokio::spawn(outward::hear(socket, format, hub.orders.clone()));
+    }
+    let mut stop = hub.stop.clone();
+    let listener = tokio::net::TcpListener::from_std(listener)?;
+    let server = axum::serve(listener, server::router(hub, !args.headless));
+    let server = server.with_graceful_shutdown(async move {
+        // An end of the other side is one, too.
+        let _ = stop.wait_for(|stop| *stop).await;
+    });
+    let end = async {
+        while !stop::asked() && !solver.is_finished() {
+            tokio::time::sleep(BREATH).await;
+        }
+        let _ = stopper.send(true);
+        tokio::time::sleep(FAREWELL).await;
+    };
+    tokio::select! {
+        result = server.into_future() => result?,
+        () = end => {}
+    }
+    Ok(())
+}

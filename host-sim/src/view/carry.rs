@@ -1,0 +1,138 @@
+//! A body that goes on under other parameters, in another number type or evolution: it stays where it is, contacts stick at
+//! first, and it settles anew under the hand that holds it at the same point. From a [`Present`] to a solver and its state.
+
+use stiction_core::{
+    Angle, Description, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State, Status,
+    Wrench, narrow_hand,
+};
+
+use crate::scene_file::{HostSolver, SceneFile};
+
+/// How far the place of a hold is off by rounding, in parts of the body size.
+const ROUNDING: f64 = 1e-4;
+
+/// How the hand came to hold the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hold {
+    /// Not yet.
+    Never,
+    /// At the scene's holding point.
+    Given,
+    /// Where it was at that moment.
+    Taken,
+}
+
+/// Where a body and its hand are, SI units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Present {
+    /// Position of the body's origin (m).
+    pub(super) position: [f64; 2],
+    /// Its orientation.
+    pub(super) angle: Angle<f64>,
+    /// The hand holds it.
+    pub(super) held: bool,
+    pub(super) hold: Hold,
+    /// The hand, turned back by the body's whole turns.
+    pub(super) hand: Hand<f64>,
+    /// Of the hand on the body.
+    pub(super) wrench: Wrench<f64>,
+    /// k_h (N/m), k_theta (N·m/rad) of that wrench.
+    pub(super) stiffness: [f64; 2],
+}
+
+/// A solver with the state that goes on, and the answer of the settling; its turns are those since `Present::angle.turns`.
+pub(super) struct Carried<R: Real> {
+    pub(super) solver: HostSolver<R>,
+    pub(super) state: State<R>,
+    pub(super) output: Output<R::Si>,
+}
+
+/// The body of `present` in a scene.
+///
+/// # Errors
+/// Why it cannot be there, and what is allowed.
+pub(super) fn carried<R: Real<Si: SiFloat>>(
+    scene: &SceneFile,
+    evolution: Evolution,
+    present: &Present,
+) -> Result<Carried<R>, String> {
+    scene.described(|description| {
+        let (state, output) = settled(description, evolution, present)?;
+        if matches!(output.status, Status::Saturated | Status::HeldLast) {
+            return Err(format!(
+                "the body does not settle: {}, allowed: what the number type carries",
+                output.status.name()
+            ));
+        }
+        if present.held && !output.held {
+            return Err(
+                "the hand would lose its hold, allowed: what keeps it within reach".to_owned(),
+            );
+        }
+        let mut going = *description;
+        if present.hold != Hold::Never {
+            // It is for the first hold only.
+            going.holding_point = None;
+        }
+        let solver = solver(&going, evolution)?;
+        Ok(Carried {
+            solver,
+            state,
+            output,
+        })
+    })
+}
+
+fn solver<R: Real<Si: SiFloat>>(
+    description: &Description<'_, R::Si>,
+    evolution: Evolution,
+) -> Result<HostSolver<R>, String> {
+    let scene = Scene::new(description).map_err(|error| error.to_string())?;
+    Ok(Solver::new(scene, evolution))
+}
+
+fn settled<R: Real<Si: SiFloat>>(
+    description: &Description<'_, R::Si>,
+    evolution: Evolution,
+    present: &Present,
+) -> Result<(State<R>, Output<R::Si>), String> {
+    let narrow = R::Si::narrow;
+    let [x, y] = present.position.map(narrow);
+    let mut there = Description {
+        start: [x, y, narrow(present.angle.rest)],
+        ..*description
+    };
+    if present.held && present.hold == Hold::Taken {
+        return taken_on(there, present);
+    }
+    if !present.held && present.hold != Hold::Never {
+        there.holding_point = None;
+    }
+    Ok(solver(&there, evolution)?.start(narrow_hand(&present.hand)))
+}
+
+/// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
+fn taken_on<R: Real<Si: SiFloat>>(
+    mut there: Description<'_, R::Si>,
+    present: &Present,
+) -> Result<(State<R>, Output<R::Si>), String> {
+    let Wrench { force, moment } = present.wrench;
+    let ([x, y], [fx, fy]) = (present.hand.position, force);
+    let [k_h, k_theta] = present.stiffness;
+    // Without a spring that turns, the angle at which it would rest is the present one.
+    let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
+    let idle = Hand {
+        position: [x - fx / k_h, y - fy / k_h],
+        angle: present.hand.angle.plus(-turn),
+        ..present.hand
+    };
+    let coordinates = there.vertices.iter().flatten();
+    let size = coordinates.fold(0.0, |size: f64, x| size.max(x.widen().abs()));
+    there.holding_point = None;
+    // The point was within reach; its rounding must not put it outside.
+    there.reach = R::Si::narrow(there.reach.widen() + ROUNDING * size);
+    let solver = solver(&there, Evolution::Frame)?;
+    let (mut state, _) = solver.start(narrow_hand(&idle));
+    let output = solver.step(&mut state, narrow_hand(&present.hand));
+    Ok((state, output))
+}

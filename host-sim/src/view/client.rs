@@ -1,0 +1,242 @@
+//! One client of the socket: its messages to the solver, answers, the state and frames back. A client that does not read
+//! waits alone.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
+use futures_util::stream::{SplitSink, SplitStream};
+use futures_util::{SinkExt, StreamExt};
+use tokio::sync::{mpsc, watch};
+use tokio::time::{Instant as Tick, sleep_until, timeout};
+
+use super::hear::{self, Message, Said};
+use super::orders::Order;
+use super::say::{self, News};
+use super::server::Hub;
+
+/// Messages of a client in a second.
+const MOST: u32 = 2000;
+/// Answers that wait for a client.
+const WAITING: usize = 256;
+/// Frames a second, unless the client asks for others.
+const RATE: f64 = 60.0;
+/// The state is looked after so often.
+const STATE_EVERY: Duration = Duration::from_millis(20);
+/// A client that takes nothing for so long is gone.
+const PATIENCE: Duration = Duration::from_secs(60);
+/// The server goes away.
+const GOING_AWAY: u16 = 1001;
+
+/// Serves a client until it goes or the server ends.
+pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>) {
+    let client = hub.number();
+    let (sink, stream) = socket.split();
+    let (answers, inbox) = mpsc::channel(WAITING);
+    let (rate, wanted) = watch::channel(RATE);
+    let ear = Ear {
+        hub: &hub,
+        client,
+        answers,
+        rate,
+        second: (Instant::now(), 0),
+    };
+    let mouth = Mouth {
+        hub: &hub,
+        client,
+        sink,
+        skipped: 0,
+        period: Duration::from_secs_f64(1.0 / RATE),
+    };
+    if hub.orders.send(Order::Joined).await.is_err() {
+        return;
+    }
+    tokio::select! {
+        () = ear.listen(stream) => {}
+        _ = mouth.talk(inbox, wanted) => {}
+    }
+    // Where the solver is gone, nobody has to know.
+    let _ = hub.orders.send(Order::Left(client)).await;
+}
+
+/// What a client says.
+struct Ear<'a> {
+    hub: &'a Hub,
+    client: u32,
+    answers: mpsc::Sender<String>,
+    rate: watch::Sender<f64>,
+    /// Since when so many messages came.
+    second: (Instant, u32),
+}
+
+impl Ear<'_> {
+    async fn listen(mut self, mut stream: SplitStream<WebSocket>) {
+        while let Some(Ok(message)) = stream.next().await {
+            let refusal = match message {
+                _ if self.is_too_fast() => Some(say::error(
+                    None,
+                    &format!("too many messages, allowed: {MOST} a second"),
+                )),
+                Wire::Text(text) => self.take(hear::read(&text)),
+                Wire::Binary(_) => Some(say::error(None, "a binary message, allowed: text")),
+                Wire::Close(_) => return,
+                Wire::Ping(_) | Wire::Pong(_) => None,
+            };
+            if let Some(answer) = refusal {
+                // A client that does not read loses answers.
+                let _ = self.answers.try_send(answer);
+            }
+        }
+    }
+
+    fn is_too_fast(&mut self) -> bool {
+        let (since, count) = &mut self.second;
+        if since.elapsed() >= Duration::from_secs(1) {
+            self.second = (Instant::now(), 1);
+            return false;
+        }
+        *count += 1;
+        *count > MOST
+    }
+
+    /// Passes a message on; the answer, where it is known already.
+    fn take(&self, Said { id, message }: Said) -> Option<String> {
+        let message = match message {
+            Ok(message) => message,
+            Err(problem) => return Some(say::error(id, &problem)),
+        };
+        if let Message::Rate { value } = message {
+            let _ = self.rate.send(value);
+            return id.map(say::done);
+        }
+        let order = Order::Message {
+            client: self.client,
+            id,
+            message,
+            answers: self.answers.clone(),
+        };
+        let sent = self.hub.orders.try_send(order);
+        sent.err()
+            .map(|_| say::error(id, "too much to do, allowed: to send it again"))
+    }
+}
+
+/// What a client is told.
+struct Mouth<'a> {
+    hub: &'a Hub,
+    client: u32,
+    sink: SplitSink<WebSocket, Wire>,
+    /// Frames that the client did not get.
+    skipped: u64,
+    /// Between two frames.
+    period: Duration,
+}
+
+/// The client is gone.
+struct Gone;
+
+impl Mouth<'_> {
+    async fn talk(
+        mut self,
+        mut inbox: mpsc::Receiver<String>,
+        mut rate: watch::Receiver<f64>,
+    ) -> Result<(), Gone> {
+        let mut stop = self.hub.stop.clone();
+        let hello = say::hello(self.client, &self.hub.scenes);
+        self.send(hello).await?;
+        let mut due = Tick::now();
+        let mut told = Told::new(self.hub);
+        loop {
+            tokio::select! {
+                biased;
+                () = ended(&mut stop) => return self.close().await,
+                Some(answer) = inbox.recv() => self.send(answer).await?,
+                Ok(()) = rate.changed() => {
+                    self.period = Duration::from_secs_f64(1.0 / *rate.borrow_and_update());
+                    due = Tick::now();
+                }
+                () = sleep_until(due.min(Tick::now() + STATE_EVERY)) => {
+                    let with_frame = Tick::now() >= due;
+                    if with_frame {
+                        due = (due + self.period).max(Tick::now());
+                    }
+                    self.tell(&mut told, with_frame).await?;
+                }
+            }
+        }
+    }
+
+    /// The state, if it is another one, and the frame, if it is.
+    async fn tell(&mut self, told: &mut Told, with_frame: bool) -> Result<(), Gone> {
+        let (state, news) = told.look(self.hub, with_frame);
+        if let Some(state) = state {
+            self.send(state.to_string()).await?;
+        }
+        if let Some(news) = news {
+            let message = news.message(self.client, self.skipped);
+            let begun = Instant::now();
+            self.send(message).await?;
+            let waited = begun.elapsed().as_secs_f64() / self.period.as_secs_f64();
+            self.skipped += waited as u64;
+        }
+        Ok(())
+    }
+
+    async fn send(&mut self, text: String) -> Result<(), Gone> {
+        match timeout(PATIENCE, self.sink.send(Wire::Text(text.into()))).await {
+            Ok(Ok(())) => Ok(()),
+            _ => Err(Gone),
+        }
+    }
+
+    async fn close(&mut self) -> Result<(), Gone> {
+        let frame = CloseFrame {
+            code: GOING_AWAY,
+            reason: "the program ends".into(),
+        };
+        let close = self.sink.send(Wire::Close(Some(frame)));
+        match timeout(Duration::from_millis(500), close).await {
+            Ok(Ok(())) => Ok(()),
+            _ => Err(Gone),
+        }
+    }
+}
+
+/// The server ends.
+async fn ended(stop: &mut watch::Receiver<bool>) {
+    // An end of the other side is one, too.
+    let _ = stop.wait_for(|stop| *stop).await;
+}
+
+/// What a client knows.
+struct Told {
+    state: u64,
+    serial: u64,
+    /// The next record.
+    record: u64,
+}
+
+impl Told {
+    /// The records of before are not for this client.
+    fn new(hub: &Hub) -> Self {
+        let (_, record) = hub.feed.read().since(u64::MAX);
+        Self {
+            state: 0,
+            serial: 0,
+            record,
+        }
+    }
+
+    /// What is new.
+    fn look(&mut self, hub: &Hub, with_frame: bool) -> (Option<Arc<str>>, Option<News>) {
+        let shown = hub.feed.read();
+        let state = (shown.state_serial != self.state).then(|| Arc::clone(&shown.state));
+        self.state = shown.state_serial;
+        let mut news = None;
+        if with_frame && shown.serial != self.serial {
+            self.serial = shown.serial;
+            news = News::since(&shown, &mut self.record);
+        }
+        (state, news)
+    }
+}

@@ -1,0 +1,133 @@
+//! What a run counts since its reset: ticks, slips, transitions between states, events, and how long steps take.
+
+use std::time::Duration;
+
+use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
+use stiction_core::{Event, StateKind};
+
+use crate::record::Frame;
+
+const STATES: usize = StateKind::ALL.len();
+const EVENTS: usize = Event::ALL.len();
+
+/// Counts since the reset.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counts {
+    pub(super) ticks: u64,
+    /// Ticks that began more than a period late. Not set back by a seek.
+    pub(super) missed: u64,
+    pub(super) slips: u64,
+    transitions: [[u64; STATES]; STATES],
+    events: [u64; EVENTS],
+}
+
+impl Counts {
+    /// A record, and the state before it.
+    pub(super) fn add(&mut self, before: Option<StateKind>, frame: &Frame) {
+        self.slips += u64::from(frame.slips);
+        let place = |kind| StateKind::ALL.iter().position(|known| *known == kind);
+        if let (Some(from), Some(to)) = (before.and_then(place), place(frame.state))
+            && from != to
+        {
+            self.transitions[from][to] += 1;
+        }
+        for event in &frame.events {
+            if let Some(k) = Event::ALL.iter().position(|known| known == event) {
+                self.events[k] += 1;
+            }
+        }
+    }
+}
+
+impl Serialize for Counts {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut counts = serializer.serialize_struct("Counts", 5)?;
+        counts.serialize_field("ticks", &self.ticks)?;
+        counts.serialize_field("missed", &self.missed)?;
+        counts.serialize_field("slips", &self.slips)?;
+        counts.serialize_field("transitions", &Transitions(&self.transitions))?;
+        counts.serialize_field("events", &Events(&self.events))?;
+        counts.end()
+    }
+}
+
+struct Transitions<'a>(&'a [[u64; STATES]; STATES]);
+
+impl Serialize for Transitions<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (from, row) in StateKind::ALL.iter().zip(self.0) {
+            for (to, count) in StateKind::ALL.iter().zip(row) {
+                if *count > 0 {
+                    map.serialize_entry(&format!("{}>{}", from.name(), to.name()), count)?;
+                }
+            }
+        }
+        map.end()
+    }
+}
+
+struct Events<'a>(&'a [u64; EVENTS]);
+
+impl Serialize for Events<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (event, count) in Event::ALL.iter().zip(self.0) {
+            if *count > 0 {
+                map.serialize_entry(event.name(), count)?;
+            }
+        }
+        map.end()
+    }
+}
+
+/// So many steps are a second.
+const SECOND: usize = 1000;
+/// The median is found anew after so many steps.
+const EVERY: usize = 100;
+
+/// How long the steps of the last second took (s).
+#[derive(Clone, Debug)]
+pub(super) struct StepTimes {
+    times: Vec<f32>,
+    next: usize,
+    sorted: Vec<f32>,
+    median: f32,
+    worst: f32,
+}
+
+impl Default for StepTimes {
+    fn default() -> Self {
+        Self {
+            times: Vec::with_capacity(SECOND),
+            next: 0,
+            sorted: Vec::with_capacity(SECOND),
+            median: 0.0,
+            worst: 0.0,
+        }
+    }
+}
+
+impl StepTimes {
+    /// A step.
+    pub(super) fn add(&mut self, time: Duration) {
+        let time = time.as_secs_f32();
+        match self.times.get_mut(self.next) {
+            Some(old) => *old = time,
+            None => self.times.push(time),
+        }
+        self.next = (self.next + 1) % SECOND;
+        if self.next.is_multiple_of(EVERY) {
+            self.sorted.clone_from(&self.times);
+            let middle = self.sorted.len() / 2;
+            let (_, median, _) = self.sorted.select_nth_unstable_by(middle, f32::total_cmp);
+            self.median = *median;
+            self.worst = self.times.iter().fold(0.0, |worst, &time| worst.max(time));
+        }
+    }
+
+    /// The median and the worst.
+    pub(super) const fn summary(&self) -> [f32; 2] {
+        [self.median, self.worst]
+    }
+}

@@ -1,0 +1,284 @@
+//! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. It waits
+//! for the clock and for nothing else.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use serde_json::Number as JsonNumber;
+use tokio::sync::mpsc::Receiver;
+
+use super::body::Setting;
+use super::counts::StepTimes;
+use super::feed::{Feed, Latest, Pending};
+use super::guide::{Guide, HandPose};
+use super::holder::Holder;
+use super::orders::Order;
+use super::pair::Pair;
+use super::recording::{self, Recording};
+use super::replay::{Replay, Way};
+use super::say::{self, By, Recorded, Replayed, Status};
+use super::stage::Stage;
+
+/// From one tick to the next.
+const PERIOD: Duration = Duration::from_millis(1);
+/// Whoever is later than this does not catch up.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// Time in a tick for a seek.
+const SEEKING: Duration = Duration::from_micros(500);
+/// Orders that are taken between two ticks.
+const MOST_ORDERS: usize = 256;
+/// While it records, the state tells so every so many ticks.
+const RECORDING_EVERY: usize = 100;
+
+/// The solver with its hand.
+pub(super) struct Engine {
+    pub(super) feed: Arc<Feed>,
+    pub(super) pending: Pending,
+    pub(super) stage: Stage,
+    pub(super) pair: Pair,
+    pub(super) times: StepTimes,
+    pub(super) guide: Guide,
+    pub(super) holder: Holder,
+    pub(super) replay: Option<Replay>,
+    pub(super) recording: Option<Recording>,
+    pub(super) recorded: Option<Arc<Recording>>,
+    /// A path that was sent, and its name.
+    pub(super) upload: Option<(String, Way)>,
+    /// The scene of the command line, where it is a file.
+    pub(super) own: Option<Stage>,
+    pub(super) tick: u64,
+    pub(super) paused: bool,
+    /// Ticks that are still to be made while paused.
+    pub(super) steps: u32,
+    pub(super) speed: f64,
+    /// Parts of a tick that have passed.
+    phase: f64,
+    pub(super) clients: usize,
+    pub(super) echo: Option<(u32, JsonNumber)>,
+    /// The state is another one.
+    pub(super) changed: bool,
+}
+
+impl Engine {
+    /// With a scene, the body at its start.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub(super) fn new(stage: Stage, setting: &Setting, feed: Arc<Feed>) -> Result<Self, String> {
+        let pair = Pair::start(setting, 0.0, &stage.home)?;
+        let mut engine = Self {
+            feed,
+            pending: Pending::default(),
+            guide: Guide::at(HandPose::of(&stage.home)),
+            stage,
+            pair,
+            times: StepTimes::default(),
+            holder: Holder::default(),
+            replay: None,
+            recording: None,
+            recorded: None,
+            upload: None,
+            own: None,
+            tick: 0,
+            paused: false,
+            steps: 0,
+            speed: 1.0,
+            phase: 0.0,
+            clients: 0,
+            echo: None,
+            changed: true,
+        };
+        engine.pending.record(&engine.pair.frame);
+        engine.publish();
+        Ok(engine)
+    }
+
+    /// Until `stop`.
+    pub(super) fn run(mut self, mut orders: Receiver<Order>, stop: &AtomicBool) {
+        let mut due = Instant::now();
+        while !stop.load(Ordering::Relaxed) {
+            let now = Instant::now();
+            due = self.late(due, now);
+            for _ in 0..MOST_ORDERS {
+                match orders.try_recv() {
+                    Ok(order) => self.obey(order, now),
+                    Err(_) => break,
+                }
+            }
+            self.changed |= self.holder.expire(now);
+            self.pass();
+            self.publish();
+            due += PERIOD;
+            thread::sleep(due.saturating_duration_since(Instant::now()));
+        }
+    }
+
+    /// Counts a tick that begins more than a period late. When it was due; where that is too long ago, now.
+    fn late(&mut self, due: Instant, now: Instant) -> Instant {
+        let late = now.saturating_duration_since(due);
+        let (skips, missed) = match late {
+            late if late > PATIENCE => (true, late.as_millis() as u64),
+            late => (false, u64::from(late > PERIOD)),
+        };
+        if self.moves() {
+            self.pair.counts.missed += missed;
+        }
+        if skips { now } else { due }
+    }
+
+    /// Ticks are made.
+    fn moves(&self) -> bool {
+        let ended = self.replay.as_ref().is_some_and(Replay::is_over);
+        !self.paused && !ended
+    }
+
+    /// A period passes.
+    fn pass(&mut self) {
+        if self.replay.as_ref().is_some_and(Replay::is_seeking) {
+            self.approach();
+        } else if self.steps > 0 {
+            // As many as there is time for.
+            let begun = Instant::now();
+            while self.steps > 0 && begun.elapsed() < SEEKING {
+                self.steps -= 1;
+                self.advance();
+            }
+        } else if !self.paused {
+            self.phase += self.speed;
+            if self.phase >= 1.0 {
+                self.phase -= 1.0;
+                self.advance();
+            }
+        }
+    }
+
+    fn approach(&mut self) {
+        let begun = Instant::now();
+        if let Some(replay) = &mut self.replay {
+            while replay.is_seeking() && begun.elapsed() < SEEKING {
+                replay.approach(&mut self.pair, &mut self.times);
+                self.pending.record(&self.pair.frame);
+            }
+            self.tick = replay.at as u64;
+        }
+    }
+
+    /// One tick.
+    fn advance(&mut self) {
+        if let Some(replay) = &mut self.replay {
+            if replay.advance(&mut self.pair, &mut self.times) {
+                self.tick = replay.at as u64;
+                self.pending.record(&self.pair.frame);
+            }
+            return;
+        }
+        let mut hand = self.guide.next();
+        if self.recording.is_some() {
+            // The file of a planar hand has no depth.
+            hand.depth = 0.0;
+        }
+        self.tick += 1;
+        let t = self.tick as f64 / 1000.0;
+        self.pair.step(t, &hand.hand(), &mut self.times);
+        self.pending.record(&self.pair.frame);
+        if let Some(recording) = &mut self.recording {
+            recording.add(hand);
+            let count = recording.len();
+            self.changed |= count.is_multiple_of(RECORDING_EVERY);
+            if count > recording::LONGEST {
+                self.end_recording();
+            }
+        }
+    }
+
+    /// What was recorded can be downloaded.
+    pub(super) fn end_recording(&mut self) {
+        if let Some(recording) = self.recording.take() {
+            let recording = Arc::new(recording);
+            self.recorded = Some(Arc::clone(&recording));
+            self.pending.recorded(Some(recording));
+            self.changed = true;
+        }
+    }
+
+    /// Body and hand as at the beginning; a path from its beginning.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub(super) fn reset(&mut self) -> Result<(), String> {
+        self.end_recording();
+        if let Some(replay) = &mut self.replay {
+            replay.seek(0.0, &mut self.pair)?;
+        } else {
+            let setting = self.pair.setting.clone();
+            self.pair = Pair::start(&setting, 0.0, &self.stage.home)?;
+            self.guide = Guide::at(HandPose::of(&self.stage.home));
+        }
+        self.begin_run();
+        Ok(())
+    }
+
+    /// What is shown from now on is of another run.
+    pub(super) fn begin_run(&mut self) {
+        self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
+        self.phase = 0.0;
+        self.steps = 0;
+        self.echo = None;
+        self.pending.clear();
+        self.pending.record(&self.pair.frame);
+        self.changed = true;
+    }
+
+    fn publish(&mut self) {
+        if self.changed {
+            let message = say::state(&self.stage, &self.pair.setting, &self.status());
+            self.pending.state(message);
+            self.changed = false;
+        }
+        let pair = &self.pair;
+        self.feed.show(&mut self.pending, || Latest {
+            tick: self.tick,
+            frame: Arc::clone(&pair.frame),
+            scene: Arc::clone(&pair.setting.scene),
+            single: pair.setting.number.is_single(),
+            echo: self.echo.clone(),
+            reference: Some(pair.comparison),
+            counts: pair.counts,
+            slips: Arc::clone(&pair.slips),
+            step: self.times.summary(),
+            position: self.replay.as_ref().map(Replay::position),
+        });
+    }
+
+    fn status(&self) -> Status {
+        let hand = match (&self.replay, self.holder.source()) {
+            (Some(_), _) => By {
+                by: Some("replay"),
+                client: None,
+            },
+            (None, source) => By {
+                by: source.map(|source| source.name()),
+                client: source.and_then(|source| source.client()),
+            },
+        };
+        let recorded = self.recorded.as_ref().map(|recording| Recorded {
+            seconds: recording.seconds(),
+            frames: recording.len(),
+        });
+        let replay = self.replay.as_ref().map(|replay| Replayed {
+            what: replay.what.clone(),
+            seconds: replay.seconds(),
+        });
+        Status {
+            paused: self.paused,
+            speed: self.speed,
+            recording: self.recording.as_ref().map(Recording::seconds),
+            recorded,
+            replay,
+            hand,
+            clients: self.clients,
+        }
+    }
+}

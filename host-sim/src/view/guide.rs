@@ -1,0 +1,128 @@
+//! The hand between samples: in a straight line from where it is to where the newest sample says, one pose per tick.
+
+use std::time::Duration;
+
+use stiction_core::{Angle, Hand};
+
+/// Ticks of the way to a sample, at least and at most: they are 1 ms each.
+const LEAST: f64 = 1.0;
+const MOST: f64 = 20.0;
+
+/// x, y (m), phi (rad), depth (m) and the hold switch of a live hand.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct HandPose {
+    pub(super) pose: [f64; 3],
+    pub(super) depth: f64,
+    pub(super) held: bool,
+}
+
+impl HandPose {
+    /// Of a hand.
+    pub(super) fn of(hand: &Hand<f64>) -> Self {
+        let [x, y] = hand.position;
+        Self {
+            // Without a minus before a zero, which a recorded path would lose.
+            pose: [x, y, hand.angle.radians()].map(|value| value + 0.0),
+            depth: hand.depth,
+            held: hand.held,
+        }
+    }
+
+    /// As the solver takes it, and as it is read from a file with these numbers.
+    pub(super) fn hand(&self) -> Hand<f64> {
+        let [x, y, phi] = self.pose;
+        Hand {
+            position: [x, y],
+            angle: Angle::from_radians(phi),
+            depth: self.depth,
+            held: self.held,
+        }
+    }
+}
+
+/// Leads the hand from sample to sample.
+#[derive(Clone, Debug)]
+pub(super) struct Guide {
+    now: HandPose,
+    target: HandPose,
+    /// Ticks until the target.
+    left: u32,
+}
+
+impl Guide {
+    /// A hand at rest.
+    pub(super) const fn at(pose: HandPose) -> Self {
+        Self {
+            now: pose,
+            target: pose,
+            left: 0,
+        }
+    }
+
+    /// A sample; `since`: the time since the one before.
+    pub(super) fn lead(&mut self, target: HandPose, since: Duration) {
+        let ticks = (since.as_secs_f64() * 1e3).round().clamp(LEAST, MOST);
+        self.target = target;
+        self.left = ticks as u32;
+    }
+
+    /// Where the hand is at the next tick. The switch goes with the first one.
+    pub(super) fn next(&mut self) -> HandPose {
+        let (from, to) = (self.now, self.target);
+        let part = 1.0 / f64::from(self.left.max(1));
+        let between = |from: f64, to: f64| from + (to - from) * part + 0.0;
+        self.now = if self.left <= 1 {
+            to
+        } else {
+            HandPose {
+                pose: std::array::from_fn(|i| between(from.pose[i], to.pose[i])),
+                depth: between(from.depth, to.depth),
+                held: to.held,
+            }
+        };
+        self.left = self.left.saturating_sub(1);
+        self.now
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pose(x: f64) -> HandPose {
+        HandPose {
+            pose: [x, 0.0, 0.0],
+            depth: 0.0,
+            held: true,
+        }
+    }
+
+    #[test]
+    fn the_hand_goes_straight_in_the_time_between_samples() {
+        let mut guide = Guide::at(pose(0.0));
+        guide.lead(pose(8.0), Duration::from_millis(4));
+        let way: Vec<f64> = (0..6).map(|_| guide.next().pose[0]).collect();
+        assert_eq!(way, [2.0, 4.0, 6.0, 8.0, 8.0, 8.0]);
+    }
+
+    #[test]
+    fn the_time_between_samples_is_taken_as_1_to_20_ms() {
+        for (since, ticks) in [(0, 1), (1, 1), (20, 20), (5000, 20)] {
+            let mut guide = Guide::at(pose(0.0));
+            guide.lead(pose(1.0), Duration::from_millis(since));
+            let count = (1..).find(|_| guide.next() == pose(1.0));
+            assert_eq!(count, Some(ticks), "{since} ms");
+        }
+    }
+
+    #[test]
+    fn the_switch_goes_with_the_first_tick() {
+        let mut guide = Guide::at(pose(0.0));
+        let open = HandPose {
+            held: false,
+            ..pose(1.0)
+        };
+        guide.lead(open, Duration::from_millis(10));
+        assert!(!guide.next().held);
+    }
+}

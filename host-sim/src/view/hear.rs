@@ -1,0 +1,239 @@
+//! What a client says: one JSON object in a text message, with a type and perhaps an id.
+
+use serde::Deserialize;
+use serde_json::{Map, Number as JsonNumber, Value};
+use stiction_core::Evolution;
+
+use crate::number::Number;
+
+/// The longest message that is read.
+pub(super) const LONGEST: usize = 4096;
+/// The farthest hand (m), and the most that it is turned (rad).
+const FARTHEST: f64 = 1e6;
+
+/// A message of a client.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
+pub(super) enum Message {
+    Hand {
+        pose: [f64; 3],
+        held: bool,
+        sent: Option<JsonNumber>,
+    },
+    LetGo {},
+    Scene {
+        name: String,
+    },
+    Set {
+        parameters: Parameters,
+    },
+    Number {
+        value: NumberName,
+    },
+    Evolution {
+        value: EvolutionName,
+    },
+    Pause {
+        value: bool,
+    },
+    Step {
+        ticks: u32,
+    },
+    Speed {
+        value: f64,
+    },
+    Reset {},
+    Record {
+        value: bool,
+    },
+    Replay {
+        what: Option<Path>,
+    },
+    Seek {
+        seconds: f64,
+    },
+    Rate {
+        value: f64,
+    },
+}
+
+/// The parameters that are to change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Parameters {
+    pub(super) stiffness_translation: Option<f64>,
+    pub(super) stiffness_rotation: Option<f64>,
+    #[serde(rename = "static")]
+    pub(super) friction_static: Option<f64>,
+    #[serde(rename = "dynamic")]
+    pub(super) friction_dynamic: Option<f64>,
+}
+
+/// A number type by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum NumberName {
+    F32,
+    F64,
+    Fixed,
+}
+
+impl From<NumberName> for Number {
+    fn from(name: NumberName) -> Self {
+        match name {
+            NumberName::F32 => Self::F32,
+            NumberName::F64 => Self::F64,
+            NumberName::Fixed => Self::Fixed,
+        }
+    }
+}
+
+/// An evolution by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum EvolutionName {
+    Path,
+    Frame,
+}
+
+impl From<EvolutionName> for Evolution {
+    fn from(name: EvolutionName) -> Self {
+        match name {
+            EvolutionName::Path => Self::Path,
+            EvolutionName::Frame => Self::Frame,
+        }
+    }
+}
+
+/// A path that can be replayed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Path {
+    Scene,
+    Recording,
+    Upload,
+}
+
+/// A message, and the number under which it is to be answered.
+#[derive(Clone, Debug)]
+pub(super) struct Said {
+    pub(super) id: Option<i64>,
+    pub(super) message: Result<Message, String>,
+}
+
+/// Reads a message.
+pub(super) fn read(text: &str) -> Said {
+    if text.len() > LONGEST {
+        return refused(None, format!("{} bytes, allowed: {LONGEST}", text.len()));
+    }
+    let mut object: Map<String, Value> = match serde_json::from_str(text) {
+        Ok(object) => object,
+        Err(error) => return refused(None, format!("not a JSON object: {error}")),
+    };
+    let id = match object.remove("id") {
+        None => None,
+        Some(id) => match id.as_i64() {
+            Some(id) => Some(id),
+            None => return refused(None, format!("`id` is {id}, allowed: a whole number")),
+        },
+    };
+    let message = Message::deserialize(Value::Object(object));
+    let message = message.map_err(|error| error.to_string()).and_then(within);
+    Said { id, message }
+}
+
+fn refused(id: Option<i64>, problem: String) -> Said {
+    Said {
+        id,
+        message: Err(problem),
+    }
+}
+
+/// The message, if its numbers are in range.
+fn within(message: Message) -> Result<Message, String> {
+    let check = |name: &str, value: f64, least: f64, most: f64| {
+        if (least..=most).contains(&value) {
+            Ok(())
+        } else {
+            Err(format!("`{name}` is {value}, allowed: {least} to {most}"))
+        }
+    };
+    match &message {
+        Message::Hand { pose, .. } => pose
+            .iter()
+            .try_for_each(|&value| check("pose", value, -FARTHEST, FARTHEST))?,
+        Message::Step { ticks } => check("ticks", f64::from(*ticks), 1.0, 1000.0)?,
+        Message::Speed { value } => check("value", *value, 0.001, 1.0)?,
+        Message::Rate { value } => check("value", *value, 1.0, 1000.0)?,
+        Message::Seek { seconds } => check("seconds", *seconds, 0.0, f64::MAX)?,
+        Message::Set { parameters } if *parameters == Parameters::default() => {
+            return Err(
+                "`parameters` is empty, allowed: stiffness_translation, stiffness_rotation, static, dynamic".to_owned(),
+            );
+        }
+        _ => {}
+    }
+    Ok(message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(text: &str) -> Result<Message, String> {
+        read(text).message
+    }
+
+    #[test]
+    fn messages_of_the_specification_are_read() {
+        for text in [
+            r#"{"type": "hand", "pose": [0.1, 0.2, 0.3], "held": true, "sent": 12.5}"#,
+            r#"{"type": "hand", "pose": [0, 0, 0], "held": false, "id": 3}"#,
+            r#"{"type": "let-go"}"#,
+            r#"{"type": "scene", "name": "ladder"}"#,
+            r#"{"type": "set", "parameters": {"static": 0.5, "dynamic": 0.3}}"#,
+            r#"{"type": "number", "value": "fixed"}"#,
+            r#"{"type": "evolution", "value": "frame"}"#,
+            r#"{"type": "pause", "value": true}"#,
+            r#"{"type": "step", "ticks": 1000}"#,
+            r#"{"type": "speed", "value": 0.001}"#,
+            r#"{"type": "reset"}"#,
+            r#"{"type": "record", "value": false}"#,
+            r#"{"type": "replay", "what": "upload"}"#,
+            r#"{"type": "replay", "what": null}"#,
+            r#"{"type": "seek", "seconds": 1.5}"#,
+            r#"{"type": "rate", "value": 1000}"#,
+        ] {
+            assert!(message(text).is_ok(), "{text}: {:?}", message(text));
+        }
+    }
+
+    #[test]
+    fn what_is_malformed_or_out_of_range_is_refused() {
+        let long = format!(r#"{{"type": "scene", "name": "{}"}}"#, "x".repeat(LONGEST));
+        for text in [
+            "",
+            "[]",
+            "null",
+            r#"{"type": "fly"}"#,
+            r#"{"type": "reset", "really": true}"#,
+            r#"{"type": "hand", "pose": [0, 0], "held": true}"#,
+            r#"{"type": "hand", "pose": [0, 0, 1e999], "held": true}"#,
+            r#"{"type": "hand", "pose": [0, 1e7, 0], "held": true}"#,
+            r#"{"type": "hand", "pose": [0, 0, 0], "held": 1}"#,
+            r#"{"type": "hand", "pose": [0, 0, 0], "held": true, "sent": "now"}"#,
+            r#"{"type": "set", "parameters": {}}"#,
+            r#"{"type": "set", "parameters": {"mass": 1}}"#,
+            r#"{"type": "step", "ticks": 0}"#,
+            r#"{"type": "step", "ticks": 1001}"#,
+            r#"{"type": "speed", "value": 2}"#,
+            r#"{"type": "rate", "value": 0}"#,
+            r#"{"type": "seek", "seconds": -1}"#,
+            r#"{"type": "reset", "id": "one"}"#,
+            &long,
+        ] {
+            assert!(message(text).is_err(), "{text}");
+        }
+        assert_eq!(read(r#"{"type": "fly", "id": 7}"#).id, Some(7));
+    }
+}

@@ -1,0 +1,107 @@
+//! Who holds the hand: one at a time, the first to send a sample, until it goes, lets go, or is silent.
+
+use std::time::{Duration, Instant};
+
+/// Whoever is silent for so long does not hold the hand any more.
+const SILENCE: Duration = Duration::from_secs(10);
+
+/// Where samples come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Source {
+    /// A client of the socket, by its number.
+    Client(u32),
+    Osc,
+    OpenTrack,
+}
+
+impl Source {
+    /// What the state calls it.
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Client(_) => "page",
+            Self::Osc => "osc",
+            Self::OpenTrack => "opentrack",
+        }
+    }
+
+    /// The number of a client.
+    pub(super) const fn client(self) -> Option<u32> {
+        match self {
+            Self::Client(number) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+/// Who holds the hand, and since when it has been silent.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Holder {
+    by: Option<(Source, Instant)>,
+}
+
+impl Holder {
+    /// Who it is.
+    pub(super) fn source(&self) -> Option<Source> {
+        self.by.map(|(source, _)| source)
+    }
+
+    /// A sample of `source` at `now`: the time since its last one where it holds the hand.
+    ///
+    /// # Errors
+    /// Somebody else holds it.
+    pub(super) fn sample(&mut self, source: Source, now: Instant) -> Result<Duration, String> {
+        match self.by {
+            Some((other, _)) if other != source => Err(match other.client() {
+                Some(number) => format!("client {number} holds the hand, allowed: when it lets go"),
+                None => format!(
+                    "{} holds the hand, allowed: 10 s after its last sample",
+                    other.name()
+                ),
+            }),
+            last => {
+                self.by = Some((source, now));
+                Ok(last.map_or(Duration::MAX, |(_, then)| {
+                    now.saturating_duration_since(then)
+                }))
+            }
+        }
+    }
+
+    /// `source` lets go, or is gone. Whether it held the hand.
+    pub(super) fn leave(&mut self, source: Source) -> bool {
+        let held = self.source() == Some(source);
+        if held {
+            self.by = None;
+        }
+        held
+    }
+
+    /// Whoever is silent lets go. Whether somebody was.
+    pub(super) fn expire(&mut self, now: Instant) -> bool {
+        let silent = |(_, then)| now.saturating_duration_since(then) >= SILENCE;
+        let expired = self.by.is_some_and(silent);
+        if expired {
+            self.by = None;
+        }
+        expired
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_holds_until_it_leaves_or_is_silent_for_10_seconds() {
+        let (mut holder, begun) = (Holder::default(), Instant::now());
+        let after = |ms| begun + Duration::from_millis(ms);
+        assert!(holder.sample(Source::Client(1), begun).is_ok());
+        assert!(holder.sample(Source::Osc, after(5)).is_err());
+        let since = holder.sample(Source::Client(1), after(8));
+        assert_eq!(since, Ok(Duration::from_millis(8)));
+        assert!(!holder.expire(after(10_007)) && holder.expire(after(10_008)));
+        assert!(holder.sample(Source::Osc, after(10_009)).is_ok());
+        assert!(!holder.leave(Source::Client(1)) && holder.leave(Source::Osc));
+        assert_eq!(holder.source(), None);
+    }
+}

@@ -1,0 +1,306 @@
+//! Poses to renderers, and the hand from trackers, by UDP: OSC, and the six doubles of OpenTrack.
+
+use std::io;
+use std::net::{IpAddr, SocketAddr, ToSocketAddrs, UdpSocket as StdSocket};
+use std::sync::Arc;
+use std::time::Duration;
+
+use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType, decoder, encoder};
+use tokio::net::UdpSocket;
+use tokio::sync::mpsc::Sender;
+use tokio::time::{MissedTickBehavior, interval};
+
+use super::feed::Feed;
+use super::guide::HandPose;
+use super::holder::Source;
+use super::orders::Order;
+use crate::record::Frame;
+use crate::scene_file::SceneFile;
+
+/// The longest packet that is read: short enough for what is nested in it.
+const PACKET: usize = 2048;
+/// The farthest hand (m), and the most that it is turned (rad).
+const FARTHEST: f64 = 1e6;
+/// Centimetres in a metre.
+const CENTIMETRES: f64 = 100.0;
+
+/// A socket that sends to an address.
+///
+/// # Errors
+/// There is no such host.
+pub(super) fn to(address: &str) -> io::Result<StdSocket> {
+    let resolved = address.to_socket_addrs()?.next();
+    let to = resolved.ok_or_else(|| io::Error::other("no such host"))?;
+    let from: SocketAddr = match to {
+        SocketAddr::V4(_) => ([0, 0, 0, 0], 0).into(),
+        SocketAddr::V6(_) => ([0; 16], 0).into(),
+    };
+    let socket = StdSocket::bind(from)?;
+    socket.connect(to)?;
+    socket.set_nonblocking(true)?;
+    Ok(socket)
+}
+
+/// A socket that hears on a port.
+///
+/// # Errors
+/// The port is taken.
+pub(super) fn at(address: IpAddr, port: u16) -> io::Result<StdSocket> {
+    let socket = StdSocket::bind((address, port))?;
+    socket.set_nonblocking(true)?;
+    Ok(socket)
+}
+
+/// The format of a pose that goes out.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Format {
+    Osc,
+    OpenTrack,
+}
+
+/// Sends the newest pose so often (Hz).
+///
+/// # Errors
+/// The socket cannot be used.
+pub(super) async fn send(
+    socket: StdSocket,
+    format: Format,
+    feed: Arc<Feed>,
+    rate: f64,
+) -> io::Result<()> {
+    let socket = UdpSocket::from_std(socket)?;
+    let mut clock = interval(Duration::from_secs_f64(1.0 / rate));
+    clock.set_missed_tick_behavior(MissedTickBehavior::Skip);
+    let (_, mut next) = feed.read().since(u64::MAX);
+    loop {
+        clock.tick().await;
+        let (latest, events) = {
+            let shown = feed.read();
+            let (records, now) = shown.since(next);
+            next = now;
+            let events = records.flat_map(|frame| frame.events.iter().map(|event| event.name()));
+            let events: Vec<&'static str> = events.collect();
+            let latest = shown.latest.as_ref();
+            (
+                latest.map(|latest| (Arc::clone(&latest.frame), Arc::clone(&latest.scene))),
+                events,
+            )
+        };
+        let Some((frame, scene)) = latest else {
+            continue;
+        };
+        let bytes = match format {
+            Format::Osc => encoder::encode(&bundle(&frame, &scene, &events)).unwrap_or_default(),
+            Format::OpenTrack => doubles(&frame).to_vec(),
+        };
+        // Nobody has to be there.
+        let _ = socket.send(&bytes).await;
+    }
+}
+
+fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacket {
+    let float = |value: f64| OscType::Float(value as f32);
+    let text = |value: &str| OscType::String(value.to_owned());
+    let message = |name: &str, args: Vec<OscType>| {
+        OscPacket::Message(OscMessage {
+            addr: format!("/stiction/{name}"),
+            args,
+        })
+    };
+    let mut content = vec![
+        message("pose", frame.pose.map(float).to_vec()),
+        message("depth", vec![float(frame.depth)]),
+        message("state", vec![text(frame.state.name())]),
+        message("wrench", frame.wrench.map(float).to_vec()),
+    ];
+    for contact in &frame.contacts {
+        let surface = scene.surfaces.get(contact.surface);
+        let [x, y] = contact.point.map(float);
+        let args = vec![
+            OscType::Int(i32::try_from(contact.vertex).unwrap_or(i32::MAX)),
+            text(surface.map_or("", |surface| &surface.name)),
+            x,
+            y,
+            float(contact.normal),
+            float(contact.friction),
+        ];
+        content.push(message("contact", args));
+    }
+    content.extend(
+        events
+            .iter()
+            .map(|event| message("event", vec![text(event)])),
+    );
+    // At once.
+    let timetag = OscTime {
+        seconds: 0,
+        fractional: 1,
+    };
+    OscPacket::Bundle(OscBundle { timetag, content })
+}
+
+/// x, y, depth (cm), yaw, pitch, roll (degrees).
+fn doubles(frame: &Frame) -> [u8; 48] {
+    let [x, y, theta] = frame.pose;
+    let values = [
+        x * CENTIMETRES,
+        y * CENTIMETRES,
+        frame.depth * CENTIMETRES,
+        0.0,
+        0.0,
+        theta.to_degrees(),
+    ];
+    let mut bytes = [0; 48];
+    for (place, value) in bytes.chunks_exact_mut(8).zip(values) {
+        place.copy_from_slice(&value.to_le_bytes());
+    }
+    bytes
+}
+
+/// Takes the hand.
+///
+/// # Errors
+/// The socket cannot be used.
+pub(super) async fn hear(
+    socket: StdSocket,
+    format: Format,
+    orders: Sender<Order>,
+) -> io::Result<()> {
+    let socket = UdpSocket::from_std(socket)?;
+    let mut bytes = [0; PACKET];
+    let mut tracker = Tracker::default();
+    loop {
+        // Another one's refusal of what was sent is no end.
+        let Ok(count) = socket.recv(&mut bytes).await else {
+            continue;
+        };
+        let packet = bytes.get(..count).unwrap_or_default();
+        let (source, news) = match format {
+            Format::Osc => (Source::Osc, tracker.osc(packet)),
+            Format::OpenTrack => (Source::OpenTrack, tracker.open_track(packet)),
+        };
+        if let Some(pose) = news {
+            // What the solver has no time for is overtaken by the next one.
+            let _ = orders.try_send(Order::Hand(source, pose));
+        }
+    }
+}
+
+/// What a tracker said last.
+#[derive(Clone, Copy, Debug)]
+struct Tracker {
+    hand: Option<HandPose>,
+    held: bool,
+}
+
+impl Default for Tracker {
+    fn default() -> Self {
+        Self {
+            hand: None,
+            held: true,
+        }
+    }
+}
+
+impl Tracker {
+    /// The hand, if the packet says something of it.
+    fn osc(&mut self, packet: &[u8]) -> Option<HandPose> {
+        let (_, packet) = decoder::decode_udp(packet).ok()?;
+        let told = self.take(&packet);
+        let hand = self.hand.filter(|_| told)?;
+        Some(HandPose {
+            held: self.held,
+            ..hand
+        })
+    }
+
+    fn take(&mut self, packet: &OscPacket) -> bool {
+        let message = match packet {
+            OscPacket::Message(message) => message,
+            OscPacket::Bundle(bundle) => {
+                let told = |told, packet| self.take(packet) | told;
+                return bundle.content.iter().fold(false, told);
+            }
+        };
+        match (message.addr.as_str(), message.args.as_slice()) {
+            ("/stiction/hand", [OscType::Float(x), OscType::Float(y), OscType::Float(phi)]) => {
+                let pose = [x, y, phi].map(|&value| f64::from(value) + 0.0);
+                self.lead(pose, 0.0)
+            }
+            ("/stiction/held", [OscType::Int(held)]) => {
+                self.held = *held != 0;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// The hand of six doubles; its angle goes on over whole turns.
+    fn open_track(&mut self, packet: &[u8]) -> Option<HandPose> {
+        let packet: &[u8; 48] = packet.try_into().ok()?;
+        let value = |i: usize| {
+            let bytes = packet.get(8 * i..8 * i + 8)?;
+            Some(f64::from_le_bytes(bytes.try_into().ok()?))
+        };
+        let [x, y, depth] = [value(0)?, value(1)?, value(2)?].map(|cm| cm / CENTIMETRES + 0.0);
+        let roll = Some(value(5)?.to_radians()).filter(|roll| roll.abs() <= FARTHEST)?;
+        let last = self.hand.map_or(0.0, |hand| hand.pose[2]);
+        let change = (roll - last + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU);
+        let phi = last + change - std::f64::consts::PI;
+        self.lead([x, y, phi], depth).then_some(self.hand)?
+    }
+
+    /// Takes a pose that is within range.
+    fn lead(&mut self, pose: [f64; 3], depth: f64) -> bool {
+        let fits = pose
+            .iter()
+            .chain([&depth])
+            .all(|value| value.abs() <= FARTHEST);
+        if fits {
+            let held = self.held;
+            self.hand = Some(HandPose { pose, depth, held });
+        }
+        fits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn track(roll: f64) -> Vec<u8> {
+        let values = [1.0, 2.0, 3.0, 0.0, 0.0, roll];
+        values
+            .iter()
+            .flat_map(|value: &f64| value.to_le_bytes())
+            .collect()
+    }
+
+    #[test]
+    fn the_roll_of_a_tracker_is_unwrapped() {
+        let mut tracker = Tracker::default();
+        let degrees = [170.0, -170.0, -10.0, 150.0, -50.0];
+        let angles = degrees.map(|roll| {
+            let hand = tracker.open_track(&track(roll)).expect("a pose");
+            hand.pose[2].to_degrees().round()
+        });
+        assert_eq!(angles, [170.0, 190.0, 350.0, 510.0, 670.0]);
+    }
+
+    #[test]
+    fn packets_that_are_no_pose_are_dropped() {
+        let mut tracker = Tracker::default();
+        for bad in [f64::NAN, f64::INFINITY, 1e300] {
+            assert!(tracker.open_track(&track(bad)).is_none());
+        }
+        assert!(tracker.open_track(&[0; 47]).is_none());
+        for packet in [
+            &b""[..],
+            b"#bundle\0",
+            b"/stiction/hand\0\0,ff\0",
+            &[255; PACKET],
+        ] {
+            assert!(tracker.osc(packet).is_none());
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! A recording: the hand of every tick and the setting. Its trace is computed from these, by the code of `stiction run`.
+
+use std::fmt::Write as _;
+use std::fs;
+
+use super::body::Setting;
+use super::guide::HandPose;
+use super::stage::Stage;
+use crate::run::{RunArgs, run};
+use crate::trace::Format;
+
+/// A recording ends by itself after so many ticks (ms).
+pub(super) const LONGEST: usize = 600_000;
+/// Ticks that are stored together: what is stored is never moved.
+const CHUNK: usize = 4096;
+
+/// The hand of every tick, and the setting.
+#[derive(Clone, Debug)]
+pub(super) struct Recording {
+    /// The scene file.
+    pub(super) scene: String,
+    /// As it is read from that file.
+    pub(super) setting: Setting,
+    pub(super) stage: Stage,
+    chunks: Vec<Vec<HandPose>>,
+}
+
+impl Recording {
+    /// Without ticks yet.
+    pub(super) fn new(scene: String, setting: Setting, stage: Stage) -> Self {
+        Self {
+            scene,
+            setting,
+            stage,
+            chunks: Vec::with_capacity(LONGEST / CHUNK + 1),
+        }
+    }
+
+    /// The hand of the next tick.
+    pub(super) fn add(&mut self, hand: HandPose) {
+        match self.chunks.last_mut() {
+            Some(chunk) if chunk.len() < CHUNK => chunk.push(hand),
+            _ => {
+                let mut chunk = Vec::with_capacity(CHUNK);
+                chunk.push(hand);
+                self.chunks.push(chunk);
+            }
+        }
+    }
+
+    /// How many ticks.
+    pub(super) fn len(&self) -> usize {
+        let full = self.chunks.len().saturating_sub(1) * CHUNK;
+        full + self.chunks.last().map_or(0, Vec::len)
+    }
+
+    /// From the first tick to the last (s).
+    pub(super) fn seconds(&self) -> f64 {
+        self.len().saturating_sub(1) as f64 / 1000.0
+    }
+
+    /// The hand of a tick.
+    pub(super) fn get(&self, k: usize) -> Option<&HandPose> {
+        self.chunks.get(k / CHUNK)?.get(k % CHUNK)
+    }
+
+    /// A recorded hand path with the digits that read back to the same values.
+    pub(super) fn hand_csv(&self) -> String {
+        let mut text = "t,x,y,phi,held\n".to_owned();
+        for (k, hand) in self.chunks.iter().flatten().enumerate() {
+            let ([x, y, phi], held) = (hand.pose, u8::from(hand.held));
+            // Writing to a string does not fail.
+            let _ = writeln!(text, "{:?},{x:?},{y:?},{phi:?},{held}", k as f64 / 1000.0);
+        }
+        text
+    }
+
+    /// The trace, as `stiction run` writes it.
+    ///
+    /// # Errors
+    /// There is no room for its files.
+    pub(super) fn trace(&self) -> Result<Vec<u8>, String> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let file = |name| folder.path().join(name);
+        let (scene, hand, trace) = (file("scene.toml"), file("hand.csv"), file("trace.jsonl"));
+        fs::write(&scene, &self.scene).map_err(|error| error.to_string())?;
+        fs::write(&hand, self.hand_csv()).map_err(|error| error.to_string())?;
+        let args = RunArgs {
+            scene,
+            hand: Some(hand),
+            number: self.setting.number,
+            evolution: self.setting.evolution,
+            rate: None,
+            out: Some((trace.clone(), Format::JsonLines)),
+            plot: None,
+            quiet: true,
+        };
+        run(&args).map_err(|error| error.to_string())?;
+        fs::read(&trace).map_err(|error| error.to_string())
+    }
+}

@@ -1,0 +1,152 @@
+//! A path that the hand follows, tick by tick, with snapshots on the way: a seek goes on from the nearest one before.
+
+use std::sync::Arc;
+
+use super::body::Setting;
+use super::counts::StepTimes;
+use super::pair::Pair;
+use super::recording::Recording;
+use crate::hand_path::{HandPath, Sample};
+
+/// Ticks from one snapshot to the next.
+const SNAPSHOT_EVERY: usize = 500;
+/// A path that is replayed has at most so many ticks: an hour.
+pub(super) const LONGEST: usize = 3_600_000;
+/// Hertz.
+const RATE: f64 = 1000.0;
+
+/// The hand at every tick.
+#[derive(Clone, Debug)]
+pub(super) enum Way {
+    /// Resampled at the ticks.
+    Path(Arc<HandPath>),
+    /// As it was recorded.
+    Recorded(Arc<Recording>),
+}
+
+impl Way {
+    /// How many ticks.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Self::Path(path) => path.frame_count(Some(RATE)),
+            Self::Recorded(recording) => recording.len(),
+        }
+    }
+
+    fn sample(&self, k: usize) -> Option<Sample> {
+        match self {
+            Self::Path(path) => path.sample(k, RATE),
+            Self::Recorded(recording) => recording.get(k).map(|hand| Sample {
+                t: k as f64 / RATE,
+                hand: hand.hand(),
+            }),
+        }
+    }
+}
+
+/// A path that is followed.
+pub(super) struct Replay {
+    /// What the state calls it.
+    pub(super) what: String,
+    way: Way,
+    /// The tick that the body is at.
+    pub(super) at: usize,
+    /// The tick that is sought.
+    sought: Option<usize>,
+    /// At ticks 0, n, 2 n ... as far as the path was followed.
+    snapshots: Vec<Pair>,
+}
+
+impl Replay {
+    /// A path from its beginning, and both bodies there.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub(super) fn begin(what: String, way: Way, setting: &Setting) -> Result<(Self, Pair), String> {
+        let sample = way
+            .sample(0)
+            .ok_or("the path is empty, allowed: at least one sample")?;
+        let pair = Pair::start(setting, sample.t, &sample.hand)?;
+        let replay = Self {
+            what,
+            way,
+            at: 0,
+            sought: None,
+            snapshots: vec![pair.snapshot()],
+        };
+        Ok((replay, pair))
+    }
+
+    /// From its first tick to its last (s).
+    pub(super) fn seconds(&self) -> f64 {
+        self.last() as f64 / RATE
+    }
+
+    /// Where it is (s).
+    pub(super) fn position(&self) -> f64 {
+        self.at as f64 / RATE
+    }
+
+    fn last(&self) -> usize {
+        self.way.len().saturating_sub(1)
+    }
+
+    /// It is at the end.
+    pub(super) fn is_over(&self) -> bool {
+        self.at >= self.last() && !self.is_seeking()
+    }
+
+    /// There is a tick to go to.
+    pub(super) fn is_seeking(&self) -> bool {
+        self.sought.is_some()
+    }
+
+    /// Goes to the next tick; false at the end.
+    pub(super) fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> bool {
+        let Some(sample) = self.way.sample(self.at + 1) else {
+            return false;
+        };
+        self.at += 1;
+        pair.step(sample.t, &sample.hand, times);
+        if self.at == self.snapshots.len() * SNAPSHOT_EVERY {
+            self.snapshots.push(pair.snapshot());
+        }
+        true
+    }
+
+    /// Seeks a time (s): from the nearest snapshot before it, or from here where that is nearer. [`Self::approach`] goes on.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub(super) fn seek(&mut self, seconds: f64, pair: &mut Pair) -> Result<(), String> {
+        let tick = (seconds * RATE).round().clamp(0.0, self.last() as f64) as usize;
+        if self.snapshots.is_empty() {
+            let first = self.way.sample(0).ok_or("the path is empty")?;
+            self.snapshots
+                .push(Pair::start(&pair.setting, first.t, &first.hand)?);
+        }
+        let nearest = (tick / SNAPSHOT_EVERY).min(self.snapshots.len() - 1);
+        let from = nearest * SNAPSHOT_EVERY;
+        if tick < self.at || self.at < from {
+            let missed = pair.counts.missed;
+            *pair = self.snapshots[nearest].snapshot();
+            pair.counts.missed = missed;
+            self.at = from;
+        }
+        self.sought = (tick > self.at).then_some(tick);
+        Ok(())
+    }
+
+    /// One tick towards the one that is sought.
+    pub(super) fn approach(&mut self, pair: &mut Pair, times: &mut StepTimes) {
+        let arrived = !self.advance(pair, times) || self.sought.is_none_or(|tick| self.at >= tick);
+        if arrived {
+            self.sought = None;
+        }
+    }
+
+    /// The setting has changed: the snapshots are of another one.
+    pub(super) fn forget(&mut self) {
+        self.snapshots.clear();
+    }
+}

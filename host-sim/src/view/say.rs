@@ -1,0 +1,226 @@
+//! What a client is told: hello, the state, frames, answers. JSON, as `host-sim/VIEW.md` has it.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use serde_json::{Number as JsonNumber, json};
+use stiction_core::Evolution;
+
+use super::body::Setting;
+use super::counts::Counts;
+use super::feed::{Latest, Shown};
+use super::free::Springs;
+use super::pair::{Comparison, SlipMark};
+use super::stage::Stage;
+use crate::record::Frame;
+use crate::scene_file::SceneFile;
+use crate::trace::Record;
+
+/// Of the protocol.
+const VERSION: u32 = 1;
+/// The most ticks of a strip.
+const STRIP: usize = 64;
+
+/// The first message to a client.
+pub(super) fn hello(client: u32, scenes: &[String]) -> String {
+    json!({
+        "type": "hello",
+        "version": VERSION,
+        "you": client,
+        "program": concat!("stiction ", env!("CARGO_PKG_VERSION")),
+        "scenes": scenes,
+        "source": {"kind": "core"},
+    })
+    .to_string()
+}
+
+/// The answer to a message that was carried out.
+pub(super) fn done(id: i64) -> String {
+    json!({"type": "done", "id": id}).to_string()
+}
+
+/// The answer to one that was not.
+pub(super) fn error(id: Option<i64>, problem: &str) -> String {
+    match id {
+        Some(id) => json!({"type": "error", "id": id, "message": problem}),
+        None => json!({"type": "error", "message": problem}),
+    }
+    .to_string()
+}
+
+/// What the state says besides scene and setting.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Status {
+    pub(super) paused: bool,
+    pub(super) speed: f64,
+    /// Seconds so far.
+    pub(super) recording: Option<f64>,
+    pub(super) recorded: Option<Recorded>,
+    pub(super) replay: Option<Replayed>,
+    pub(super) hand: By,
+    pub(super) clients: usize,
+}
+
+/// A recording that is there.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Recorded {
+    pub(super) seconds: f64,
+    pub(super) frames: usize,
+}
+
+/// A path that is followed.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Replayed {
+    pub(super) what: String,
+    pub(super) seconds: f64,
+}
+
+/// Who holds the hand.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct By {
+    pub(super) by: Option<&'static str>,
+    pub(super) client: Option<u32>,
+}
+
+#[derive(Serialize)]
+struct State<'a> {
+    r#type: &'static str,
+    scene: serde_json::Value,
+    parameters: serde_json::Value,
+    number: &'static str,
+    evolution: &'static str,
+    #[serde(flatten)]
+    status: &'a Status,
+}
+
+/// The state.
+pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String {
+    let scene = &setting.scene;
+    let first = scene.surfaces.first();
+    let message = State {
+        r#type: "state",
+        scene: described(stage, scene),
+        parameters: json!({
+            "stiffness_translation": scene.stiffness_translation,
+            "stiffness_rotation": scene.stiffness_rotation,
+            "static": first.map(|surface| surface.friction_static),
+            "dynamic": first.map(|surface| surface.friction_dynamic),
+        }),
+        number: setting.number.name(),
+        evolution: match setting.evolution {
+            Evolution::Path => "path",
+            Evolution::Frame => "frame",
+        },
+        status,
+    };
+    text(&message)
+}
+
+fn described(stage: &Stage, scene: &SceneFile) -> serde_json::Value {
+    let surface = |surface: &stiction_scene::SurfaceInfo| json!({"name": surface.name, "normal": surface.normal, "offset": surface.offset});
+    let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
+    let [x, y] = stage.home.position;
+    json!({
+        "title": scene.title,
+        "body": scene.vertices,
+        "surfaces": surfaces,
+        "weight": scene.weight,
+        "grasp": scene.holding_point,
+        "reach": scene.reach,
+        "start": scene.start,
+        "home": [x, y, stage.home.angle.radians()],
+    })
+}
+
+#[derive(Serialize)]
+struct FrameMessage<'a> {
+    r#type: &'static str,
+    tick: u64,
+    skipped: u64,
+    frame: Record<'a>,
+    holding: Option<[f64; 2]>,
+    ghost: Option<[f64; 3]>,
+    echo: Option<&'a JsonNumber>,
+    reference: Option<&'a Comparison>,
+    counts: &'a Counts,
+    slips: &'a [SlipMark],
+    strip: Vec<Vec<f64>>,
+    step: StepTime,
+    /// Of a board: none.
+    board: (),
+    position: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct StepTime {
+    median: f32,
+    worst: f32,
+}
+
+/// The newest record with what led to it, for one client.
+#[derive(Debug)]
+pub(super) struct News {
+    latest: Latest,
+    since: Vec<Arc<Frame>>,
+}
+
+impl News {
+    /// The records since `next`, which goes on to the next one to come.
+    pub(super) fn since(shown: &Shown, next: &mut u64) -> Option<Self> {
+        let latest = shown.latest.clone()?;
+        let (records, now) = shown.since(*next);
+        *next = now;
+        let count = records.len();
+        let every = count.div_ceil(STRIP).max(1);
+        // The last one is always there.
+        let from = (count + every - 1) % every;
+        let since = records.skip(from).step_by(every).cloned().collect();
+        Some(Self { latest, since })
+    }
+
+    /// The message for a client that lost `skipped` frames.
+    pub(super) fn message(&self, client: u32, skipped: u64) -> String {
+        let latest = &self.latest;
+        let scene = &latest.scene;
+        let names: Vec<String> = scene.surfaces.iter().map(|s| s.name.clone()).collect();
+        let springs = Springs::of(scene, &latest.frame);
+        let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
+        let [median, worst] = latest.step;
+        let strip = self.since.iter().map(|frame| strip(frame, names.len()));
+        text(&FrameMessage {
+            r#type: "frame",
+            tick: latest.tick,
+            skipped,
+            frame: Record::new(&latest.frame, &names, latest.single),
+            holding: springs.holding,
+            ghost: springs.ghost,
+            echo: echo.map(|(_, sent)| sent),
+            reference: latest.reference.as_ref(),
+            counts: &latest.counts,
+            slips: &latest.slips,
+            strip: strip.collect(),
+            step: StepTime { median, worst },
+            board: (),
+            position: latest.position,
+        })
+    }
+}
+
+/// t, and N and T of every surface.
+fn strip(frame: &Frame, surfaces: usize) -> Vec<f64> {
+    let mut row = vec![0.0; 1 + 2 * surfaces];
+    row[0] = frame.t;
+    for contact in &frame.contacts {
+        let place = 1 + 2 * contact.surface;
+        if let Some([normal, friction]) = row.get_mut(place..place + 2) {
+            *normal += contact.normal;
+            *friction += contact.friction;
+        }
+    }
+    row
+}
+
+/// What is serialised here has no keys but text.
+fn text(message: &impl Serialize) -> String {
+    serde_json::to_string(message).unwrap_or_default()
+}

@@ -1,0 +1,262 @@
+//! The server: the page, the socket, recordings and uploads. Only the page itself, and programs that are no browser, may ask.
+
+use std::net::IpAddr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use axum::Router;
+use axum::body::Bytes;
+use axum::extract::rejection::BytesRejection;
+use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
+use axum::middleware::{self, Next};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use serde::Deserialize;
+use serde_json::json;
+use stiction_scene::Source;
+use tokio::sync::{mpsc, watch};
+use tokio::task::spawn_blocking;
+
+use super::feed::Feed;
+use super::orders::Order;
+use super::recording::Recording;
+use super::replay::{self, Way};
+use super::{client, page};
+use crate::hand_path::HandPath;
+
+/// The largest path that is uploaded (bytes).
+const LARGEST: usize = 16 << 20;
+/// A message that is longer than this ends the connection; one that is longer than is read is answered.
+const LONGEST_WIRE: usize = 64 << 10;
+/// The longest name of a path, in characters.
+const NAME: usize = 100;
+
+/// What every client needs.
+pub(super) struct Hub {
+    pub(super) feed: Arc<Feed>,
+    pub(super) orders: mpsc::Sender<Order>,
+    pub(super) scenes: Vec<String>,
+    /// True when the server ends.
+    pub(super) stop: watch::Receiver<bool>,
+    pub(super) clients: AtomicU32,
+}
+
+impl Hub {
+    /// The number of the next client.
+    pub(super) fn number(&self) -> u32 {
+        self.clients.fetch_add(1, Ordering::Relaxed) + 1
+    }
+}
+
+/// All there is to ask for; without the page where it is not wanted.
+pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
+    let router = Router::new()
+        .route("/ws", get(socket))
+        .route("/recording/{file}", get(recording))
+        .route("/upload", post(upload))
+        .layer(DefaultBodyLimit::max(LARGEST));
+    let router = match with_page {
+        true => router.fallback(file),
+        false => router,
+    };
+    router.layer(middleware::from_fn(guard)).with_state(hub)
+}
+
+/// Refuses what another page asks for, and adds what a browser has to know.
+async fn guard(request: Request, next: Next) -> Response {
+    let mut response = match is_own(request.headers()) {
+        true => next.run(request).await,
+        false => (
+            StatusCode::FORBIDDEN,
+            "another page asks, allowed: this one\n",
+        )
+            .into_response(),
+    };
+    let headers = response.headers_mut();
+    for (name, value) in [
+        (
+            header::CONTENT_SECURITY_POLICY,
+            "default-src 'self'; connect-src 'self' ws:",
+        ),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (HeaderName::from_static("referrer-policy"), "no-referrer"),
+    ] {
+        headers.insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+/// The host is asked for by an address or as localhost, which no foreign name can be made to mean, and a page that asks is
+/// of this host.
+fn is_own(headers: &HeaderMap) -> bool {
+    let text = |name| headers.get(name).map(HeaderValue::to_str);
+    let Some(Ok(host)) = text(header::HOST) else {
+        return false;
+    };
+    let name = match host.strip_prefix('[') {
+        Some(rest) => rest.split(']').next().unwrap_or(rest),
+        None => host.split(':').next().unwrap_or(host),
+    };
+    let is_here = name.eq_ignore_ascii_case("localhost") || name.parse::<IpAddr>().is_ok();
+    let of_page = match text(header::ORIGIN) {
+        None => true,
+        Some(Ok(origin)) => origin.strip_prefix("http://") == Some(host),
+        Some(Err(_)) => false,
+    };
+    is_here && of_page
+}
+
+async fn socket(State(hub): State<Arc<Hub>>, upgrade: WebSocketUpgrade) -> Response {
+    upgrade
+        .max_message_size(LONGEST_WIRE)
+        .max_frame_size(LONGEST_WIRE)
+        .on_upgrade(move |socket| client::serve(socket, hub))
+}
+
+async fn file(request: Request) -> Response {
+    match page::find(request.uri().path()) {
+        Some((kind, bytes)) => ([(header::CONTENT_TYPE, kind)], bytes).into_response(),
+        None => (StatusCode::NOT_FOUND, "not here\n").into_response(),
+    }
+}
+
+async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Response {
+    let kind = match file.as_str() {
+        "trace.jsonl" => "application/x-ndjson",
+        "scene.toml" => "application/toml",
+        "hand.csv" => "text/csv",
+        _ => return problem(StatusCode::NOT_FOUND, "not here"),
+    };
+    let recorded = hub.feed.read().recorded.clone();
+    let Some(recorded) = recorded else {
+        return problem(StatusCode::NOT_FOUND, "there is no recording");
+    };
+    let name = file.clone();
+    let bytes = spawn_blocking(move || content(&recorded, &name)).await;
+    let named = format!("attachment; filename=\"{file}\"");
+    match bytes {
+        Ok(Ok(bytes)) => (
+            [
+                (header::CONTENT_TYPE, kind),
+                (header::CONTENT_DISPOSITION, named.as_str()),
+            ],
+            bytes,
+        )
+            .into_response(),
+        Ok(Err(error)) => problem(StatusCode::INTERNAL_SERVER_ERROR, &error),
+        Err(_) => problem(
+            StatusCode::INTERNAL_SERVER_ERROR,
+            "it could not be computed",
+        ),
+    }
+}
+
+fn content(recorded: &Recording, file: &str) -> Result<Vec<u8>, String> {
+    Ok(match file {
+        "trace.jsonl" => recorded.trace()?,
+        "scene.toml" => recorded.scene.clone().into_bytes(),
+        _ => recorded.hand_csv().into_bytes(),
+    })
+}
+
+#[derive(Deserialize)]
+struct Name {
+    name: String,
+}
+
+async fn upload(
+    State(hub): State<Arc<Hub>>,
+    Query(Name { name }): Query<Name>,
+    body: Result<Bytes, BytesRejection>,
+) -> Response {
+    let bytes = match body {
+        Ok(bytes) => bytes,
+        Err(rejection) => return problem(rejection.status(), &rejection.body_text()),
+    };
+    // The name of a file, whatever stands before it.
+    let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let name: String = name.chars().take(NAME).collect();
+    let scene = hub
+        .feed
+        .read()
+        .latest
+        .as_ref()
+        .map(|latest| Arc::clone(&latest.scene));
+    let Some(scene) = scene else {
+        return problem(StatusCode::SERVICE_UNAVAILABLE, "there is no scene yet");
+    };
+    let called = name.clone();
+    let read = spawn_blocking(move || {
+        let text = String::from_utf8(bytes.into()).map_err(|_| "not UTF-8 text".to_owned())?;
+        let source = Source::new(called, text.trim_start_matches('\u{feff}'));
+        let path = HandPath::parse(&source, &scene.hand.placement);
+        checked(path.map_err(|error| error.to_string())?)
+    });
+    let (path, answer) = match read.await {
+        Ok(Ok(read)) => read,
+        Ok(Err(error)) => return problem(StatusCode::BAD_REQUEST, &error),
+        Err(_) => return problem(StatusCode::BAD_REQUEST, "it cannot be read"),
+    };
+    match hub.orders.send(Order::Upload(name, path)).await {
+        Ok(()) => ([(header::CONTENT_TYPE, "application/json")], answer).into_response(),
+        Err(_) => problem(StatusCode::SERVICE_UNAVAILABLE, "the program ends"),
+    }
+}
+
+/// A path that is not too long, with the answer to it.
+fn checked(path: HandPath) -> Result<(Arc<HandPath>, String), String> {
+    let (records, path) = (path.count(), Arc::new(path));
+    let ticks = Way::Path(Arc::clone(&path)).len();
+    if ticks > replay::LONGEST {
+        return Err(format!(
+            "the path has {ticks} ticks of 1 ms, allowed: {}",
+            replay::LONGEST
+        ));
+    }
+    let seconds = ticks.saturating_sub(1) as f64 / 1000.0;
+    Ok((
+        path,
+        json!({"seconds": seconds, "records": records}).to_string(),
+    ))
+}
+
+fn problem(status: StatusCode, text: &str) -> Response {
+    let body = json!({"message": text}).to_string();
+    let kind = [(header::CONTENT_TYPE, "application/json")];
+    (status, kind, body).into_response()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn own(host: &'static str, origin: Option<&'static str>) -> bool {
+        let mut headers = HeaderMap::new();
+        headers.insert(header::HOST, HeaderValue::from_static(host));
+        if let Some(origin) = origin {
+            headers.insert(header::ORIGIN, HeaderValue::from_static(origin));
+        }
+        is_own(&headers)
+    }
+
+    #[test]
+    fn the_own_page_and_programs_may_ask() {
+        assert!(own("127.0.0.1:8405", None));
+        assert!(own("127.0.0.1:8405", Some("http://127.0.0.1:8405")));
+        assert!(own("localhost:8405", Some("http://localhost:8405")));
+        assert!(own("[::1]:8405", Some("http://[::1]:8405")));
+    }
+
+    #[test]
+    fn other_pages_and_foreign_names_of_this_host_may_not() {
+        assert!(!own("127.0.0.1:8405", Some("http://127.0.0.1:80")));
+        assert!(!own("127.0.0.1:8405", Some("http://example.org")));
+        assert!(!own("127.0.0.1:8405", Some("https://127.0.0.1:8405")));
+        assert!(!own("127.0.0.1:8405", Some("null")));
+        // A name that was made to mean this computer.
+        assert!(!own("example.org:8405", Some("http://example.org:8405")));
+        assert!(!own("example.org", None));
+    }
+}

@@ -1,0 +1,103 @@
+//! A scene that is shown: its file, the hand's path in it, and where the hand is at the beginning.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use stiction_core::{Angle, Hand};
+use stiction_scene::{InputError, Source};
+
+use crate::hand_path::{HandPath, Sample};
+use crate::number::Number;
+use crate::run::open_path;
+use crate::scene_file::SceneFile;
+
+/// A scene with its hand.
+#[derive(Clone, Debug)]
+pub(super) struct Stage {
+    pub(super) scene: Arc<SceneFile>,
+    /// The path of its hand, where it has one.
+    pub(super) path: Option<Arc<HandPath>>,
+    /// The hand at the beginning.
+    pub(super) home: Hand<f64>,
+}
+
+impl Stage {
+    /// Of a scene file.
+    ///
+    /// # Errors
+    /// Its path cannot be read.
+    pub(super) fn new(scene: SceneFile) -> Result<Self, InputError> {
+        let path = match &scene.hand.motion {
+            Some(_) => Some(Arc::new(open_path(&scene, None, Some(1000.0))?.0)),
+            None => None,
+        };
+        let first = path.as_ref().and_then(|path| path.frames(None).next());
+        let home = first.map_or_else(|| at_start(&scene), |sample: Sample| sample.hand);
+        Ok(Self {
+            scene: Arc::new(scene),
+            path,
+            home,
+        })
+    }
+}
+
+/// A hand that pulls at nothing, at the holding point or at the body's origin.
+fn at_start(scene: &SceneFile) -> Hand<f64> {
+    let [x, y, theta] = scene.start;
+    let [gx, gy] = scene.holding_point.unwrap_or_default();
+    let (sin, cos) = theta.sin_cos();
+    Hand {
+        position: [x + cos * gx - sin * gy, y + sin * gx + cos * gy],
+        // The spring of a given holding point rests where the hand and the body have the same angle.
+        angle: Angle::from_radians(theta),
+        depth: 0.0,
+        held: true,
+    }
+}
+
+/// A scene as a file without its hand, in the digits that read back to the same values.
+pub(super) fn written(scene: &SceneFile) -> String {
+    let pair = |[x, y]: [f64; 2]| format!("[{x:?}, {y:?}]");
+    let vertices: Vec<String> = scene.vertices.iter().map(|&vertex| pair(vertex)).collect();
+    let [x, y, theta] = scene.start;
+    let mut text = format!(
+        "[body]\nvertices = [{}]\nstart = [{x:?}, {y:?}, {theta:?}]\nweight = {:?}\n\n[grasp]\n",
+        vertices.join(", "),
+        scene.weight
+    );
+    if let Some(point) = scene.holding_point {
+        text += &format!("point = {}\n", pair(point));
+    }
+    text += &format!(
+        "reach = {:?}\n\n[spring]\ntranslation = {:?}\nrotation = {:?}\n",
+        scene.reach, scene.stiffness_translation, scene.stiffness_rotation
+    );
+    for surface in &scene.surfaces {
+        text += &format!(
+            "\n[[surface]]\nname = {}\nnormal = {}\noffset = {:?}\nstatic = {:?}\ndynamic = {:?}\n",
+            quoted(&surface.name),
+            pair(surface.normal),
+            surface.offset,
+            surface.friction_static,
+            surface.friction_dynamic
+        );
+    }
+    text
+}
+
+/// A string of TOML, which has those of JSON but for one character.
+fn quoted(text: &str) -> String {
+    let json = serde_json::to_string(text).unwrap_or_else(|_| "\"\"".to_owned());
+    json.replace('\u{7f}', "\\u007f")
+}
+
+/// The scene that is read from a written one: what it gives is what a reader of the file gets, to the last bit.
+///
+/// # Errors
+/// The parameters are not those of a scene.
+pub(super) fn reread(scene: &SceneFile, number: Number) -> Result<(SceneFile, String), InputError> {
+    let text = written(scene);
+    let name = Path::new(&scene.title).with_extension("toml");
+    let scene = SceneFile::parse(Source::new(name, text.clone()), number)?;
+    Ok((scene, text))
+}

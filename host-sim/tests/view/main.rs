@@ -1,0 +1,10 @@
+//! `stiction view` as its clients meet it: over the socket, over HTTP, over UDP. No verdict hangs on how fast anything is.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod messages;
+mod outward;
+mod paths;
+mod program;
+mod refusals;
+mod several;

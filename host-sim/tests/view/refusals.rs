@@ -1,0 +1,222 @@
+//! What is malformed, too large, too much, or from elsewhere is refused, and changes nothing.
+
+use serde_json::{Value, json};
+use tungstenite::Message;
+
+use crate::common::{Folder, text};
+use crate::program::View;
+
+#[test]
+fn malformed_messages_are_answered_and_dropped() {
+    let view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    let long = format!(
+        "{{\"type\": \"scene\", \"name\": \"{}\"}}",
+        "x".repeat(5000)
+    );
+    for bad in [
+        "",
+        "{",
+        "[1]",
+        r#"{"type": "fly"}"#,
+        r#"{"type": "hand", "pose": [0, 0], "held": true}"#,
+        r#"{"type": "hand", "pose": [0, 0, 1e999], "held": true}"#,
+        r#"{"type": "set", "parameters": {"static": -1}}"#,
+        r#"{"type": "set", "parameters": {"static": 0.1}}"#,
+        r#"{"type": "set", "parameters": {"stiffness_translation": 0}}"#,
+        r#"{"type": "seek", "seconds": 1}"#,
+        r#"{"type": "replay", "what": "recording"}"#,
+        r#"{"type": "replay", "what": "upload"}"#,
+        &"[".repeat(4000),
+        &long,
+    ] {
+        client.send(bad);
+        let answer = client.until(|message| message["type"] == "error");
+        assert!(
+            answer["message"]
+                .as_str()
+                .is_some_and(|text| !text.is_empty()),
+            "{bad}"
+        );
+        assert!(answer["id"].is_null());
+    }
+    client
+        .socket
+        .send(Message::binary(vec![0; 100]))
+        .expect("it is taken");
+    client.until(|message| message["type"] == "error");
+    // What was refused changed nothing.
+    let mut other = view.client();
+    let state = other.state(|_| true);
+    assert_eq!(
+        state["parameters"],
+        json!({"stiffness_translation": 500.0, "stiffness_rotation": 0.5, "static": 0.5, "dynamic": 0.3})
+    );
+    client.done(json!({"type": "reset"}));
+}
+
+#[test]
+fn more_than_2000_messages_a_second_are_dropped() {
+    let view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    client.done(json!({"type": "pause", "value": true}));
+    for _ in 0..20_000 {
+        client.send(r#"{"type": "let-go"}"#);
+    }
+    client.until(|message| {
+        message["message"]
+            .as_str()
+            .is_some_and(|text| text.contains("2000"))
+    });
+    let mut other = view.client();
+    other.done(json!({"type": "pause", "value": false}));
+    other.frame(|frame| frame["tick"].as_u64() > Some(5));
+}
+
+#[test]
+fn other_pages_are_refused() {
+    let view = View::start(&["box-flat"]);
+    let own = format!("http://{}", view.place);
+    assert!(view.client_of(Some(&own)).is_ok());
+    for foreign in ["http://example.org", "null", "http://127.0.0.1:1"] {
+        let refusal = view.client_of(Some(foreign)).err().expect("a refusal");
+        assert!(refusal.contains("403"), "{refusal}");
+        let origin = format!("Origin: {foreign}\r\n");
+        let path = b"t,x,y,phi\n0,0,0,0\n";
+        assert_eq!(
+            view.http("POST", "/upload?name=a.csv", &origin, path)
+                .status,
+            403
+        );
+    }
+    let rebound = view.http("GET", "/", "Host: example.org\r\n", b"").status;
+    assert_eq!(rebound, 403);
+}
+
+#[test]
+fn files_have_their_types_and_a_policy() {
+    let view = View::start(&["box-flat"]);
+    let page = view.http("GET", "/", "", b"");
+    assert_eq!(page.status, 200);
+    for part in [
+        "content-type: text/html; charset=utf-8",
+        "content-security-policy: default-src 'self'; connect-src 'self' ws:",
+        "x-content-type-options: nosniff",
+        "cache-control: no-store",
+    ] {
+        assert!(page.head.contains(part), "{part}: {}", page.head);
+    }
+    for nowhere in [
+        "/Cargo.toml",
+        "/../Cargo.toml",
+        "/%2e%2e/Cargo.toml",
+        "/recording/trace.jsonl",
+    ] {
+        assert_eq!(view.http("GET", nowhere, "", b"").status, 404, "{nowhere}");
+    }
+    let headless = View::start(&["box-flat", "--headless"]);
+    assert_eq!(headless.http("GET", "/", "", b"").status, 404);
+    headless.client().frame(|_| true);
+}
+
+#[test]
+fn paths_that_cannot_be_used_are_refused_with_a_message() {
+    let view = View::start(&["box-flat"]);
+    for (name, path) in [
+        ("a.csv", "t,x,y,phi\n0,0,0,0\n0,0,0,0\n"),
+        ("a.csv", "who,knows\n1,2\n"),
+        ("a.csv", "t,x,y,phi\n0,0,0,0\n1e9,0,0,0\n"),
+        ("a.csv", "t,x,y,phi\n0,0,0,0\n1e300,0,0,0\n"),
+        ("a.exe", "t,x,y,phi\n0,0,0,0\n"),
+        ("", "t,x,y,phi\n0,0,0,0\n"),
+        ("a.csv", "\u{0}"),
+    ] {
+        let answer = view.http("POST", &format!("/upload?name={name}"), "", path.as_bytes());
+        assert_eq!(answer.status, 400, "{name} {path}");
+        let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
+        assert!(told["message"].is_string(), "{told}");
+    }
+    assert_eq!(
+        view.http("POST", "/upload?name=a.csv", "", &[b'#'; (16 << 20) + 1])
+            .status,
+        413
+    );
+}
+
+#[test]
+fn a_port_that_is_taken_is_said_and_the_next_one_is_served() {
+    let first = View::start(&["box-flat"]);
+    let folder = Folder::new();
+    let mut second = std::process::Command::new(env!("CARGO_BIN_EXE_stiction"))
+        .args(["view", "--listen", &first.place])
+        .current_dir(folder.file(""))
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut line = String::new();
+    let said = std::io::BufReader::new(second.stderr.take().expect("its errors"));
+    std::io::BufRead::read_line(&mut { said }, &mut line).expect("a line");
+    second.kill().expect("it runs");
+    second.wait().expect("it ends");
+    let (_, port) = first.place.split_once(':').expect("a port");
+    assert!(line.contains(port) && line.contains("taken"), "{line}");
+}
+
+#[test]
+fn without_arguments_the_page_is_served() {
+    let folder = Folder::new();
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_stiction"))
+        .current_dir(folder.file(""))
+        .stdout(std::process::Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut line = String::new();
+    let said = std::io::BufReader::new(child.stdout.take().expect("its output"));
+    std::io::BufRead::read_line(&mut { said }, &mut line).expect("a line");
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    assert!(line.starts_with("http://127.0.0.1:"), "{line}");
+}
+
+#[test]
+fn what_cannot_be_viewed_ends_with_status_2() {
+    let folder = Folder::new();
+    folder.write("bad.toml", "[body]\n");
+    for arguments in [
+        &["nowhere"][..],
+        &["bad.toml"],
+        &["--hand", "none.csv"],
+        &["--listen", "somewhere"],
+        &["--osc", "no port"],
+        &["--osc-rate", "0"],
+    ] {
+        let output =
+            folder.stiction(&[&["view", "--listen", "127.0.0.1:0"][..], arguments].concat());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(!text(&output.stderr).is_empty());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_ends_it_and_the_clients_are_told() {
+    let mut view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    client.frame(|_| true);
+    let number = view.child.id().to_string();
+    let sent = std::process::Command::new("kill")
+        .args(["-INT", &number])
+        .status();
+    assert!(sent.expect("kill").success());
+    let closed = loop {
+        match client.socket.read() {
+            Ok(Message::Close(frame)) => break frame.map(|frame| u16::from(frame.code)),
+            Ok(_) => {}
+            Err(error) => panic!("{error}"),
+        }
+    };
+    assert_eq!(closed, Some(1001));
+    drop(client);
+    assert!(view.child.wait().expect("it ends").success());
+}
