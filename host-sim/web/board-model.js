@@ -26,9 +26,9 @@ export class BoardModel {
     this.parameters = parameters;
     /** @type {any} */
     this.info = { number: 0, evolution: 0, name: "" };
-    /** @type {import("./frame.js").Message | null} */
+    /** @type {Message | null} */
     this.forces = null;
-    /** @type {import("./frame.js").Message | null} */
+    /** @type {Message | null} */
     this.health = null;
     /** The samples by their sequence number. @type {({pose: Pose, at: number, sent: number} | null)[]} */
     this.samples = Array(256).fill(null);
@@ -71,7 +71,7 @@ export class BoardModel {
     this.forces = null;
   }
 
-  /** What the board says about itself. A scene that it has no room for is left, and the box taken instead. @param {import("./frame.js").Message} info */
+  /** What the board says about itself. A scene that it has no room for is left, and the box taken instead. @param {Message} info */
   setInfo(info) {
     this.info = info;
     if (this.scene.body.length <= info.vertices && this.scene.surfaces.length <= info.surfaces) return;
@@ -79,7 +79,7 @@ export class BoardModel {
     this.parameters = BOX_PARAMETERS;
   }
 
-  /** As the server says hello. @param {import("./frame.js").Message} info @param {number} baud @returns {HelloMessage} */
+  /** As the server says hello. @param {Message} info @param {number} baud @returns {HelloMessage} */
   hello(info, baud) {
     return {
       type: "hello", version: 1, you: 1, program: `firmware ${info.major}.${info.minor}.${info.patch}`, scenes: [this.scene.title],
@@ -114,13 +114,13 @@ export class BoardModel {
     this.samples[sequence] = { pose, at, sent };
   }
 
-  /** Frames that were lost on the way, by their sequence numbers. @param {import("./frame.js").Message} message */
+  /** Frames that were lost on the way, by their sequence numbers. @param {Message} message */
   count({ sequence }) {
     if (this.sequence >= 0) this.lost += (sequence - this.sequence - 1) & 0xff;
     this.sequence = sequence;
   }
 
-  /** Takes a message in; a pose gives a frame. @param {import("./frame.js").Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null} */
+  /** Takes a message in; a pose gives a frame. @param {Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null} */
   take(message, faults) {
     switch (message.type) {
       case "forces": this.takeForces(message); return null;
@@ -131,7 +131,7 @@ export class BoardModel {
     }
   }
 
-  /** @param {import("./frame.js").Message} message */
+  /** @param {Message} message */
   takeForces(message) {
     this.forces = message;
     const row = [this.since(message.time), ...this.scene.surfaces.flatMap(() => [0, 0])];
@@ -142,7 +142,7 @@ export class BoardModel {
     this.strip.push(row);
   }
 
-  /** @param {import("./frame.js").Message} message */
+  /** @param {Message} message */
   takeEvents(message) {
     for (const code of message.event) {
       const name = EVENTS[code];
@@ -166,7 +166,7 @@ export class BoardModel {
     return this.time;
   }
 
-  /** A pose with all that belongs to it. @param {import("./frame.js").Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage} */
+  /** A pose with all that belongs to it. @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage} */
   frame(pose, faults) {
     const t = this.since(pose.time);
     this.unwrap(pose.turns);

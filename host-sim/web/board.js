@@ -1,7 +1,7 @@
 // A board over Web Serial, without any program between: opens the port, asks who is there, gives it the scene and a mode, sends
 // the hand, and hands on what the board says as the messages that the server would send.
 
-import { BoardModel } from "./board-model.js";
+import { BoardModel, BOX, BOX_PARAMETERS } from "./board-model.js";
 import { Decoder, encode, REASONS } from "./frame.js";
 
 /** An answer that takes longer is asked for again (ms), so many times (FRAME 7). */
@@ -19,15 +19,12 @@ const FAST = 400000;
 const POSES = { fast: 125, slow: 50 };
 const TURN = 2 * Math.PI;
 
-/** True if this browser can talk to a serial port. */
-export const canSerial = () => navigator.serial !== undefined;
-
 /** @implements {Feed} */
 export class Board {
-  /** @param {FeedEvents} events @param {Scene} scene @param {Parameters4} parameters */
-  constructor(events, scene, parameters) {
+  /** @param {FeedEvents} events @param {StateMessage | null} state what the page shows: the board gets that scene */
+  constructor(events, state) {
     this.events = events;
-    this.model = new BoardModel(scene, parameters);
+    this.model = new BoardModel(state?.scene ?? BOX, state?.parameters ?? BOX_PARAMETERS);
     this.decoder = new Decoder((message) => this.take(message));
     /** @type {SerialPort | null} */
     this.port = null;
@@ -37,10 +34,10 @@ export class Board {
     this.reader = null;
     this.baud = 0;
     this.sequence = 0;
-    /** The command that waits for its answer. @type {{type: string, take: (message: import("./frame.js").Message) => void} | null} */
+    /** The command that waits for its answer. @type {{type: string, take: (message: Message) => void} | null} */
     this.asked = null;
     /** The hand as it was last told. @type {{pose: Pose, held: boolean, sent: number}} */
-    this.sample = { pose: scene.home, held: true, sent: -1 };
+    this.sample = { pose: this.model.scene.home, held: true, sent: -1 };
     this.lastSample = 0;
     this.timer = 0;
     this.evolution = 0;
@@ -113,7 +110,7 @@ export class Board {
   /** Sends a command until it is answered; rejects with what the board refuses. @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer */
   async command(message, answer = "reply") {
     for (let attempt = 0; attempt < TRIES; attempt++) {
-      /** @type {import("./frame.js").Message | null} */
+      /** @type {Message | null} */
       const reply = await new Promise((take) => {
         this.asked = { type: answer, take };
         this.write(message);
@@ -127,7 +124,7 @@ export class Board {
     throw new Error(`The board does not answer (${message.type}, ${this.baud} baud).`);
   }
 
-  /** A message of the board. @param {import("./frame.js").Message} message */
+  /** A message of the board. @param {Message} message */
   take(message) {
     this.model.count(message);
     if (this.asked?.type === message.type) this.asked.take(message);

@@ -33,7 +33,6 @@ export class Charts {
     this.picker.addEventListener("change", () => this.pick(Number(this.picker.value)));
     this.plots = [forcePlot(), slipPlot(), stepPlot()];
     this.data = [this.forces, this.slips, this.steps];
-    this.values = ["chart-forces-now", "chart-slips-now", "chart-steps-now"].map((id) => byId(id));
     this.drawn = [0, 0, 0];
     /** There is something that a chart does not show yet. */
     this.stale = [false, false, false];
@@ -129,13 +128,16 @@ export class Charts {
   }
 
   /** The newest values beside the chart's title. @param {number} i @param {FrameMessage} message */
-  tell(i, message) {
-    const texts = [
-      () => `N ${digits(this.forces.last(1) || 0)} N, T ${digits(this.forces.last(2) || 0)} N`,
-      () => (this.slips.length ? `last ${digits(this.slips.last(1))} mm, ${message.counts.slips} in all` : "none yet"),
-      () => (message.step ? `median ${duration(message.step.median)}, worst ${duration(message.step.worst)}` : "not told"),
-    ];
-    setText(this.values[i], texts[i]());
+  tell(i, { counts, step }) {
+    if (i === 0) {
+      setText(byId("now-n"), `N ${digits(this.forces.last(1) || 0)} N`);
+      setText(byId("now-t"), `T ${digits(this.forces.last(2) || 0)} N`);
+    } else if (i === 1) {
+      setText(byId("now-slip"), this.slips.length ? `last ${digits(this.slips.last(1))}, ${counts.slips} in all` : "none yet");
+    } else if (step) {
+      setText(byId("now-median"), `median ${duration(step.median)}`);
+      setText(byId("now-worst"), `worst ${duration(step.worst)}`);
+    }
   }
 }
 
@@ -162,7 +164,7 @@ const axis = (options) => ({
   stroke: () => colors.muted,
   grid: { stroke: () => colors.grid, width: 1 },
   ticks: { show: false },
-  font: "11px system-ui, sans-serif",
+  font: `${(0.79 * parseFloat(getComputedStyle(document.documentElement).fontSize)).toFixed(1)}px system-ui, sans-serif`,
   ...options,
 });
 
@@ -186,7 +188,7 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
 const seconds = (_plot, ticks) => {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
-  return ticks.map((t, i) => t.toFixed(decimals) + (i === ticks.length - 1 ? " s" : ""));
+  return ticks.map((t, i) => (t < 0 ? "" : t.toFixed(decimals)) + (i === ticks.length - 1 ? " s" : ""));
 };
 
 /** N and T of a surface between the limits. */
@@ -195,7 +197,7 @@ function forcePlot() {
   const limit = (color, dash) => ({ stroke: () => colors[color], width: 1.2, dash, points: { show: false } });
   return plotIn("chart-forces", 7, [
     { stroke: () => colors.normal, width: 1.4, points: { show: false } },
-    { stroke: () => colors.friction, width: 2.4, points: { show: false } },
+    { stroke: () => colors.friction, width: 2, points: { show: false } },
     limit("limit-static", [6, 3]), limit("limit-static", [6, 3]),
     limit("limit-dynamic", [1.8, 2.6]), limit("limit-dynamic", [1.8, 2.6]),
   ]);
@@ -214,12 +216,17 @@ function stepPlot() {
   return plotIn("chart-steps", 3, [
     { stroke: () => colors.body, width: 2.2, points: { show: false } },
     { stroke: () => colors.muted, width: 1.4, dash: [6, 3], points: { show: false } },
-  ], { distr: 3, range: [0.1, 100] }, { values: decades });
+  ], { distr: 3, range: [0.1, 100] }, { values: decades, filter: onlyDecades });
 }
 
+/** Grid lines at the powers of ten alone. @param {UPlot} _plot @param {number[]} ticks */
+const onlyDecades = (_plot, ticks) => ticks.map((value) => (isDecade(value) ? value : null));
+
 /** Labels at the powers of ten alone. @param {UPlot} _plot @param {(number | null)[]} ticks */
-const decades = (_plot, ticks) => ticks.map((value) =>
-  (value && Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6 ? digits(value) : null));
+const decades = (_plot, ticks) => ticks.map((value) => (value && isDecade(value) ? String(Number(value.toPrecision(1))) : null));
+
+/** True for a power of ten. @param {number} value */
+const isDecade = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 
 /** Lines from 0 up to the values. @param {UPlot} plot @param {number} series @param {number} from @param {number} to */
 function stems(plot, series, from, to) {

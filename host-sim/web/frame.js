@@ -1,7 +1,6 @@
 // The wire between a board and its client, as core/FRAME.md says it: messages to bytes and back. A message is an object with
 // the field names of that document; lists are arrays of numbers or of arrays. No state, no hardware.
 
-/** @typedef {{type: string, sequence: number, time: number, [field: string]: any}} Message */
 /** @typedef {{count: string, item: string, shape: string}} List */
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
 

@@ -1,6 +1,5 @@
 // What does not move: the grid, the surfaces with their hatching, and the scales of length and force.
 
-import { digits } from "./dom.js";
 import { colors } from "./theme.js";
 
 /** Spacing of the hatching and its depth (px). */
@@ -14,7 +13,7 @@ export function step125(value) {
   return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
 }
 
-/** Graph paper: a line every round number of metres, not closer than 36 px. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view */
+/** Graph paper: a line every round number of metres, not closer than 36 px. @param {Ink} ctx @param {View} view */
 export function drawGrid(ctx, view) {
   let step = step125(36 / view.scale);
   if (step * view.scale < 30) step *= 2;
@@ -36,20 +35,20 @@ export function drawGrid(ctx, view) {
   ctx.stroke();
 }
 
-/** Every surface: its solid side tinted, its border with hatching, its name. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Surface[]} surfaces */
+/** Every surface: its solid side tinted, its border with hatching, its name. @param {Ink} ctx @param {View} view @param {Surface[]} surfaces */
 export function drawSurfaces(ctx, view, surfaces) {
   for (const surface of surfaces) fillSolid(ctx, view, surface);
   for (const surface of surfaces) drawBorder(ctx, view, surface, surfaces);
 }
 
-/** The foot of the window's middle on a surface, in pixels, and the half length that crosses the window. @param {import("./view.js").View} view @param {Surface} surface */
+/** The foot of the window's middle on a surface, in pixels, and the half length that crosses the window. @param {View} view @param {Surface} surface */
 function foot(view, { normal, offset }) {
   const gap = normal[0] * view.x + normal[1] * view.y - offset;
   const px = view.px(view.x - gap * normal[0]), py = view.py(view.y - gap * normal[1]);
   return { px, py, tx: normal[1], ty: normal[0], nx: normal[0], ny: -normal[1], reach: view.width + view.height };
 }
 
-/** @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Surface} surface */
+/** @param {Ink} ctx @param {View} view @param {Surface} surface */
 function fillSolid(ctx, view, surface) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   ctx.beginPath();
@@ -62,14 +61,14 @@ function fillSolid(ctx, view, surface) {
   ctx.fill();
 }
 
-/** True if a pixel is on the solid side of another surface. @param {import("./view.js").View} view @param {number} px @param {number} py @param {Surface} surface @param {Surface[]} surfaces */
+/** True if a pixel is on the solid side of another surface. @param {View} view @param {number} px @param {number} py @param {Surface} surface @param {Surface[]} surfaces */
 function buried(view, px, py, surface, surfaces) {
   const [x, y] = view.world(px, py);
   return surfaces.some((other) => other !== surface
     && other.normal[0] * x + other.normal[1] * y - other.offset < -1e-9);
 }
 
-/** The border line and short strokes behind it, which stay where they are on the surface. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Surface} surface @param {Surface[]} surfaces */
+/** The border line and short strokes behind it, which stay where they are on the surface. @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces */
 function drawBorder(ctx, view, surface, surfaces) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   const along = (view.x * surface.normal[1] - view.y * surface.normal[0]) * view.scale;
@@ -100,7 +99,7 @@ function drawBorder(ctx, view, surface, surfaces) {
   nameSurface(ctx, view, surface, surfaces);
 }
 
-/** The surface's name behind its border, near the window's edge. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Surface} surface @param {Surface[]} surfaces */
+/** The surface's name behind its border, near the window's edge. @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces */
 function nameSurface(ctx, view, surface, surfaces) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   for (let s = reach; s > -reach; s -= 12) {
@@ -121,16 +120,19 @@ function nameSurface(ctx, view, surface, surfaces) {
   }
 }
 
-/** Two bars in the lower left corner: a round length, and a round force in the scale of the force bars. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {number} perNewton pixels per N */
+/** A round number without the digits that rounding leaves. @param {number} value */
+const round = (value) => String(Number(value.toPrecision(1)));
+
+/** Two bars in the lower left corner: a round length, and a round force in the scale of the force bars. @param {Ink} ctx @param {View} view @param {number} perNewton pixels per N */
 export function drawScales(ctx, view, perNewton) {
   const length = step125(110 / view.scale);
-  const text = length >= 1 ? `${digits(length)} m` : length >= 1e-3 ? `${digits(length * 1e3)} mm` : `${digits(length * 1e6)} µm`;
+  const text = length >= 1 ? `${round(length)} m` : length >= 1e-3 ? `${round(length * 1e3)} mm` : `${round(length * 1e6)} µm`;
   drawScale(ctx, view, 16, length * view.scale, text);
   const force = step125(80 / perNewton);
-  drawScale(ctx, view, 34 + length * view.scale, force * perNewton, `${digits(force)} N`);
+  drawScale(ctx, view, 34 + length * view.scale, force * perNewton, `${round(force)} N`);
 }
 
-/** @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {number} x @param {number} width @param {string} text */
+/** @param {Ink} ctx @param {View} view @param {number} x @param {number} width @param {string} text */
 function drawScale(ctx, view, x, width, text) {
   const y = view.height - 16;
   ctx.fillStyle = colors.paper;

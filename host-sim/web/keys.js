@@ -20,7 +20,7 @@ const MOVES = {
 
 export class Keys {
   /**
-   * @param {import("./stage.js").Stage} stage @param {import("./grip.js").Grip} grip
+   * @param {Stage} stage @param {Grip} grip
    * @param {{[key: string]: () => void}} commands what other keys do, by their letter or sign
    */
   constructor(stage, grip, commands) {

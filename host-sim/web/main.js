@@ -1,7 +1,5 @@
 // The page: what shows and what asks, put together around one feed, which is the server or a board on Web Serial.
 
-import { Board, canSerial } from "./board.js";
-import { BOX, BOX_PARAMETERS } from "./board-model.js";
 import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
 import { Diagram } from "./diagram.js";
@@ -25,7 +23,7 @@ const stage = new Stage(byId("stage", HTMLCanvasElement));
 const diagram = new Diagram(byId("diagram"));
 const charts = new Charts();
 const readout = new Readout(stage);
-/** The board on Web Serial, instead of the server. @type {Board | null} */
+/** The board on Web Serial, instead of the server. @type {import("./board.js").Board | null} */
 let board = null;
 /** What the server said last, for when the board goes. @type {{hello: HelloMessage | null, state: StateMessage | null}} */
 const server = { hello: null, state: null };
@@ -34,6 +32,8 @@ let framesReceived = 0;
 
 /** @type {() => Feed} */
 const feed = () => board ?? link;
+/** True if this browser can talk to a serial port. */
+const canSerial = () => navigator.serial !== undefined;
 const grip = new Grip(feed, note);
 const controls = new Controls(feed, note);
 const transport = new Transport((message) => controls.ask(message), note);
@@ -115,7 +115,8 @@ async function toggleBoard() {
     return;
   }
   const baud = Number(byId("baud", HTMLSelectElement).value);
-  const next = new Board(eventsFor(true), stage.state?.scene ?? BOX, stage.state?.parameters ?? BOX_PARAMETERS);
+  const { Board } = await import("./board.js");
+  const next = new Board(eventsFor(true), stage.state);
   board = next;
   charts.clear();
   try {

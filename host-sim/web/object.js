@@ -3,11 +3,14 @@
 import { colors } from "./theme.js";
 
 /** Size of the hand's ring and of the coil (px). */
-export const HAND_RADIUS = 11;
-const COIL_RADIUS = 6;
-const COIL_TURNS = 9;
+export const HAND_RADIUS = 9;
+const COIL_RADIUS = 5.5;
+const COIL_TURNS = 8;
+/** Radii between which the spiral winds (px). */
+const OUTER = 25;
+const INNER = 16;
 
-/** The path of the body at a pose. A point is a disc, a rod a thick line. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec[]} body @param {Pose} pose */
+/** The path of the body at a pose. A point is a disc, a rod a thick line. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose */
 function traceBody(ctx, view, body, pose) {
   const c = Math.cos(pose[2]), s = Math.sin(pose[2]);
   ctx.beginPath();
@@ -19,7 +22,7 @@ function traceBody(ctx, view, body, pose) {
   ctx.closePath();
 }
 
-/** The body, with a cross at its origin whose longer arm is its x axis. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec[]} body @param {Pose} pose */
+/** The body, with a cross at its origin whose longer arm is its x axis. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose */
 export function drawBody(ctx, view, body, pose) {
   traceBody(ctx, view, body, pose);
   ctx.lineJoin = "round";
@@ -41,7 +44,7 @@ export function drawBody(ctx, view, body, pose) {
   ctx.stroke();
 }
 
-/** Where the body would be if nothing were in its way. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec[]} body @param {Pose} ghost */
+/** Where the body would be if nothing were in its way. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} ghost */
 export function drawGhost(ctx, view, body, ghost) {
   traceBody(ctx, view, body, ghost);
   ctx.setLineDash([5, 4]);
@@ -51,7 +54,7 @@ export function drawGhost(ctx, view, body, ghost) {
   ctx.setLineDash([]);
 }
 
-/** The translational spring: a coil from the holding point to the hand. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec} holding @param {Pose} hand */
+/** The translational spring: a coil from the holding point to the hand. @param {Ink} ctx @param {View} view @param {Vec} holding @param {Pose} hand */
 export function drawCoil(ctx, view, holding, hand) {
   const x0 = view.px(holding[0]), y0 = view.py(holding[1]);
   const x1 = view.px(hand[0]), y1 = view.py(hand[1]);
@@ -73,53 +76,37 @@ export function drawCoil(ctx, view, holding, hand) {
   }
   ctx.lineTo(x1, y1);
   ctx.strokeStyle = colors.spring;
-  ctx.lineWidth = 1.6;
+  ctx.lineWidth = 1.7;
   ctx.stroke();
 }
 
 /**
- * The rotational spring: a spiral about the holding point that winds up with the twist, from the body's direction to that of
- * the hand; an arc with an arrow tells the twist itself.
- * @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec} holding @param {number} theta @param {number} twist
+ * The rotational spring: a spiral about the holding point that winds up with the twist. It begins with a stroke in the body's
+ * direction and ends with a dot in that of the hand.
+ * @param {Ink} ctx @param {View} view @param {Vec} holding @param {number} theta @param {number} twist
  */
 export function drawSpiral(ctx, view, holding, theta, twist) {
   const x = view.px(holding[0]), y = view.py(holding[1]);
   const begin = theta + Math.PI / 2;
-  const turns = 4 * Math.PI + twist;
-  const outer = 15, inner = 3;
-  const steps = 56;
+  const turns = 2 * Math.PI + twist;
+  const steps = Math.min(400, 40 + Math.ceil(12 * Math.abs(twist)));
   ctx.beginPath();
+  ctx.moveTo(x + (OUTER + 5) * Math.cos(begin), y - (OUTER + 5) * Math.sin(begin));
   for (let i = 0; i <= steps; i++) {
     const angle = begin + (turns * i) / steps;
-    const r = outer + ((inner - outer) * i) / steps;
+    const r = OUTER + ((INNER - OUTER) * i) / steps;
     ctx.lineTo(x + r * Math.cos(angle), y - r * Math.sin(angle));
   }
   ctx.strokeStyle = colors.spring;
-  ctx.lineWidth = 1.3;
+  ctx.lineWidth = 1.4;
   ctx.stroke();
-  if (Math.abs(twist) < 0.02) return;
-  drawTwist(ctx, x, y, begin, twist);
-}
-
-/** An arc from the body's direction by the twist, with a head. @param {CanvasRenderingContext2D} ctx @param {number} x @param {number} y @param {number} begin @param {number} twist */
-function drawTwist(ctx, x, y, begin, twist) {
-  const r = 24;
-  const end = begin + Math.max(-6, Math.min(6, twist));
-  const sense = Math.sign(twist);
   ctx.beginPath();
-  ctx.arc(x, y, r, -begin, -end, sense > 0);
-  ctx.moveTo(x + (r - 4) * Math.cos(begin), y - (r - 4) * Math.sin(begin));
-  ctx.lineTo(x + (r + 4) * Math.cos(begin), y - (r + 4) * Math.sin(begin));
-  const back = end - sense * 0.28;
-  for (const side of [-5, 5]) {
-    ctx.moveTo(x + r * Math.cos(end), y - r * Math.sin(end));
-    ctx.lineTo(x + (r + side) * Math.cos(back), y - (r + side) * Math.sin(back));
-  }
-  ctx.lineWidth = 1.5;
-  ctx.stroke();
+  ctx.arc(x + INNER * Math.cos(begin + turns), y - INNER * Math.sin(begin + turns), 2.6, 0, 2 * Math.PI);
+  ctx.fillStyle = colors.spring;
+  ctx.fill();
 }
 
-/** The holding point: a ring on the body. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Vec} holding */
+/** The holding point: a ring on the body. @param {Ink} ctx @param {View} view @param {Vec} holding */
 export function drawHolding(ctx, view, holding) {
   ctx.beginPath();
   ctx.arc(view.px(holding[0]), view.py(holding[1]), 3.5, 0, 2 * Math.PI);
@@ -130,7 +117,7 @@ export function drawHolding(ctx, view, holding) {
   ctx.stroke();
 }
 
-/** The hand: a ring with a handle in its direction; closed while it holds, open and dashed while it does not. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Pose} hand @param {boolean} holds */
+/** The hand: a ring with a handle in its direction; closed while it holds, open and dashed while it does not. @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} holds */
 export function drawHand(ctx, view, hand, holds) {
   const x = view.px(hand[0]), y = view.py(hand[1]);
   const c = Math.cos(hand[2]), s = -Math.sin(hand[2]);
@@ -143,9 +130,9 @@ export function drawHand(ctx, view, hand, holds) {
   ctx.setLineDash([]);
   ctx.beginPath();
   ctx.moveTo(x + HAND_RADIUS * c, y + HAND_RADIUS * s);
-  ctx.lineTo(x + (HAND_RADIUS + 11) * c, y + (HAND_RADIUS + 11) * s);
+  ctx.lineTo(x + (HAND_RADIUS + 10) * c, y + (HAND_RADIUS + 10) * s);
   ctx.moveTo(x - HAND_RADIUS * c, y - HAND_RADIUS * s);
-  ctx.lineTo(x - (HAND_RADIUS + 5) * c, y - (HAND_RADIUS + 5) * s);
+  ctx.lineTo(x - (HAND_RADIUS + 4) * c, y - (HAND_RADIUS + 4) * s);
   ctx.stroke();
   ctx.beginPath();
   ctx.arc(x, y, holds ? 3 : 1.5, 0, 2 * Math.PI);

@@ -17,11 +17,11 @@ const WHEEL_ZOOM = 0.0025;
 const INSIDE = 1e-4;
 
 export class Pointers {
-  /** @param {import("./stage.js").Stage} stage @param {import("./grip.js").Grip} grip */
+  /** @param {Stage} stage @param {Grip} grip */
   constructor(stage, grip) {
     this.stage = stage;
     this.grip = grip;
-    /** Where every pointer is that is down (px), the oldest first. @type {Map<number, {x: number, y: number}>} */
+    /** Where every pointer is that is down (px), the oldest first. @type {Map<number, Spot>} */
     this.down = new Map();
     /** What the first pointer does. @type {"hold" | "pan" | null} */
     this.doing = null;
@@ -47,24 +47,25 @@ export class Pointers {
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
     if (!this.raw) this.samples(event);
-    this.down.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+    const at = this.stage.place(event);
+    this.down.set(event.pointerId, at);
     if (this.down.size > 1) return;
     const slack = SLACK[/** @type {keyof typeof SLACK} */ (event.pointerType)] ?? SLACK.mouse;
-    const place = event.button === 0 ? this.reach(view.world(event.offsetX, event.offsetY), slack) : null;
+    const place = event.button === 0 ? this.reach(view.world(at.x, at.y), slack) : null;
     this.doing = place || (event.button === 0 && this.grip.holding) ? "hold" : "pan";
     canvas.dataset.doing = this.doing;
     if (this.doing === "pan") return;
-    if (place && !(this.grip.holding && this.nearHand(event))) this.grip.grasp(place, event.timeStamp);
+    if (place && !(this.grip.holding && this.nearHand(at))) this.grip.grasp(place, event.timeStamp);
     else this.grip.begin(event.timeStamp);
   }
 
-  /** True if a press is at the hand or at its holding point. @param {PointerEvent} event */
-  nearHand(event) {
+  /** True if a press is at the hand or at its holding point. @param {Spot} at */
+  nearHand(at) {
     const message = this.stage.message;
     if (!message) return false;
     const { view } = this.stage;
     return [message.frame.hand, message.holding ?? message.frame.hand].some(([x, y]) =>
-      Math.hypot(view.px(x) - event.offsetX, view.py(y) - event.offsetY) < 2 * HAND_RADIUS);
+      Math.hypot(view.px(x) - at.x, view.py(y) - at.y) < 2.5 * HAND_RADIUS);
   }
 
   /** The place of the body that a press takes hold of, or null where it is out of reach. @param {Vec} point @param {number} slack px @returns {Vec | null} */
@@ -96,24 +97,25 @@ export class Pointers {
   move(event) {
     const at = this.down.get(event.pointerId);
     if (!at) return;
-    const dx = event.offsetX - at.x, dy = event.offsetY - at.y;
+    const now = this.stage.place(event);
+    const dx = now.x - at.x, dy = now.y - at.y;
     if (dx === 0 && dy === 0) return;
     const [first, second] = this.down.values();
     const before = second ? { x: second.x - first.x, y: second.y - first.y } : null;
-    at.x = event.offsetX;
-    at.y = event.offsetY;
+    at.x = now.x;
+    at.y = now.y;
     const after = second ? { x: second.x - first.x, y: second.y - first.y } : null;
     if (this.doing === "hold") this.drag(at === first ? dx : 0, at === first ? dy : 0, before, after, event.timeStamp);
     else this.shift(dx, dy, before, after, first, second);
   }
 
-  /** The first pointer moves the hand, the second one turns it. @param {number} dx @param {number} dy @param {{x: number, y: number} | null} before @param {{x: number, y: number} | null} after @param {number} sent */
+  /** The first pointer moves the hand, the second one turns it. @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {number} sent */
   drag(dx, dy, before, after, sent) {
     const { scale } = this.stage.view;
     this.grip.move(dx / scale, -dy / scale, before && after ? angleBetween(after, before) : 0, sent);
   }
 
-  /** One pointer moves the window, two zoom it. @param {number} dx @param {number} dy @param {{x: number, y: number} | null} before @param {{x: number, y: number} | null} after @param {{x: number, y: number}} first @param {{x: number, y: number} | undefined} second */
+  /** One pointer moves the window, two zoom it. @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {Spot} first @param {Spot | undefined} second */
   shift(dx, dy, before, after, first, second) {
     const { view } = this.stage;
     this.stage.adjusted = true;
@@ -148,7 +150,8 @@ export class Pointers {
     if (event.ctrlKey || event.metaKey) {
       event.preventDefault();
       this.stage.adjusted = true;
-      this.stage.view.zoom(Math.exp(-WHEEL_ZOOM * by), event.offsetX, event.offsetY);
+      const { x, y } = this.stage.place(event);
+      this.stage.view.zoom(Math.exp(-WHEEL_ZOOM * by), x, y);
       this.stage.ask();
       return;
     }
@@ -162,7 +165,7 @@ export class Pointers {
   }
 }
 
-/** The turn from one direction to another, counter-clockwise on the screen. @param {{x: number, y: number}} a @param {{x: number, y: number}} b */
+/** The turn from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
 const angleBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y) * -1;
 
 /** The point of a convex polygon that is nearest to another one. @param {Vec[]} body counter-clockwise @param {Vec} point @returns {Vec} */

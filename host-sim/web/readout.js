@@ -13,7 +13,7 @@ const MOST = 5;
 const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "grasp", "release"];
 
 export class Readout {
-  /** @param {import("./stage.js").Stage} stage */
+  /** @param {Stage} stage */
   constructor(stage) {
     this.stage = stage;
     /** @type {HelloMessage | null} */

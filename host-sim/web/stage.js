@@ -11,6 +11,9 @@ import { View } from "./view.js";
 
 /** Rows of pixels at the top that the texts over the scene take. */
 const TEXT_HEIGHT = 44;
+/** A scene of this height (px) has signs and texts in their ordinary size; they grow by this at most. */
+const ORDINARY = 620;
+const MOST = 2;
 
 /** What can be left out. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
 
@@ -18,7 +21,7 @@ export class Stage {
   /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.canvas = canvas;
-    this.ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    this.ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { alpha: false }));
     this.view = new View();
     this.view.top = TEXT_HEIGHT;
     this.trails = new Trails();
@@ -36,6 +39,9 @@ export class Stage {
     this.fitted = false;
     this.asked = false;
     this.lastEcho = -1;
+    /** Signs and texts are so much larger on a large screen. */
+    this.magnify = 1;
+    /** Pixels of the screen for one of the drawing. */
     this.ratio = 1;
     this.framesDrawn = 0;
     this.drawTimes = new Samples(2000);
@@ -51,13 +57,20 @@ export class Stage {
   resize(entry) {
     const { width, height } = entry.contentRect;
     if (width === 0 || height === 0) return;
-    this.ratio = window.devicePixelRatio || 1;
-    this.canvas.width = Math.round(width * this.ratio);
-    this.canvas.height = Math.round(height * this.ratio);
-    this.view.width = width;
-    this.view.height = height;
+    const ratio = window.devicePixelRatio || 1;
+    this.magnify = Math.min(MOST, Math.max(1, Math.min(width, height) / ORDINARY));
+    this.ratio = ratio * this.magnify;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.view.width = width / this.magnify;
+    this.view.height = height / this.magnify;
     if (!this.adjusted) this.fitted = false;
     this.draw();
+  }
+
+  /** Place of a pointer or wheel in the drawing. @param {MouseEvent} event */
+  place(event) {
+    return { x: event.offsetX / this.magnify, y: event.offsetY / this.magnify };
   }
 
   /** What holds until it is told anew. @param {StateMessage} state */

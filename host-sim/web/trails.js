@@ -55,7 +55,7 @@ export class Trails {
     this.slips = [];
   }
 
-  /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view */
+  /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
   draw(ctx, view) {
     ctx.lineWidth = 1.6;
     ctx.lineJoin = "round";
@@ -65,7 +65,7 @@ export class Trails {
     drawTrail(ctx, view, this.body, colors["trail-body"]);
   }
 
-  /** A mark at each slip: a small triangle below the surface that points at the place where it ended. @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Surface[]} surfaces */
+  /** A mark at each slip: a small triangle below the surface that points at the place where it ended. @param {Ink} ctx @param {View} view @param {Surface[]} surfaces */
   drawSlips(ctx, view, surfaces) {
     ctx.fillStyle = colors.slip;
     this.slips.forEach((slip, i) => {
@@ -96,7 +96,7 @@ function nearest(surfaces, point) {
   return normal;
 }
 
-/** @param {CanvasRenderingContext2D} ctx @param {import("./view.js").View} view @param {Ring} ring @param {string} color */
+/** @param {Ink} ctx @param {View} view @param {Ring} ring @param {string} color */
 function drawTrail(ctx, view, ring, color) {
   ctx.strokeStyle = color;
   const first = (ring.next + POINTS - ring.length) % POINTS;

@@ -10,7 +10,7 @@ const PLACES = 1000;
 const PAUSE = 60;
 
 export class Transport {
-  /** @param {(message: {type: string, [field: string]: unknown}) => Promise<void>} ask @param {(text: string) => void} tell */
+  /** @param {Ask} ask @param {(text: string) => void} tell */
   constructor(ask, tell) {
     this.ask = ask;
     this.tell = tell;

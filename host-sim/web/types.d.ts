@@ -2,6 +2,18 @@
 // SI units: m, rad, N, N·m, s; angles unwrapped.
 
 type Vec = [number, number];
+/** A place in the drawing (px). */
+type Spot = { x: number; y: number };
+type Ink = CanvasRenderingContext2D;
+type View = import("./view.js").View;
+type Stage = import("./stage.js").Stage;
+type Grip = import("./grip.js").Grip;
+
+/** A message of the wire, with the fields of its type. */
+type Message = { type: string; sequence: number; time: number; [field: string]: any };
+
+/** Asks the feed for something; what is refused is told to the reader. */
+type Ask = (message: { type: string; [field: string]: unknown }) => Promise<void>;
 type Pose = [number, number, number];
 type StateName = "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
 

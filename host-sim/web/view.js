@@ -4,7 +4,7 @@
 import { reducedMotion } from "./dom.js";
 
 /** Room around what is fitted, as a part of the window. */
-const ROOM = 0.16;
+const ROOM = 0.09;
 /** What is followed may come so close to the border, as a part of the window. */
 const BORDER = 0.07;
 /** Part of the way that the window goes in one drawing. */
@@ -54,12 +54,13 @@ export class View {
       box[2] = Math.max(box[2], x + r);
       box[3] = Math.max(box[3], y + r);
     };
-    for (const at of [pose, scene.start]) take(at[0], at[1], 1.15 * size);
+    for (const at of [pose, scene.start]) take(at[0], at[1], 1.05 * size);
     for (const at of [hand, scene.home]) take(at[0], at[1], 0.15 * size);
     for (const { normal, offset } of scene.surfaces) {
       const gap = normal[0] * pose[0] + normal[1] * pose[1] - offset;
       if (Math.abs(gap) < 6 * size) take(pose[0] - gap * normal[0], pose[1] - gap * normal[1], 0.35 * size);
     }
+    for (const { normal, offset } of scene.surfaces) clip(box, normal, offset, 0.4 * size);
     this.x = (box[0] + box[2]) / 2;
     this.y = (box[1] + box[3]) / 2;
     const across = this.width / (box[2] - box[0]);
@@ -104,6 +105,14 @@ export class View {
     this.x -= dx / this.scale;
     this.y += dy / this.scale;
   }
+}
+
+/** Leaves out of a box what lies deeper than a depth behind a surface along x or y. @param {number[]} box @param {Vec} normal @param {number} offset @param {number} depth */
+function clip(box, normal, offset, depth) {
+  if (normal[0] > 0.99) box[0] = Math.max(box[0], offset - depth);
+  if (normal[0] < -0.99) box[2] = Math.min(box[2], depth - offset);
+  if (normal[1] > 0.99) box[1] = Math.max(box[1], offset - depth);
+  if (normal[1] < -0.99) box[3] = Math.min(box[3], depth - offset);
 }
 
 /** How far a range leaves another one: below (negative), above, or not. @param {number} below @param {number} above */
