@@ -1,4 +1,5 @@
-// The hand: where it is, whether it holds, and the samples that say so. It takes hold only where it is, so nothing jumps.
+// The hand: where it is, whether it holds, and the samples that say so. Nothing jumps: it goes to the place of a hold open, is
+// seen there, and only then closes.
 
 /** A hand that is still under way says so again after so long (ms), so that it stays this page's. */
 const KEEP_ALIVE = 2000;
@@ -7,24 +8,29 @@ const SETTLED = 400;
 /** A hold that has not come about after so long (ms) and so many ticks is out of reach. */
 const TOO_LATE = 600;
 const TOO_MANY = 50;
+/** A frame shows the hand at a place that is so near (m): the solver may have rounded it. */
+const NEAR = 1e-6;
 
 export class Grip {
-  /** @param {() => Feed} feed @param {(text: string) => void} tell */
-  constructor(feed, tell) {
+  /** @param {() => Feed} feed @param {(text: string) => void} tell @param {() => string | null} refusal why the hand cannot be had now */
+  constructor(feed, tell, refusal) {
     this.feed = feed;
     this.tell = tell;
+    this.refusal = refusal;
     /** Where the hand is to be. @type {Pose} */
     this.pose = [0, 0, 0];
     /** It is to hold. */
     this.held = false;
-    /** A hold elsewhere is being given up first. */
-    this.releasing = false;
+    /** On the way to a hold: gives up the one before, or goes open to the place. @type {"releasing" | "reaching" | null} */
+    this.phase = null;
+    /** Where it is to close. @type {Pose} */
+    this.place = [0, 0, 0];
     /** A pointer or a key is down. */
     this.active = false;
     /** It stays closed when the pointer lets go. */
     this.keep = false;
     this.lastSent = -Infinity;
-    /** When it closed, until that is seen in a frame. */
+    /** When and in which tick it closed, until the hold is seen in a frame. */
     this.closedAt = Infinity;
     this.closedTick = 0;
     /** The newest frame. @type {FrameMessage | null} */
@@ -37,89 +43,122 @@ export class Grip {
     return this.frame?.holding != null;
   }
 
-  /** A new frame: the hand is where the frame says, unless it is this page that moves it. @param {FrameMessage} message */
+  /** A new frame: the hand is where it says, unless it is this page that moves it. @param {FrameMessage} message */
   take(message) {
     this.frame = message;
-    if (this.releasing && message.holding === null) {
-      this.releasing = false;
-      this.close(performance.now());
-    }
-    if (message.holding) this.closedAt = Infinity;
-    else if (performance.now() - this.closedAt > TOO_LATE && message.tick - this.closedTick > TOO_MANY) {
+    if (this.phase === "releasing" && !this.holding) this.reach(performance.now());
+    else if (this.phase === "reaching" && this.isThere(message.frame.hand)) this.close(performance.now());
+    if (this.holding) {
+      this.closedAt = Infinity;
+    } else if (performance.now() - this.closedAt > TOO_LATE && message.tick - this.closedTick > TOO_MANY) {
       this.closedAt = Infinity;
       this.tell("The hand is too far from the object to hold it.");
     }
-    if (!this.active && performance.now() - this.lastSent > SETTLED) this.adopt();
+    this.adopt();
   }
 
-  /** The hand as the newest frame has it. */
+  /** The hand is as the newest frame has it, if this page has not moved it lately. */
   adopt() {
-    if (!this.frame) return;
+    if (!this.frame || this.active || this.phase || performance.now() - this.lastSent < SETTLED) return;
     const [x, y, phi] = this.frame.frame.hand;
     this.pose = [x, y, phi];
     this.held = this.holding;
   }
 
+  /** False, with the reason told, if the hand cannot be had now. */
+  mayMove() {
+    const why = this.refusal();
+    if (why) this.tell(why);
+    else this.adopt();
+    return why === null;
+  }
+
   /** Begins to move, with the hold that there is. @param {number} sent */
   begin(sent) {
-    if (!this.active && performance.now() - this.lastSent > SETTLED) this.adopt();
+    if (!this.mayMove()) return false;
     this.active = true;
-    this.held = this.holding;
+    if (!this.phase) this.held = this.holding;
     this.send(sent);
+    return true;
   }
 
   /** Takes hold at a place of the body; a hold elsewhere is given up first. @param {Vec} place @param {number} sent */
   grasp(place, sent) {
-    if (!this.active && performance.now() - this.lastSent > SETTLED) this.adopt();
+    if (!this.mayMove()) return false;
     this.active = true;
     if (this.holding) {
-      this.held = false;
-      this.send(sent);
-      this.releasing = true;
+      this.open(sent);
+      this.phase = "releasing";
     }
     this.pose = [place[0], place[1], this.pose[2]];
-    if (!this.releasing) this.close(sent);
+    this.place = this.pose;
+    if (!this.phase) this.reach(sent);
+    return true;
   }
 
-  /** Closes the hand where it is: it goes there open first. @param {number} sent */
-  close(sent) {
+  /** Goes open to the place of a hold: twice, so that it takes the time between these two, not that since the last sample. @param {number} sent */
+  reach(sent) {
+    this.phase = "reaching";
     this.held = false;
-    this.send(sent);
+    this.send(sent, this.place);
+    this.send(sent, this.place);
+  }
+
+  /** True if a frame's hand is at the place of the hold. @param {Pose} hand */
+  isThere(hand) {
+    return hand.every((value, i) => Math.abs(value - this.place[i]) <= NEAR * (1 + Math.abs(value)));
+  }
+
+  /** Closes where it is, and goes on to where the pointer is by now. @param {number} sent */
+  close(sent) {
+    this.phase = null;
     this.held = true;
     this.closedAt = performance.now();
     this.closedTick = this.frame?.tick ?? 0;
-    this.send(sent);
+    this.send(sent, this.place);
+    if (this.pose !== this.place) this.send(sent);
   }
 
   /** Opens the hand. @param {number} sent */
   open(sent) {
     this.held = false;
-    this.releasing = false;
+    this.phase = null;
     this.closedAt = Infinity;
     this.send(sent);
+  }
+
+  /** Holds where the hand is, or lets go. @param {number} sent */
+  toggle(sent) {
+    if (!this.mayMove()) return;
+    if (this.holding) {
+      this.open(sent);
+    } else {
+      this.place = this.pose;
+      this.reach(sent);
+    }
   }
 
   /** The pointer has let go. @param {number} sent */
   end(sent) {
     this.active = false;
     if (!this.keep) this.open(sent);
-    else this.send(sent);
+    else if (!this.phase) this.send(sent);
   }
 
   /** Moves. @param {number} dx m @param {number} dy m @param {number} turn rad @param {number} sent */
   move(dx, dy, turn, sent) {
     this.pose = [this.pose[0] + dx, this.pose[1] + dy, this.pose[2] + turn];
-    if (!this.releasing) this.send(sent);
+    if (!this.phase) this.send(sent);
   }
 
-  /** One sample. @param {number} sent */
-  send(sent) {
+  /** One sample. @param {number} sent @param {Pose} pose */
+  send(sent, pose = this.pose) {
     this.lastSent = performance.now();
-    this.feed().hand(this.pose, this.held, sent);
+    this.feed().hand(pose, this.held, sent);
   }
 
   /** A hand that is held still stays this page's. */
   keepAlive() {
-    if (this.active && !this.releasing && performance.now() - this.lastSent > KEEP_ALIVE) this.send(performance.now());
+    if (this.active && !this.phase && performance.now() - this.lastSent > KEEP_ALIVE) this.send(performance.now());
   }
 }

@@ -47,7 +47,7 @@ export class Keys {
       this.move(event.code);
     } else if (onStage && event.code === "Space") {
       event.preventDefault();
-      if (!event.repeat) this.toggle(event.timeStamp);
+      if (!event.repeat) this.grip.toggle(event.timeStamp);
     } else if (!event.repeat || event.key === ".") {
       const command = this.commands[event.key.toLowerCase()];
       if (!command) return;
@@ -60,7 +60,7 @@ export class Keys {
   move(code) {
     if (this.down.has(code)) return;
     if (this.down.size === 0) {
-      if (!this.grip.active) this.grip.begin(performance.now());
+      if (!this.grip.active && !this.grip.begin(performance.now())) return;
       this.last = performance.now();
       this.timer = window.setInterval(() => this.tick(), PERIOD);
     }
@@ -95,16 +95,6 @@ export class Keys {
       turn += MOVES[code][2];
     }
     this.grip.move(way * x, way * y, TURN * time * turn, now);
-  }
-
-  /** Holds or lets go. The hand takes hold where it is. @param {number} sent */
-  toggle(sent) {
-    if (this.grip.holding) this.grip.open(sent);
-    else {
-      this.grip.begin(sent);
-      this.grip.active = this.down.size > 0;
-      this.grip.close(sent);
-    }
   }
 }
 

@@ -34,7 +34,7 @@ let framesReceived = 0;
 const feed = () => board ?? link;
 /** True if this browser can talk to a serial port. */
 const canSerial = () => navigator.serial !== undefined;
-const grip = new Grip(feed, note);
+const grip = new Grip(feed, note, handRefusal);
 const controls = new Controls(feed, note);
 const transport = new Transport((message) => controls.ask(message), note);
 
@@ -83,6 +83,16 @@ function showFrame(message) {
   charts.take(message);
   stage.setFrame(message);
   grip.take(message);
+}
+
+/** Why the hand cannot be had now, or null. */
+function handRefusal() {
+  if (board) return null;
+  const { hello, state } = server;
+  if (state?.replay) return "A replay moves the hand. Choose “live” to move it yourself.";
+  const other = state?.hand.by != null && state.hand.client !== hello?.you;
+  if (!other) return null;
+  return state.hand.client === null ? `The hand comes by ${state.hand.by}.` : `Page ${state.hand.client} holds the hand.`;
 }
 
 /** Tells something for a while. @param {string} text */

@@ -53,10 +53,12 @@ export class Pointers {
     const slack = SLACK[/** @type {keyof typeof SLACK} */ (event.pointerType)] ?? SLACK.mouse;
     const place = event.button === 0 ? this.reach(view.world(at.x, at.y), slack) : null;
     this.doing = place || (event.button === 0 && this.grip.holding) ? "hold" : "pan";
+    if (this.doing === "hold") {
+      const anew = place && !(this.grip.holding && this.nearHand(at));
+      const had = anew ? this.grip.grasp(place, event.timeStamp) : this.grip.begin(event.timeStamp);
+      if (!had) this.doing = "pan";
+    }
     canvas.dataset.doing = this.doing;
-    if (this.doing === "pan") return;
-    if (place && !(this.grip.holding && this.nearHand(at))) this.grip.grasp(place, event.timeStamp);
-    else this.grip.begin(event.timeStamp);
   }
 
   /** True if a press is at the hand or at its holding point. @param {Spot} at */
@@ -158,7 +160,7 @@ export class Pointers {
     if (!this.grip.holding) return;
     event.preventDefault();
     if (!this.grip.active) {
-      this.grip.begin(event.timeStamp);
+      if (!this.grip.begin(event.timeStamp)) return;
       this.grip.active = false;
     }
     this.grip.move(0, 0, -WHEEL_TURN * by * (event.shiftKey ? FINE : 1), event.timeStamp);
