@@ -216,7 +216,9 @@ function stepPlot() {
   return plotIn("chart-steps", 3, [
     { stroke: () => colors.body, width: 2.2, points: { show: false } },
     { stroke: () => colors.muted, width: 1.4, dash: [6, 3], points: { show: false } },
-  ], { distr: 3, range: [0.1, 100] }, { values: decades, filter: onlyDecades });
+  ], { distr: 3, range: [0.1, 100] }, {
+    values: decades, grid: { stroke: () => colors.grid, width: 1, filter: onlyDecades },
+  });
 }
 
 /** Grid lines at the powers of ten alone. @param {UPlot} _plot @param {number[]} ticks */

@@ -55,9 +55,11 @@ export class Controls {
   async ask(message) {
     try {
       await this.feed().request(message);
+      return true;
     } catch (why) {
       this.tell(/** @type {Error} */ (why).message);
       if (this.state) this.show(this.state);
+      return false;
     }
   }
 
@@ -105,12 +107,14 @@ export class Controls {
   async sendParameters() {
     if (this.underWay) return;
     this.underWay = true;
+    let taken = true;
     while (this.waiting) {
       const parameters = this.waiting;
       this.waiting = null;
-      await this.ask({ type: "set", parameters });
+      taken = await this.ask({ type: "set", parameters });
     }
     this.underWay = false;
+    if (!taken && this.state) this.showParameters(this.state.parameters, null, true);
   }
 
   /** The scenes to choose from, and what a board does not let one choose. @param {HelloMessage} hello */
@@ -138,13 +142,13 @@ export class Controls {
     if (!this.waiting && !this.underWay) this.showParameters(state.parameters, null);
   }
 
-  /** Shows parameters, but leaves the field alone that is being typed in. @param {Parameters4} parameters @param {ParameterName | null} moved */
-  showParameters(parameters, moved) {
+  /** Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved. @param {Parameters4} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone */
+  showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
       const value = parameters[name];
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(value));
-      if (document.activeElement !== this.typed[name] || moved) this.typed[name].value = String(Number(value.toPrecision(4)));
+      if (document.activeElement !== this.typed[name] || moved || all) this.typed[name].value = String(Number(value.toPrecision(4)));
     }
   }
 }

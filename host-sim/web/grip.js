@@ -12,11 +12,15 @@ const TOO_MANY = 50;
 const NEAR = 1e-6;
 
 export class Grip {
-  /** @param {() => Feed} feed @param {(text: string) => void} tell @param {() => string | null} refusal why the hand cannot be had now */
-  constructor(feed, tell, refusal) {
+  /**
+   * @param {() => Feed} feed @param {(text: string) => void} tell @param {() => string | null} refusal why the hand cannot be had now
+   * @param {() => void} tried called when the reader takes the hand
+   */
+  constructor(feed, tell, refusal, tried) {
     this.feed = feed;
     this.tell = tell;
     this.refusal = refusal;
+    this.tried = tried;
     /** Where the hand is to be. @type {Pose} */
     this.pose = [0, 0, 0];
     /** It is to hold. */
@@ -70,6 +74,7 @@ export class Grip {
     const why = this.refusal();
     if (why) this.tell(why);
     else this.adopt();
+    this.tried();
     return why === null;
   }
 

@@ -34,7 +34,7 @@ let framesReceived = 0;
 const feed = () => board ?? link;
 /** True if this browser can talk to a serial port. */
 const canSerial = () => navigator.serial !== undefined;
-const grip = new Grip(feed, note, handRefusal);
+const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
 const controls = new Controls(feed, note);
 const transport = new Transport((message) => controls.ask(message), note);
 

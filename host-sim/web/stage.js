@@ -88,7 +88,10 @@ export class Stage {
   /** The newest frame. @param {FrameMessage} message */
   setFrame(message) {
     if (this.message && message.frame.t < this.message.frame.t) this.clear();
+    const before = this.message;
     this.message = message;
+    if (before && before.tick === message.tick && before.echo === message.echo
+      && before.frame.pose.every((value, i) => value === message.frame.pose[i])) return;
     this.trails.take(message, this.view.scale);
     this.force.take(message.frame.contacts);
     this.ask();

@@ -13,7 +13,7 @@ type Grip = import("./grip.js").Grip;
 type Message = { type: string; sequence: number; time: number; [field: string]: any };
 
 /** Asks the feed for something; what is refused is told to the reader. */
-type Ask = (message: { type: string; [field: string]: unknown }) => Promise<void>;
+type Ask = (message: { type: string; [field: string]: unknown }) => Promise<boolean>;
 type Pose = [number, number, number];
 type StateName = "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
 
