@@ -118,10 +118,11 @@ export class Charts {
     this.drawn[i] = now;
     this.stale[i] = false;
     const plot = this.plots[i];
+    const from = Math.max(0, this.time - this.window);
     plot.batch(() => {
-      plot.setData(this.data[i].since(this.time - this.window), false);
-      plot.setScale("x", { min: this.time - this.window, max: this.time });
-      if (i !== 2) plot.setScale("y", range(this.data[i], this.time - this.window, i === 0 ? 3 : 2));
+      plot.setData(this.data[i].since(from), false);
+      plot.setScale("x", { min: from, max: from + this.window });
+      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 3 : 2));
       else plot.setScale("y", logRange(this.data[i]));
     });
     this.tell(i, message);
@@ -188,7 +189,7 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
 const seconds = (_plot, ticks) => {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
   const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
-  return ticks.map((t, i) => (t < 0 ? "" : t.toFixed(decimals)) + (i === ticks.length - 1 ? " s" : ""));
+  return ticks.map((t, i) => t.toFixed(decimals) + (i === ticks.length - 1 ? " s" : ""));
 };
 
 /** N and T of a surface between the limits. */

@@ -75,6 +75,7 @@ function showState(message) {
   controls.show(message);
   transport.show(message);
   readout.setState(message);
+  if (message.replay) byId("hint").hidden = true;
 }
 
 /** @param {FrameMessage} message */
