@@ -165,7 +165,7 @@ const axis = (options) => ({
   stroke: () => colors.muted,
   grid: { stroke: () => colors.grid, width: 1 },
   ticks: { show: false },
-  font: `${(0.79 * parseFloat(getComputedStyle(document.documentElement).fontSize)).toFixed(1)}px system-ui, sans-serif`,
+  font: `${Math.round(0.79 * parseFloat(getComputedStyle(document.documentElement).fontSize))}px system-ui, sans-serif`,
   ...options,
 });
 
@@ -188,7 +188,8 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
 /** Times at the ticks, with as many decimals as they need. @param {UPlot} _plot @param {number[]} ticks */
 const seconds = (_plot, ticks) => {
   const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
-  const decimals = Math.max(0, Math.ceil(-Math.log10(step) - 1e-9));
+  let decimals = 0;
+  while (decimals < 5 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
   return ticks.map((t, i) => t.toFixed(decimals) + (i === ticks.length - 1 ? " s" : ""));
 };
 

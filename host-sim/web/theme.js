@@ -43,8 +43,12 @@ function remember(theme) {
 /** Sets the theme and reads its colours. @param {string} theme */
 function apply(theme) {
   document.documentElement.dataset.theme = theme;
-  const style = getComputedStyle(document.documentElement);
-  for (const name of NAMES) colors[name] = style.getPropertyValue(`--${name}`).trim();
+  const probe = document.body.appendChild(document.createElement("i"));
+  for (const name of NAMES) {
+    probe.style.color = `var(--${name})`;
+    colors[name] = getComputedStyle(probe).color;
+  }
+  probe.remove();
   const button = byId("theme", HTMLButtonElement);
   const other = theme === "dark" ? "light" : "dark";
   setText(button, theme === "dark" ? "Light" : "Dark");
