@@ -71,7 +71,10 @@ export class BoardModel {
     this.forces = null;
   }
 
-  /** What the board says about itself. A scene that it has no room for is left, and the box taken instead. @param {Message} info */
+  /**
+   * What the board says about itself. A scene that it has no room for is left, and the box taken instead.
+   * @param {Message} info
+   */
   setInfo(info) {
     this.info = info;
     if (this.scene.body.length <= info.vertices && this.scene.surfaces.length <= info.surfaces) return;
@@ -120,7 +123,10 @@ export class BoardModel {
     this.sequence = sequence;
   }
 
-  /** Takes a message in; a pose gives a frame. @param {Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null} */
+  /**
+   * Takes a message in; a pose gives a frame.
+   * @param {Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null}
+   */
   take(message, faults) {
     switch (message.type) {
       case "forces": this.takeForces(message); return null;
@@ -166,7 +172,10 @@ export class BoardModel {
     return this.time;
   }
 
-  /** A pose with all that belongs to it. @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage} */
+  /**
+   * A pose with all that belongs to it.
+   * @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage}
+   */
   frame(pose, faults) {
     const t = this.since(pose.time);
     this.unwrap(pose.turns);
@@ -223,7 +232,10 @@ export class BoardModel {
     this.before = state;
   }
 
-  /** Holding point and free pose, from the wrench: G = p_h - F / k_h, and the twist M / k_theta. @param {Pose} pose @param {Pose} hand @param {boolean} held @returns {{holding: Vec | null, ghost: Pose | null}} */
+  /**
+   * Holding point and free pose, from the wrench: G = p_h - F / k_h, and the twist M / k_theta.
+   * @param {Pose} pose @param {Pose} hand @param {boolean} held @returns {{holding: Vec | null, ghost: Pose | null}}
+   */
   springs(pose, hand, held) {
     if (!held || !this.forces) return { holding: null, ghost: null };
     const { stiffness_translation: kh, stiffness_rotation: kt } = this.parameters;

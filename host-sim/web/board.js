@@ -107,7 +107,10 @@ export class Board {
     return sequence;
   }
 
-  /** Sends a command until it is answered; rejects with what the board refuses. @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer */
+  /**
+   * Sends a command until it is answered; rejects with what the board refuses.
+   * @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer
+   */
   async command(message, answer = "reply") {
     for (let attempt = 0; attempt < TRIES; attempt++) {
       /** @type {Message | null} */

@@ -101,7 +101,10 @@ export class Charts {
     }
   }
 
-  /** Draws one of the charts: of those whose time it is, the one that was drawn first. True if others wait. @param {FrameMessage | null} message */
+  /**
+   * Draws one of the charts: of those whose time it is, the one that was drawn first. True if others wait.
+   * @param {FrameMessage | null} message
+   */
   draw(message) {
     if (!message || !this.stale.includes(true)) return false;
     const now = performance.now();
@@ -142,7 +145,10 @@ export class Charts {
   }
 }
 
-/** The range of the first columns of a strip, with a little room, and 0 in it. @param {Strip} strip @param {number} from @param {number} columns */
+/**
+ * The range of the first columns of a strip, with a little room, and 0 in it.
+ * @param {Strip} strip @param {number} from @param {number} columns
+ */
 function range(strip, from, columns) {
   const [low, high] = strip.extent(from, columns);
   const room = 0.08 * (high - low) || 1;
@@ -169,7 +175,11 @@ const axis = (options) => ({
   ...options,
 });
 
-/** A chart in the element of an id, as large as that. @param {string} id @param {number} columns @param {UPlotSeries[]} series @param {object} y options of the scale @param {object} yAxis */
+/**
+ * A chart in the element of an id, as large as that.
+ * @param {string} id @param {number} columns @param {UPlotSeries[]} series @param {object} y options of the scale
+ * @param {object} yAxis
+ */
 function plotIn(id, columns, series, y = {}, yAxis = {}) {
   const target = byId(id);
   const plot = new uPlot({

@@ -4,7 +4,10 @@ import { byId, digits, setText } from "./dom.js";
 
 /** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic"} ParameterName */
 
-/** The range of a slider, and whether it is one of decades. @type {Record<ParameterName, {least: number, most: number, log: boolean}>} */
+/**
+ * The range of a slider, and whether it is one of decades.
+ * @type {Record<ParameterName, {least: number, most: number, log: boolean}>}
+ */
 const RANGES = {
   stiffness_translation: { least: 10, most: 10000, log: true },
   stiffness_rotation: { least: 0.01, most: 100, log: true },
@@ -51,7 +54,10 @@ export class Controls {
     }
   }
 
-  /** Asks for something; what is refused is told, and the controls show again what holds. @param {{type: string, [field: string]: unknown}} message */
+  /**
+   * Asks for something; what is refused is told, and the controls show again what holds.
+   * @param {{type: string, [field: string]: unknown}} message
+   */
   async ask(message) {
     try {
       await this.feed().request(message);
@@ -90,7 +96,10 @@ export class Controls {
     }
   }
 
-  /** Sets one parameter. The dynamic friction never exceeds the static one: the other one goes with it. @param {ParameterName} name @param {number} value */
+  /**
+   * Sets one parameter. The dynamic friction never exceeds the static one: the other one goes with it.
+   * @param {ParameterName} name @param {number} value
+   */
   set(name, value) {
     if (!this.state) return;
     const now = { ...this.state.parameters, ...this.waiting };
@@ -142,7 +151,10 @@ export class Controls {
     if (!this.waiting && !this.underWay) this.showParameters(state.parameters, null);
   }
 
-  /** Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved. @param {Parameters4} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone */
+  /**
+   * Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved.
+   * @param {Parameters4} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone
+   */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
       const value = parameters[name];
@@ -153,7 +165,10 @@ export class Controls {
   }
 }
 
-/** The inputs of the four parameters, by name. @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>} */
+/**
+ * The inputs of the four parameters, by name.
+ * @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>}
+ */
 function inputs(kind) {
   return /** @type {any} */ (Object.fromEntries(NAMES.map((name) => [name, byId(`${kind}-${name}`, HTMLInputElement)])));
 }

@@ -114,7 +114,10 @@ function node(name, { x, y, label, ground, body, dots }) {
     svg("text", { x, y: y + 19, "text-anchor": "middle" }, label));
 }
 
-/** The way of a transition: a line beside that of the other direction, from border to border, and the place of its count. @param {string} from @param {string} to */
+/**
+ * The way of a transition: a line beside that of the other direction, from border to border, and the place of its count.
+ * @param {string} from @param {string} to
+ */
 function route(from, to) {
   const detour = DETOURS[`${from}>${to}`];
   if (detour) {
@@ -134,7 +137,10 @@ function route(from, to) {
   return { d: `M${x0.toFixed(1)} ${y0.toFixed(1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`, x: x.toFixed(1), y: y.toFixed(1), anchor };
 }
 
-/** Way from the middle of a box to its border, on a line beside the middle. @param {number} ux @param {number} uy @param {number} ox @param {number} oy */
+/**
+ * Way from the middle of a box to its border, on a line beside the middle.
+ * @param {number} ux @param {number} uy @param {number} ox @param {number} oy
+ */
 function leave(ux, uy, ox, oy) {
   const across = (HALF_WIDTH + 3 - ox * Math.sign(ux)) / Math.abs(ux || 1e-9);
   return Math.min(across, (HALF_HEIGHT + 3 - oy * Math.sign(uy)) / Math.abs(uy || 1e-9));

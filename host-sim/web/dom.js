@@ -69,7 +69,10 @@ export function duration(seconds) {
   return seconds < 1 ? `${digits(seconds * 1e3)} ms` : `${digits(seconds)} s`;
 }
 
-/** The value that a fraction of the samples does not exceed. @param {readonly number[]} samples @param {number} fraction */
+/**
+ * The value that a fraction of the samples does not exceed.
+ * @param {readonly number[]} samples @param {number} fraction
+ */
 export function quantile(samples, fraction) {
   if (samples.length === 0) return NaN;
   const sorted = Float64Array.from(samples).sort();

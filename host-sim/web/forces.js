@@ -39,7 +39,10 @@ export class ForceScale {
 /** The unit tangent and normal of a surface in pixels. @param {Surface} surface */
 const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], ny: -normal[1] });
 
-/** The two cones of a contact: static with a dashed border, dynamic within it with a dotted one. @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {Parameters4} parameters */
+/**
+ * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {Parameters4} parameters
+ */
 export function drawCones(ctx, view, contact, surface, parameters) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
@@ -60,7 +63,10 @@ export function drawCones(ctx, view, contact, surface, parameters) {
   ctx.setLineDash([]);
 }
 
-/** The bars of a contact, the reaction as their sum, and the contact point. @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton */
+/**
+ * The bars of a contact, the reaction as their sum, and the contact point.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ */
 export function drawContact(ctx, view, contact, surface, perNewton) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
@@ -77,7 +83,10 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
   ctx.stroke();
 }
 
-/** The values of a contact's bars beside their ends. @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton */
+/**
+ * The values of a contact's bars beside their ends.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ */
 export function labelContact(ctx, view, contact, surface, perNewton) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
@@ -91,7 +100,11 @@ export function labelContact(ctx, view, contact, surface, perNewton) {
   label(ctx, `T ${digits(contact.friction)}`, x + tx * (t + sense * 8) - 16 * nx, y + ty * (t + sense * 8) - 16 * ny, sense * tx, colors.friction);
 }
 
-/** A text with a halo of paper, to the right or left of a place. @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {number} toward @param {string} color */
+/**
+ * A text with a halo of paper, to the right or left of a place.
+ * @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {number} toward
+ * @param {string} color
+ */
 function label(ctx, text, x, y, toward, color) {
   ctx.textAlign = toward > 0.5 ? "left" : toward < -0.5 ? "right" : "center";
   ctx.lineJoin = "round";
@@ -102,7 +115,11 @@ function label(ctx, text, x, y, toward, color) {
   ctx.fillText(text, x, y);
 }
 
-/** A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour. @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy @param {string} color @param {boolean} hollow */
+/**
+ * A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour.
+ * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy @param {string} color
+ * @param {boolean} hollow
+ */
 function drawBar(ctx, x, y, dx, dy, color, hollow) {
   const length = Math.hypot(dx, dy);
   if (length < 0.5) return;
@@ -126,7 +143,10 @@ function drawBar(ctx, x, y, dx, dy, color, hollow) {
   ctx.stroke();
 }
 
-/** The reaction: an arrow. @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy */
+/**
+ * The reaction: an arrow.
+ * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy
+ */
 function drawArrow(ctx, x, y, dx, dy) {
   const length = Math.hypot(dx, dy);
   if (length < 2) return;

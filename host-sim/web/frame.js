@@ -157,7 +157,10 @@ class Reader {
   }
 }
 
-/** Writes a number of a shape's letter at an offset. @param {DataView} view @param {number} at @param {string} letter @param {number} value */
+/**
+ * Writes a number of a shape's letter at an offset.
+ * @param {DataView} view @param {number} at @param {string} letter @param {number} value
+ */
 function put(view, at, letter, value) {
   switch (letter) {
     case "H": view.setUint16(at, value, true); break;
@@ -197,7 +200,10 @@ export function encode(message) {
   return stuff(bytes);
 }
 
-/** The message between two delimiters; throws a Fault, the first one in the order of FRAME 6. @param {Uint8Array} bytes @returns {Message} */
+/**
+ * The message between two delimiters; throws a Fault, the first one in the order of FRAME 6.
+ * @param {Uint8Array} bytes @returns {Message}
+ */
 export function decode(bytes) {
   if (bytes.length > LONGEST) throw new Fault("too-long");
   const frame = unstuff(bytes);
@@ -219,7 +225,10 @@ export function decode(bytes) {
   return message;
 }
 
-/** The fields of a payload, into the message. @param {Message} message @param {Layout} row @param {Uint8Array} payload */
+/**
+ * The fields of a payload, into the message.
+ * @param {Message} message @param {Layout} row @param {Uint8Array} payload
+ */
 function readPayload(message, row, payload) {
   const fixed = sizeOf(row.shape);
   if (payload.length < fixed) throw new Fault("length");

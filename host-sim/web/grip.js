@@ -25,7 +25,10 @@ export class Grip {
     this.pose = [0, 0, 0];
     /** It is to hold. */
     this.held = false;
-    /** On the way to a hold: gives up the one before, or goes open to the place. @type {"releasing" | "reaching" | null} */
+    /**
+     * On the way to a hold: gives up the one before, or goes open to the place.
+     * @type {"releasing" | "reaching" | null}
+     */
     this.phase = null;
     /** Where it is to close. @type {Pose} */
     this.place = [0, 0, 0];
@@ -101,7 +104,11 @@ export class Grip {
     return true;
   }
 
-  /** Goes open to the place of a hold: twice, so that it takes the time between these two, not that since the last sample. @param {number} sent */
+  /**
+   * Goes open to the place of a hold: twice, so that it takes the time between these two, not that since the last
+   * sample.
+   * @param {number} sent
+   */
   reach(sent) {
     this.phase = "reaching";
     this.held = false;

@@ -35,13 +35,19 @@ export function drawGrid(ctx, view) {
   ctx.stroke();
 }
 
-/** Every surface: its solid side tinted, its border with hatching, its name. @param {Ink} ctx @param {View} view @param {Surface[]} surfaces */
+/**
+ * Every surface: its solid side tinted, its border with hatching, its name.
+ * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
+ */
 export function drawSurfaces(ctx, view, surfaces) {
   for (const surface of surfaces) fillSolid(ctx, view, surface);
   for (const surface of surfaces) drawBorder(ctx, view, surface, surfaces);
 }
 
-/** The foot of the window's middle on a surface, in pixels, and the half length that crosses the window. @param {View} view @param {Surface} surface */
+/**
+ * The foot of the window's middle on a surface, in pixels, and the half length that crosses the window.
+ * @param {View} view @param {Surface} surface
+ */
 function foot(view, { normal, offset }) {
   const gap = normal[0] * view.x + normal[1] * view.y - offset;
   const px = view.px(view.x - gap * normal[0]), py = view.py(view.y - gap * normal[1]);
@@ -61,14 +67,20 @@ function fillSolid(ctx, view, surface) {
   ctx.fill();
 }
 
-/** True if a pixel is on the solid side of another surface. @param {View} view @param {number} px @param {number} py @param {Surface} surface @param {Surface[]} surfaces */
+/**
+ * True if a pixel is on the solid side of another surface.
+ * @param {View} view @param {number} px @param {number} py @param {Surface} surface @param {Surface[]} surfaces
+ */
 function buried(view, px, py, surface, surfaces) {
   const [x, y] = view.world(px, py);
   return surfaces.some((other) => other !== surface
     && other.normal[0] * x + other.normal[1] * y - other.offset < -1e-9);
 }
 
-/** The border line and short strokes behind it, which stay where they are on the surface. @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces */
+/**
+ * The border line and short strokes behind it, which stay where they are on the surface.
+ * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
+ */
 function drawBorder(ctx, view, surface, surfaces) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   const along = (view.x * surface.normal[1] - view.y * surface.normal[0]) * view.scale;
@@ -99,7 +111,10 @@ function drawBorder(ctx, view, surface, surfaces) {
   nameSurface(ctx, view, surface, surfaces);
 }
 
-/** The surface's name behind its border, near the window's edge. @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces */
+/**
+ * The surface's name behind its border, near the window's edge.
+ * @param {Ink} ctx @param {View} view @param {Surface} surface @param {Surface[]} surfaces
+ */
 function nameSurface(ctx, view, surface, surfaces) {
   const { px, py, tx, ty, nx, ny, reach } = foot(view, surface);
   for (let s = reach; s > -reach; s -= 12) {
@@ -123,7 +138,10 @@ function nameSurface(ctx, view, surface, surfaces) {
 /** A round number without the digits that rounding leaves. @param {number} value */
 const round = (value) => String(Number(value.toPrecision(1)));
 
-/** Two bars in the lower left corner: a round length, and a round force in the scale of the force bars. @param {Ink} ctx @param {View} view @param {number} perNewton pixels per N */
+/**
+ * Two bars in the lower left corner: a round length, and a round force in the scale of the force bars.
+ * @param {Ink} ctx @param {View} view @param {number} perNewton pixels per N
+ */
 export function drawScales(ctx, view, perNewton) {
   const length = step125(110 / view.scale);
   const text = length >= 1 ? `${round(length)} m` : length >= 1e-3 ? `${round(length * 1e3)} mm` : `${round(length * 1e6)} µm`;

@@ -20,7 +20,10 @@ export class Link {
     this.socket = null;
     this.wait = FIRST_WAIT;
     this.nextId = 1;
-    /** Requests without their answer. @type {Map<number, {done: () => void, failed: (why: Error) => void, timer: number}>} */
+    /**
+     * Requests without their answer.
+     * @type {Map<number, {done: () => void, failed: (why: Error) => void, timer: number}>}
+     */
     this.open = new Map();
     this.lastSample = -Infinity;
     /** @type {{pose: Pose, held: boolean, sent: number} | null} */
@@ -44,7 +47,10 @@ export class Link {
     socket.addEventListener("close", () => this.lost(socket));
   }
 
-  /** The connection is gone: nothing that was asked will be answered, and a new one is tried. @param {WebSocket} socket */
+  /**
+   * The connection is gone: nothing that was asked will be answered, and a new one is tried.
+   * @param {WebSocket} socket
+   */
   lost(socket) {
     if (socket !== this.socket) return;
     for (const { failed, timer } of this.open.values()) {

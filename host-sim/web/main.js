@@ -25,7 +25,10 @@ const charts = new Charts();
 const readout = new Readout(stage);
 /** The board on Web Serial, instead of the server. @type {import("./board.js").Board | null} */
 let board = null;
-/** What the server said last, for when the board goes. @type {{hello: HelloMessage | null, state: StateMessage | null}} */
+/**
+ * What the server said last, for when the board goes.
+ * @type {{hello: HelloMessage | null, state: StateMessage | null}}
+ */
 const server = { hello: null, state: null };
 let connected = false;
 let framesReceived = 0;
@@ -38,7 +41,10 @@ const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = tru
 const controls = new Controls(feed, note);
 const transport = new Transport((message) => controls.ask(message), note);
 
-/** Where everything that comes goes; from the server only while no board is connected. @param {boolean} serial @returns {FeedEvents} */
+/**
+ * Where everything that comes goes; from the server only while no board is connected.
+ * @param {boolean} serial @returns {FeedEvents}
+ */
 function eventsFor(serial) {
   const current = () => serial === (board !== null);
   return {

@@ -10,7 +10,10 @@ const COIL_TURNS = 8;
 const OUTER = 25;
 const INNER = 16;
 
-/** The path of the body at a pose. A point is a disc, a rod a thick line. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose */
+/**
+ * The path of the body at a pose. A point is a disc, a rod a thick line.
+ * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose
+ */
 function traceBody(ctx, view, body, pose) {
   const c = Math.cos(pose[2]), s = Math.sin(pose[2]);
   ctx.beginPath();
@@ -22,7 +25,10 @@ function traceBody(ctx, view, body, pose) {
   ctx.closePath();
 }
 
-/** The body, with a cross at its origin whose longer arm is its x axis. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose */
+/**
+ * The body, with a cross at its origin whose longer arm is its x axis.
+ * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} pose
+ */
 export function drawBody(ctx, view, body, pose) {
   traceBody(ctx, view, body, pose);
   ctx.lineJoin = "round";
@@ -44,7 +50,10 @@ export function drawBody(ctx, view, body, pose) {
   ctx.stroke();
 }
 
-/** Where the body would be if nothing were in its way. @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} ghost */
+/**
+ * Where the body would be if nothing were in its way.
+ * @param {Ink} ctx @param {View} view @param {Vec[]} body @param {Pose} ghost
+ */
 export function drawGhost(ctx, view, body, ghost) {
   traceBody(ctx, view, body, ghost);
   ctx.setLineDash([5, 4]);
@@ -54,7 +63,10 @@ export function drawGhost(ctx, view, body, ghost) {
   ctx.setLineDash([]);
 }
 
-/** The translational spring: a coil from the holding point to the hand. @param {Ink} ctx @param {View} view @param {Vec} holding @param {Pose} hand */
+/**
+ * The translational spring: a coil from the holding point to the hand.
+ * @param {Ink} ctx @param {View} view @param {Vec} holding @param {Pose} hand
+ */
 export function drawCoil(ctx, view, holding, hand) {
   const x0 = view.px(holding[0]), y0 = view.py(holding[1]);
   const x1 = view.px(hand[0]), y1 = view.py(hand[1]);
@@ -117,7 +129,10 @@ export function drawHolding(ctx, view, holding) {
   ctx.stroke();
 }
 
-/** The hand: a ring with a handle in its direction; closed while it holds, open and dashed while it does not. @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} holds */
+/**
+ * The hand: a ring with a handle in its direction; closed while it holds, open and dashed while it does not.
+ * @param {Ink} ctx @param {View} view @param {Pose} hand @param {boolean} holds
+ */
 export function drawHand(ctx, view, hand, holds) {
   const x = view.px(hand[0]), y = view.py(hand[1]);
   const c = Math.cos(hand[2]), s = -Math.sin(hand[2]);

@@ -70,7 +70,10 @@ export class Pointers {
       Math.hypot(view.px(x) - at.x, view.py(y) - at.y) < 2.5 * HAND_RADIUS);
   }
 
-  /** The place of the body that a press takes hold of, or null where it is out of reach. @param {Vec} point @param {number} slack px @returns {Vec | null} */
+  /**
+   * The place of the body that a press takes hold of, or null where it is out of reach.
+   * @param {Vec} point @param {number} slack px @returns {Vec | null}
+   */
   reach(point, slack) {
     const { state, message, view } = this.stage;
     if (!state || !message) return null;
@@ -111,13 +114,20 @@ export class Pointers {
     else this.shift(dx, dy, before, after, first, second);
   }
 
-  /** The first pointer moves the hand, the second one turns it. @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {number} sent */
+  /**
+   * The first pointer moves the hand, the second one turns it.
+   * @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {number} sent
+   */
   drag(dx, dy, before, after, sent) {
     const { scale } = this.stage.view;
     this.grip.move(dx / scale, -dy / scale, before && after ? angleBetween(after, before) : 0, sent);
   }
 
-  /** One pointer moves the window, two zoom it. @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {Spot} first @param {Spot | undefined} second */
+  /**
+   * One pointer moves the window, two zoom it.
+   * @param {number} dx @param {number} dy @param {Spot | null} before @param {Spot | null} after @param {Spot} first
+   * @param {Spot | undefined} second
+   */
   shift(dx, dy, before, after, first, second) {
     const { view } = this.stage;
     this.stage.adjusted = true;
@@ -170,7 +180,10 @@ export class Pointers {
 /** The turn from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
 const angleBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y) * -1;
 
-/** The point of a convex polygon that is nearest to another one. @param {Vec[]} body counter-clockwise @param {Vec} point @returns {Vec} */
+/**
+ * The point of a convex polygon that is nearest to another one.
+ * @param {Vec[]} body counter-clockwise @param {Vec} point @returns {Vec}
+ */
 export function nearestOf(body, point) {
   let inside = body.length > 2;
   let least = Infinity;

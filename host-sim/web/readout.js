@@ -130,7 +130,10 @@ function eventChip(name) {
   return { root, count };
 }
 
-/** An error now and worst, as numbers and as marks on a bar of decades. @param {"length" | "angle"} name @param {number} now @param {number} worst @param {string} unit */
+/**
+ * An error now and worst, as numbers and as marks on a bar of decades.
+ * @param {"length" | "angle"} name @param {number} now @param {number} worst @param {string} unit
+ */
 function showError(name, now, worst, unit) {
   setText(byId(`error-${name}`), `${digits(now)} ${unit}`);
   setText(byId(`worst-${name}`), `${digits(worst)} ${unit}`);

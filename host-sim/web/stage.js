@@ -78,6 +78,8 @@ export class Stage {
     const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces]);
     if (key !== this.sceneKey) {
       this.sceneKey = key;
+      // The newest frame is one of the scene before.
+      this.message = null;
       this.clear();
       this.fit();
     }
@@ -177,7 +179,10 @@ export class Stage {
     drawScales(ctx, view, this.force.perNewton);
   }
 
-  /** The contacts of a frame with their surfaces. @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Surface][]} */
+  /**
+   * The contacts of a frame with their surfaces.
+   * @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Surface][]}
+   */
   contactsOf(frame, scene) {
     return frame.contacts.flatMap((contact) => {
       const surface = scene.surfaces.find(({ name }) => name === contact.surface);

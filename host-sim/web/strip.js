@@ -50,7 +50,10 @@ export class Strip {
     return this.columns.map((column) => column.subarray(first, this.length));
   }
 
-  /** The least and the greatest value of the columns from 1 up to another one, and of 0, from a time on. @param {number} time @param {number} columns @returns {Vec} */
+  /**
+   * The least and the greatest value of the columns from 1 up to another one, and of 0, from a time on.
+   * @param {number} time @param {number} columns @returns {Vec}
+   */
   extent(time, columns) {
     let low = 0, high = 0;
     const first = this.find(time);

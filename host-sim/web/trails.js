@@ -19,7 +19,10 @@ class Ring {
     this.next = 0;
   }
 
-  /** Takes a point that is farther than a distance from the last one. @param {number} x @param {number} y @param {number} spacing */
+  /**
+   * Takes a point that is farther than a distance from the last one.
+   * @param {number} x @param {number} y @param {number} spacing
+   */
   push(x, y, spacing) {
     const last = (this.next + POINTS - 1) % POINTS;
     if (this.length > 0 && Math.hypot(x - this.x[last], y - this.y[last]) < spacing) return;
@@ -65,7 +68,10 @@ export class Trails {
     drawTrail(ctx, view, this.body, colors["trail-body"]);
   }
 
-  /** A mark at each slip: a small triangle below the surface that points at the place where it ended. @param {Ink} ctx @param {View} view @param {Surface[]} surfaces */
+  /**
+   * A mark at each slip: a small triangle below the surface that points at the place where it ended.
+   * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
+   */
   drawSlips(ctx, view, surfaces) {
     ctx.fillStyle = colors.slip;
     this.slips.forEach((slip, i) => {
@@ -84,7 +90,10 @@ export class Trails {
   }
 }
 
-/** The normal of the surface that is nearest to a point. @param {Surface[]} surfaces @param {Vec} point @returns {Vec} */
+/**
+ * The normal of the surface that is nearest to a point.
+ * @param {Surface[]} surfaces @param {Vec} point @returns {Vec}
+ */
 function nearest(surfaces, point) {
   /** @type {Vec} */
   let normal = [0, 1];

@@ -44,7 +44,10 @@ export class View {
     return [this.x + (px - this.width / 2) / this.scale, this.y + ((this.height + this.top) / 2 - py) / this.scale];
   }
 
-  /** Fits the scene: the body where it starts, the hand's beginning and the surfaces beside them. @param {Scene} scene @param {Pose} pose @param {Pose} hand */
+  /**
+   * Fits the scene: the body where it starts, the hand's beginning and the surfaces beside them.
+   * @param {Scene} scene @param {Pose} pose @param {Pose} hand
+   */
   fit(scene, pose, hand) {
     const size = bodySize(scene);
     const box = [Infinity, Infinity, -Infinity, -Infinity];
@@ -107,7 +110,10 @@ export class View {
   }
 }
 
-/** Leaves out of a box what lies deeper than a depth behind a surface along x or y. @param {number[]} box @param {Vec} normal @param {number} offset @param {number} depth */
+/**
+ * Leaves out of a box what lies deeper than a depth behind a surface along x or y.
+ * @param {number[]} box @param {Vec} normal @param {number} offset @param {number} depth
+ */
 function clip(box, normal, offset, depth) {
   if (normal[0] > 0.99) box[0] = Math.max(box[0], offset - depth);
   if (normal[0] < -0.99) box[2] = Math.min(box[2], depth - offset);
