@@ -19,6 +19,15 @@ export const BOX = {
 /** Its parameters. @type {Parameters4} */
 export const BOX_PARAMETERS = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3 };
 
+/**
+ * True if a board has room for a scene, and for the frame that brings it (FRAME 4.4).
+ * @param {Scene} scene @param {Message} info
+ */
+function fits({ body, surfaces }, info) {
+  return body.length <= info.vertices && surfaces.length <= info.surfaces
+    && 50 + 8 * body.length + 20 * surfaces.length <= info.longest_frame;
+}
+
 export class BoardModel {
   /** @param {Scene} scene @param {Parameters4} parameters */
   constructor(scene, parameters) {
@@ -72,12 +81,14 @@ export class BoardModel {
   }
 
   /**
-   * What the board says about itself. A scene that it has no room for is left, and the box taken instead.
+   * What the board says about itself. A scene that it has no room for is left, and the box taken instead; throws where that
+   * does not fit either.
    * @param {Message} info
    */
   setInfo(info) {
     this.info = info;
-    if (this.scene.body.length <= info.vertices && this.scene.surfaces.length <= info.surfaces) return;
+    if (fits(this.scene, info)) return;
+    if (!fits(BOX, info)) throw new Error(`The board has too little room: vertices ${info.vertices}, surfaces ${info.surfaces}.`);
     this.scene = BOX;
     this.parameters = BOX_PARAMETERS;
   }
