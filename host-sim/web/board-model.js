@@ -210,7 +210,7 @@ export class BoardModel {
         slips: this.slipped, events: this.happened, status: STATUS[pose.status],
       },
       reference: null, counts: this.counts, slips: this.slips, strip: this.strip,
-      step: this.health ? { median: this.health.worst_step * 1e-9, worst: this.health.worst_step * 1e-9 } : null,
+      step: this.health ? { median: null, worst: this.health.worst_step * 1e-9 } : null,
       board: this.healthMessage(faults),
     };
     [this.happened, this.strip, this.slipped] = [[], [], 0];

@@ -97,7 +97,7 @@ export class Charts {
     }
     const last = this.steps.last(0);
     if (message.step && !(this.time < last + STEP_SPACING * this.window / WINDOW)) {
-      this.steps.push(this.time, message.step.median * 1e6, message.step.worst * 1e6);
+      this.steps.push(this.time, (message.step.median ?? NaN) * 1e6, message.step.worst * 1e6);
     }
   }
 
@@ -139,7 +139,7 @@ export class Charts {
     } else if (i === 1) {
       setText(byId("now-slip"), this.slips.length ? `last ${digits(this.slips.last(1))}, ${counts.slips} in all` : "none yet");
     } else if (step) {
-      setText(byId("now-median"), `median ${duration(step.median)}`);
+      setText(byId("now-median"), step.median === null ? "no median" : `median ${duration(step.median)}`);
       setText(byId("now-worst"), `worst ${duration(step.worst)}`);
     }
   }
@@ -159,7 +159,7 @@ function range(strip, from, columns) {
 function logRange(strip) {
   let low = Infinity, high = 0;
   for (let i = 0; i < strip.length; i++) {
-    low = Math.min(low, strip.at(1, i));
+    low = Math.min(low, strip.at(1, i) || strip.at(2, i));
     high = Math.max(high, strip.at(2, i));
   }
   if (!(high > 0)) return { min: 0.1, max: 100 };

@@ -161,6 +161,9 @@ function showBoardButton() {
   const button = byId("serial", HTMLButtonElement);
   setText(button, board ? "Leave the board" : "Board by Web Serial");
   button.setAttribute("aria-disabled", String(!canSerial()));
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go"]) {
+    /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
+  }
   byId("no-serial").hidden = canSerial();
   byId("baud-label").hidden = !canSerial();
 }

@@ -86,7 +86,8 @@ interface FrameMessage {
   counts: Counts;
   slips: Slip[];
   strip: number[][];
-  step: { median: number; worst: number } | null;
+  /** A board does not tell its median. */
+  step: { median: number | null; worst: number } | null;
   board: BoardHealth | null;
   position?: number | null;
 }

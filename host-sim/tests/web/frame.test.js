@@ -1,4 +1,5 @@
-// The page's decoder and encoder of the wire against every example of core/FRAME.md.
+// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against bytes captured from the
+// emulated board, with what examples/board_client.py says that they are.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,6 +8,8 @@ import { crc32, decode, Decoder, encode, Fault, stuff, unstuff } from "../../web
 
 const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
 const examples = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) => read(text));
+
+const captured = JSON.parse(readFileSync(new URL("captured.json", import.meta.url), "utf8"));
 
 /** An example: its bytes, and the message that it says. */
 function read(text) {
@@ -45,6 +48,19 @@ for (const { bytes, message } of examples) {
     assert.deepEqual([...encode(message)], [...bytes]);
   });
 }
+
+test("bytes captured from the emulated board", () => {
+  for (const { bytes, message } of captured) {
+    const lines = Object.entries(message).map(([name, value]) => `${name} = ${Array.isArray(value) ? value.join(", ") : value}`);
+    const text = ["type", "name", "allowed"].reduce((all, name) => all.replace(new RegExp(`^${name} = (.*)$`, "m"), `${name} = "$1"`),
+      lines.join("\n"));
+    const wanted = read(`${bytes.match(/../g).join(" ")}\n${text}`).message;
+    const said = decode(Uint8Array.from(Buffer.from(bytes, "hex")));
+    for (const list of ["contact", "event"]) if (said[list]?.length === 0) delete said[list];
+    assert.deepEqual(single(said), single(wanted));
+    assert.deepEqual([...encode({ contact: [], event: [], ...said })], [...Buffer.from(`${bytes}00`, "hex")]);
+  }
+});
 
 test("a stream in pieces, with noise before it, is every message of it", () => {
   const stream = [[0x55, 0x12, 0x00], ...examples.map(({ bytes }) => [...bytes])].flat();
