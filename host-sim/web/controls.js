@@ -157,7 +157,10 @@ export class Controls {
    */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
-      const value = parameters[name];
+      // A scene without a surface has no friction.
+      const value = parameters[name] ?? 0;
+      this.sliders[name].disabled = parameters[name] === null;
+      this.typed[name].disabled = parameters[name] === null;
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(value));
       if (document.activeElement !== this.typed[name] || moved || all) this.typed[name].value = String(Number(value.toPrecision(4)));
