@@ -1,0 +1,272 @@
+// What a board says, put together: poses, forces, events and health become the frame and state messages that the page shows.
+
+import { EVENTS, STATES, STATUS } from "./frame.js";
+
+const TURN = 2 * Math.PI;
+/** Slips that a frame message carries. */
+const SLIPS = 32;
+/** Latencies are averaged over so many poses. */
+const SMOOTH = 50;
+/** Number types by their code. */
+const NUMBERS = ["f32", "fixed"];
+
+/** The scene of a board after power-up: a box on a floor. @type {Scene} */
+export const BOX = {
+  title: "box on a floor", body: [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+  surfaces: [{ name: "floor", normal: [0, 1], offset: 0 }], weight: 0, grasp: [0, 0.02], reach: 0.02,
+  start: [0, 0.03, 0], home: [0, 0.05, 0],
+};
+/** Its parameters. @type {Parameters4} */
+export const BOX_PARAMETERS = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3 };
+
+/**
+ * True if a board has room for a scene, and for the frame that brings it (FRAME 4.4).
+ * @param {Scene} scene @param {Message} info
+ */
+function fits({ body, surfaces }, info) {
+  return body.length <= info.vertices && surfaces.length <= info.surfaces
+    && 50 + 8 * body.length + 20 * surfaces.length <= info.longest_frame;
+}
+
+export class BoardModel {
+  /** @param {Scene} scene @param {Parameters4} parameters */
+  constructor(scene, parameters) {
+    this.scene = scene;
+    this.parameters = parameters;
+    /** @type {any} */
+    this.info = { number: 0, evolution: 0, name: "" };
+    /** @type {Message | null} */
+    this.forces = null;
+    /** @type {Message | null} */
+    this.health = null;
+    /** The samples by their sequence number. @type {({pose: Pose, at: number, sent: number} | null)[]} */
+    this.samples = Array(256).fill(null);
+    this.latency = NaN;
+    this.lost = 0;
+    this.sequence = -1;
+    this.poses = 0;
+    this.rate = 0;
+    this.rateSince = performance.now();
+    /** Where the board's clock stands (µs), and the seconds since the reset. */
+    this.clock = NaN;
+    this.time = 0;
+    this.turns = 0;
+    /** The state of the pose before. @type {string | null} */
+    this.before = null;
+    /** Events and slips since the last pose. @type {string[]} */
+    this.happened = [];
+    this.slipped = 0;
+    this.slipCount = 0;
+    /** @type {Slip[]} */
+    this.slips = [];
+    /** @type {number[][]} */
+    this.strip = [];
+    /** @type {Counts} */
+    this.counts = { ticks: 0, missed: 0, slips: 0, transitions: {}, events: {} };
+  }
+
+  /** Everything that is counted from the start pose on. */
+  reset() {
+    this.clock = NaN;
+    this.time = 0;
+    this.turns = 0;
+    this.before = null;
+    this.happened = [];
+    this.slipped = 0;
+    this.slipCount = 0;
+    this.slips = [];
+    this.strip = [];
+    this.counts = { ticks: 0, missed: 0, slips: 0, transitions: {}, events: {} };
+    this.forces = null;
+  }
+
+  /**
+   * What the board says about itself. A scene that it has no room for is left, and the box taken instead; throws where that
+   * does not fit either.
+   * @param {Message} info
+   */
+  setInfo(info) {
+    this.info = info;
+    if (fits(this.scene, info)) return;
+    if (!fits(BOX, info)) throw new Error(`The board has too little room: vertices ${info.vertices}, surfaces ${info.surfaces}.`);
+    this.scene = BOX;
+    this.parameters = BOX_PARAMETERS;
+  }
+
+  /** As the server says hello. @param {Message} info @param {number} baud @returns {HelloMessage} */
+  hello(info, baud) {
+    return {
+      type: "hello", version: 1, you: 1, program: `firmware ${info.major}.${info.minor}.${info.patch}`, scenes: [this.scene.title],
+      source: { kind: "board", name: info.name, number: NUMBERS[info.number], where: `Web Serial, ${baud} baud`, emulated: false },
+    };
+  }
+
+  /** As the server tells its state. @returns {StateMessage} */
+  state() {
+    return {
+      type: "state", scene: this.scene, parameters: this.parameters, number: NUMBERS[this.info.number],
+      evolution: this.info.evolution === 0 ? "path" : "frame", paused: false, speed: 1, recording: null, recorded: null,
+      replay: null, hand: { by: "page", client: 1 }, clients: 1,
+    };
+  }
+
+  /** The scene as a message to the board. */
+  sceneMessage() {
+    const { scene, parameters } = this;
+    const [start_x, start_y, start_theta] = scene.start;
+    const [point_x, point_y] = scene.grasp ?? [0, 0];
+    return {
+      type: "scene", has_point: scene.grasp ? 1 : 0, start_x, start_y, start_theta, weight: scene.weight, point_x, point_y,
+      reach: scene.reach, k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body,
+      surface: scene.surfaces.map(({ normal, offset, static: mus, dynamic: mud }) =>
+        [...normal, offset, mus ?? parameters.static, mud ?? parameters.dynamic]),
+    };
+  }
+
+  /** A sample went to the board. @param {number} sequence @param {Pose} pose @param {number} at @param {number} sent */
+  sent(sequence, pose, at, sent) {
+    this.samples[sequence] = { pose, at, sent };
+  }
+
+  /** Frames that were lost on the way, by their sequence numbers. @param {Message} message */
+  count({ sequence }) {
+    if (this.sequence >= 0) this.lost += (sequence - this.sequence - 1) & 0xff;
+    this.sequence = sequence;
+  }
+
+  /**
+   * Takes a message in; a pose gives a frame.
+   * @param {Message} message @param {{[why: string]: number}} faults @returns {FrameMessage | null}
+   */
+  take(message, faults) {
+    switch (message.type) {
+      case "forces": this.takeForces(message); return null;
+      case "events": this.takeEvents(message); return null;
+      case "health": this.health = message; return null;
+      case "pose": return this.frame(message, faults);
+      default: return null;
+    }
+  }
+
+  /** @param {Message} message */
+  takeForces(message) {
+    this.forces = message;
+    const row = [this.since(message.time), ...this.scene.surfaces.flatMap(() => [0, 0])];
+    for (const [, surface, , , n, t] of message.contact) {
+      row[1 + 2 * surface] += n;
+      row[2 + 2 * surface] += t;
+    }
+    this.strip.push(row);
+  }
+
+  /** @param {Message} message */
+  takeEvents(message) {
+    for (const code of message.event) {
+      const name = EVENTS[code];
+      this.happened.push(name);
+      this.counts.events[name] = (this.counts.events[name] ?? 0) + 1;
+    }
+    this.counts.slips += message.slips;
+    this.slipped += message.slips;
+    const [contact] = this.forces?.contact ?? [];
+    if (message.slips === 0 || !contact) return;
+    this.slips.push({ n: ++this.slipCount, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip });
+    if (this.slips.length > SLIPS) this.slips.shift();
+  }
+
+  /** Seconds since the first message, by the board's clock, which wraps. @param {number} time µs */
+  since(time) {
+    if (Number.isNaN(this.clock)) this.clock = time;
+    const step = (time - this.clock) | 0;
+    this.time += step * 1e-6;
+    this.clock = time;
+    return this.time;
+  }
+
+  /**
+   * A pose with all that belongs to it.
+   * @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage}
+   */
+  frame(pose, faults) {
+    const t = this.since(pose.time);
+    this.unwrap(pose.turns);
+    const sample = this.samples[pose.sample];
+    if (sample && pose.status !== 5) this.measure(performance.now() - sample.at);
+    const theta = pose.theta + TURN * this.turns;
+    const at = /** @type {Pose} */ ([pose.x, pose.y, theta]);
+    const hand = sample?.pose ?? this.scene.home;
+    const state = /** @type {StateName} */ (STATES[pose.state]);
+    this.transition(state);
+    const { holding, ghost } = this.springs(at, hand, pose.held === 1);
+    const forces = this.forces;
+    const contacts = state === "non-contact" ? [] : (forces?.contact ?? []).map((/** @type {number[]} */ [vertex, surface, x, y, n, f]) =>
+      ({ vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: /** @type {Vec} */ ([x, y]), normal: n, friction: f }));
+    /** @type {FrameMessage} */
+    const message = {
+      type: "frame", tick: this.health?.ticks ?? 0, skipped: 0, holding, ghost, echo: sample && sample.sent >= 0 ? sample.sent : null,
+      frame: {
+        t, hand, held: pose.held === 1, pose: at, depth: pose.depth, state, contacts,
+        wrench: forces ? [forces.wrench_x, forces.wrench_y, forces.wrench_m] : [0, 0, 0],
+        slips: this.slipped, events: this.happened, status: STATUS[pose.status],
+      },
+      reference: null, counts: this.counts, slips: this.slips, strip: this.strip,
+      step: this.health ? { median: null, worst: this.health.worst_step * 1e-9 } : null,
+      board: this.healthMessage(faults),
+    };
+    [this.happened, this.strip, this.slipped] = [[], [], 0];
+    return message;
+  }
+
+  /** The number of whole turns that is nearest to the last one (FRAME 5.1). @param {number} turns modulo 8 */
+  unwrap(turns) {
+    const step = (turns - this.turns) & 7;
+    this.turns += step > 4 ? step - 8 : step;
+  }
+
+  /** @param {number} latency ms */
+  measure(latency) {
+    this.latency = Number.isNaN(this.latency) ? latency : this.latency + (latency - this.latency) / SMOOTH;
+    this.poses++;
+    const now = performance.now();
+    if (now - this.rateSince < 1000) return;
+    this.rate = (1000 * this.poses) / (now - this.rateSince);
+    this.poses = 0;
+    this.rateSince = now;
+  }
+
+  /** @param {string} state */
+  transition(state) {
+    if (this.before !== null && this.before !== state) {
+      const key = `${this.before}>${state}`;
+      this.counts.transitions[key] = (this.counts.transitions[key] ?? 0) + 1;
+    }
+    this.before = state;
+  }
+
+  /**
+   * Holding point and free pose, from the wrench: G = p_h - F / k_h, and the twist M / k_theta.
+   * @param {Pose} pose @param {Pose} hand @param {boolean} held @returns {{holding: Vec | null, ghost: Pose | null}}
+   */
+  springs(pose, hand, held) {
+    if (!held || !this.forces) return { holding: null, ghost: null };
+    const { stiffness_translation: kh, stiffness_rotation: kt } = this.parameters;
+    const holding = /** @type {Vec} */ ([hand[0] - this.forces.wrench_x / kh, hand[1] - this.forces.wrench_y / kh]);
+    const twist = kt > 0 ? this.forces.wrench_m / kt : 0;
+    const c = Math.cos(twist), s = Math.sin(twist);
+    const [gx, gy] = [holding[0] - pose[0], holding[1] - pose[1]];
+    return { holding, ghost: [hand[0] - (c * gx - s * gy), hand[1] - (s * gx + c * gy), pose[2] + twist] };
+  }
+
+  /** @param {{[why: string]: number}} faults @returns {BoardHealth} */
+  healthMessage(faults) {
+    const health = this.health;
+    const garbled = Object.values(faults).reduce((sum, count) => sum + count, 0);
+    const refused = health ? health.too_long + health.cobs + health.crc + health.version + health.unknown_type + health.length + health.value : 0;
+    this.counts.ticks = health?.ticks ?? 0;
+    this.counts.missed = health?.missed_ticks ?? 0;
+    return {
+      rate: this.rate, latency: Number.isNaN(this.latency) ? null : this.latency * 1e-3, late: health?.late_samples ?? 0,
+      lost: this.lost + (health?.lost_frames ?? 0), missed: health?.missed_ticks ?? 0, faults: garbled + refused, connected: true,
+    };
+  }
+}

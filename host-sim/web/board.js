@@ -1,0 +1,196 @@
+// A board over Web Serial, without any program between: opens the port, asks who is there, gives it the scene and a mode, sends
+// the hand, and hands on what the board says as the messages that the server would send.
+
+import { BoardModel, BOX, BOX_PARAMETERS } from "./board-model.js";
+import { Decoder, encode, REASONS } from "./frame.js";
+
+/** An answer that takes longer is asked for again (ms), so many times (FRAME 7). */
+const PATIENCE = 150;
+const TRIES = 15;
+/** Pause between two samples of a hand that rests (ms): a board counts 20 ms without one as silence. */
+const REST = 5;
+/** Part of the line that samples may take; a sample has so many bytes. */
+const SHARE = 0.6;
+const SAMPLE_BYTES = 34;
+/** Bits of a byte on the line. */
+const BITS = 10;
+/** Poses and forces a second, on a fast and on a slow line (baud). */
+const FAST = 400000;
+const POSES = { fast: 125, slow: 50 };
+const TURN = 2 * Math.PI;
+
+/** @implements {Feed} */
+export class Board {
+  /** @param {FeedEvents} events @param {StateMessage | null} state what the page shows: the board gets that scene */
+  constructor(events, state) {
+    this.events = events;
+    this.model = new BoardModel(state?.scene ?? BOX, state?.parameters ?? BOX_PARAMETERS);
+    this.decoder = new Decoder((message) => this.take(message));
+    /** @type {SerialPort | null} */
+    this.port = null;
+    /** @type {WritableStreamDefaultWriter<Uint8Array> | null} */
+    this.writer = null;
+    /** @type {ReadableStreamDefaultReader<Uint8Array> | null} */
+    this.reader = null;
+    this.baud = 0;
+    this.sequence = 0;
+    /** The command that waits for its answer. @type {{type: string, take: (message: Message) => void} | null} */
+    this.asked = null;
+    /** The hand as it was last told. @type {{pose: Pose, held: boolean, sent: number}} */
+    this.sample = { pose: this.model.scene.home, held: true, sent: -1 };
+    this.lastSample = 0;
+    this.timer = 0;
+    this.evolution = 0;
+    this.gone = false;
+  }
+
+  /** Asks the reader for a port, and everything that follows; rejects in words. @param {number} baud */
+  async start(baud) {
+    if (!navigator.serial) throw new Error("This browser has no Web Serial.");
+    this.port = await navigator.serial.requestPort();
+    this.baud = baud;
+    await this.port.open({ baudRate: baud, bufferSize: 65536 });
+    this.writer = this.port.writable?.getWriter() ?? null;
+    this.port.addEventListener("disconnect", () => this.stop("The board was unplugged."));
+    this.read();
+    await this.writer?.write(Uint8Array.of(0));
+    const info = await this.command({ type: "hello" }, "info");
+    this.model.setInfo(info);
+    this.evolution = info.evolution;
+    this.events.hello(this.model.hello(info, baud));
+    await this.command(this.model.sceneMessage());
+    await this.command(this.modeMessage());
+    this.events.state(this.model.state());
+    this.events.connected(true);
+    this.timer = window.setInterval(() => this.rest(), REST);
+  }
+
+  /** Reads until the port is closed. */
+  async read() {
+    try {
+      while (this.port?.readable && !this.gone) {
+        this.reader = this.port.readable.getReader();
+        for (;;) {
+          const { value, done } = await this.reader.read();
+          if (done) break;
+          this.decoder.push(value);
+        }
+        this.reader.releaseLock();
+      }
+    } catch (why) {
+      if (!this.gone) this.stop(`The board cannot be read: ${/** @type {Error} */ (why).message}`);
+    }
+  }
+
+  /** Ends; the board then goes to zero force by itself. @param {string} [why] */
+  async stop(why) {
+    if (this.gone) return;
+    this.gone = true;
+    clearInterval(this.timer);
+    this.events.connected(false);
+    if (why) this.events.error(why);
+    try {
+      await this.reader?.cancel();
+      this.writer?.releaseLock();
+      await this.port?.close();
+    } catch {
+      // It was unplugged: there is nothing left to close.
+    }
+  }
+
+  /** Sends one message; its sequence number. @param {{type: string, [field: string]: any}} message */
+  write(message) {
+    const sequence = this.sequence;
+    this.sequence = (sequence + 1) & 0xff;
+    const time = Math.round(performance.now() * 1000) % 2 ** 32;
+    this.writer?.write(encode({ ...message, sequence, time })).catch((why) => this.stop(`The board cannot be written to: ${why.message}`));
+    return sequence;
+  }
+
+  /**
+   * Sends a command until it is answered; rejects with what the board refuses.
+   * @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer
+   */
+  async command(message, answer = "reply") {
+    for (let attempt = 0; attempt < TRIES; attempt++) {
+      /** @type {Message | null} */
+      const reply = await new Promise((take) => {
+        this.asked = { type: answer, take };
+        this.write(message);
+        setTimeout(() => take(null), PATIENCE);
+      });
+      this.asked = null;
+      if (!reply) continue;
+      if (reply.type !== "reply" || reply.reason === 0) return reply;
+      throw new Error(`The board refuses the ${message.type}: ${REASONS[reply.reason]}${reply.allowed ? `; allowed: ${reply.allowed}` : ""}.`);
+    }
+    throw new Error(`The board does not answer (${message.type}, ${this.baud} baud).`);
+  }
+
+  /** A message of the board. @param {Message} message */
+  take(message) {
+    this.model.count(message);
+    if (this.asked?.type === message.type) this.asked.take(message);
+    const frame = this.model.take(message, this.decoder.faults);
+    if (frame && this.timer) this.events.frame(frame);
+  }
+
+  /** How the board is to work: in time with its ticks, as many poses and forces as the line and the screen take. */
+  modeMessage() {
+    const { info } = this.model;
+    const rate = Math.min(info.tick_rate, info.fastest_tick);
+    const every = Math.max(1, Math.round(rate / (this.baud >= FAST ? POSES.fast : POSES.slow)));
+    return {
+      type: "mode", evolution: this.evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
+      pose_every: every, forces_every: every, health_every: 500, tolerance: info.tolerance, event_limit: info.event_limit,
+    };
+  }
+
+  /** @param {Pose} pose @param {boolean} held @param {number} sent */
+  hand(pose, held, sent) {
+    const changed = held !== this.sample.held;
+    this.sample = { pose, held, sent };
+    const spacing = (1000 * SAMPLE_BYTES * BITS) / (SHARE * this.baud);
+    if (changed || performance.now() - this.lastSample >= spacing) this.sendSample();
+  }
+
+  /** A hand that rests is told all the same. */
+  rest() {
+    if (performance.now() - this.lastSample >= 0.8 * REST) this.sendSample();
+  }
+
+  /** Sends the newest sample. */
+  sendSample() {
+    const { pose: [x, y, angle], held, sent } = this.sample;
+    this.lastSample = performance.now();
+    const turns = Math.round(angle / TURN);
+    const sequence = this.write({ type: "hand", x, y, phi: angle - TURN * turns, turns, depth: 0, held: Number(held) });
+    this.model.sent(sequence, this.sample.pose, this.lastSample, sent);
+  }
+
+  /** What a board can do of what a server can. @param {{type: string, [field: string]: any}} message */
+  async request(message) {
+    switch (message.type) {
+      case "set": {
+        const parameters = { ...this.model.parameters, ...message.parameters };
+        await this.command({ type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,
+          mu_s: parameters.static, mu_d: parameters.dynamic });
+        this.model.parameters = parameters;
+        break;
+      }
+      case "reset":
+        this.sample = { pose: this.model.scene.home, held: true, sent: -1 };
+        await this.command({ type: "reset", what: 0 });
+        this.model.reset();
+        break;
+      case "evolution":
+        this.evolution = message.value === "path" ? 0 : 1;
+        await this.command(this.modeMessage());
+        this.model.info.evolution = this.evolution;
+        break;
+      default:
+        throw new Error("A board by Web Serial cannot do this: it needs the program.");
+    }
+    this.events.state(this.model.state());
+  }
+}

@@ -1,0 +1,255 @@
+// Strip charts of the last seconds: reactions between their limits of friction, slip lengths, time per step.
+
+import { byId, digits, duration, setText } from "./dom.js";
+import { colors, onTheme } from "./theme.js";
+import { Strip } from "./strip.js";
+
+/** Width of the window in real time (s); in slow motion it shows less of the solver's time. */
+const WINDOW = 8;
+/** Ticks that are kept, in the window and a little more. */
+const TICKS = 9000;
+/** Slips that are kept. */
+const SLIPS = 2000;
+/** Steps' times that are kept; so many seconds lie between two of them. */
+const STEPS = 400;
+const STEP_SPACING = 0.05;
+/** Pause between two drawings of the same chart (ms). */
+const PAUSE = 66;
+
+export class Charts {
+  constructor() {
+    this.surface = 0;
+    this.mu = { static: 0, dynamic: 0 };
+    /** t, N, T, ± mu_s N, ± mu_d N */
+    this.forces = new Strip(7, TICKS);
+    /** t, length in mm */
+    this.slips = new Strip(2, SLIPS);
+    /** t, median and worst in µs */
+    this.steps = new Strip(3, STEPS);
+    this.newestSlip = -1;
+    this.time = 0;
+    this.window = WINDOW;
+    this.picker = byId("chart-surface", HTMLSelectElement);
+    this.picker.addEventListener("change", () => this.pick(Number(this.picker.value)));
+    this.plots = [forcePlot(), slipPlot(), stepPlot()];
+    this.data = [this.forces, this.slips, this.steps];
+    this.drawn = [0, 0, 0];
+    /** There is something that a chart does not show yet. */
+    this.stale = [false, false, false];
+    /** @type {Surface[]} */
+    this.surfaces = [];
+    /** @type {StateMessage | null} */
+    this.state = null;
+    onTheme(() => this.plots.forEach((plot) => plot.redraw(false)));
+  }
+
+  /** A state: the surfaces to choose from and their friction. @param {StateMessage} state */
+  setState(state) {
+    this.state = state;
+    this.window = WINDOW * Math.min(1, Math.max(0.01, state.speed));
+    const names = state.scene.surfaces.map(({ name }) => name);
+    if (names.join("\n") !== this.surfaces.map(({ name }) => name).join("\n")) {
+      this.picker.replaceChildren(...names.map((name, i) => new Option(name, String(i))));
+      this.surface = 0;
+      this.clear();
+    }
+    this.surfaces = state.scene.surfaces;
+    this.picker.hidden = names.length < 2;
+    this.friction();
+  }
+
+  /** Another surface is shown. @param {number} index */
+  pick(index) {
+    this.surface = index;
+    this.forces.clear();
+    this.friction();
+  }
+
+  /** The friction of the surface that is shown. */
+  friction() {
+    if (!this.state) return;
+    const surface = this.surfaces[this.surface];
+    this.mu.static = surface?.static ?? this.state.parameters.static;
+    this.mu.dynamic = surface?.dynamic ?? this.state.parameters.dynamic;
+  }
+
+  /** Forgets everything, after a reset. */
+  clear() {
+    for (const strip of this.data) strip.clear();
+    this.newestSlip = -1;
+    this.time = 0;
+  }
+
+  /** Takes a frame message in. @param {FrameMessage} message */
+  take(message) {
+    if (message.frame.t < this.time) this.clear();
+    this.time = message.frame.t;
+    this.stale.fill(true);
+    const { static: mus, dynamic: mud } = this.mu;
+    for (const tick of message.strip) {
+      const n = tick[1 + 2 * this.surface] ?? 0, t = tick[2 + 2 * this.surface] ?? 0;
+      this.forces.push(tick[0], n, t, mus * n, -mus * n, mud * n, -mud * n);
+    }
+    for (const slip of message.slips) {
+      if (slip.n <= this.newestSlip) continue;
+      this.newestSlip = slip.n;
+      this.slips.push(slip.t, slip.length * 1e3);
+    }
+    const last = this.steps.last(0);
+    if (message.step && !(this.time < last + STEP_SPACING * this.window / WINDOW)) {
+      this.steps.push(this.time, (message.step.median ?? NaN) * 1e6, message.step.worst * 1e6);
+    }
+  }
+
+  /**
+   * Draws one of the charts: of those whose time it is, the one that was drawn first. True if others wait.
+   * @param {FrameMessage | null} message
+   */
+  draw(message) {
+    if (!message || !this.stale.includes(true)) return false;
+    const now = performance.now();
+    let i = -1;
+    this.stale.forEach((stale, k) => {
+      if (stale && now - this.drawn[k] >= PAUSE && (i < 0 || this.drawn[k] < this.drawn[i])) i = k;
+    });
+    if (i >= 0) this.drawOne(i, message, now);
+    return this.stale.includes(true);
+  }
+
+  /** @param {number} i @param {FrameMessage} message @param {number} now */
+  drawOne(i, message, now) {
+    this.drawn[i] = now;
+    this.stale[i] = false;
+    const plot = this.plots[i];
+    const from = Math.max(0, this.time - this.window);
+    plot.batch(() => {
+      plot.setData(this.data[i].since(from), false);
+      plot.setScale("x", { min: from, max: from + this.window });
+      if (i !== 2) plot.setScale("y", range(this.data[i], from, i === 0 ? 3 : 2));
+      else plot.setScale("y", logRange(this.data[i]));
+    });
+    this.tell(i, message);
+  }
+
+  /** The newest values beside the chart's title. @param {number} i @param {FrameMessage} message */
+  tell(i, { counts, step }) {
+    if (i === 0) {
+      setText(byId("now-n"), `N ${digits(this.forces.last(1) || 0)} N`);
+      setText(byId("now-t"), `T ${digits(this.forces.last(2) || 0)} N`);
+    } else if (i === 1) {
+      setText(byId("now-slip"), this.slips.length ? `last ${digits(this.slips.last(1))}, ${counts.slips} in all` : "none yet");
+    } else if (step) {
+      setText(byId("now-median"), step.median === null ? "no median" : `median ${duration(step.median)}`);
+      setText(byId("now-worst"), `worst ${duration(step.worst)}`);
+    }
+  }
+}
+
+/**
+ * The range of the first columns of a strip, with a little room, and 0 in it.
+ * @param {Strip} strip @param {number} from @param {number} columns
+ */
+function range(strip, from, columns) {
+  const [low, high] = strip.extent(from, columns);
+  const room = 0.08 * (high - low) || 1;
+  return { min: low < 0 ? low - room : 0, max: high > 0 ? high + room : room };
+}
+
+/** The decades that the times of steps lie in. @param {Strip} strip */
+function logRange(strip) {
+  let low = Infinity, high = 0;
+  for (let i = 0; i < strip.length; i++) {
+    low = Math.min(low, strip.at(1, i) || strip.at(2, i));
+    high = Math.max(high, strip.at(2, i));
+  }
+  if (!(high > 0)) return { min: 0.1, max: 100 };
+  return { min: 10 ** Math.floor(Math.log10(Math.max(low, 1e-3))), max: 10 ** Math.ceil(Math.log10(high) + 1e-9) };
+}
+
+/** An axis in the colours of the page. @param {object} options */
+const axis = (options) => ({
+  stroke: () => colors.muted,
+  grid: { stroke: () => colors.grid, width: 1 },
+  ticks: { show: false },
+  font: `${Math.round(0.79 * parseFloat(getComputedStyle(document.documentElement).fontSize))}px system-ui, sans-serif`,
+  ...options,
+});
+
+/**
+ * A chart in the element of an id, as large as that.
+ * @param {string} id @param {number} columns @param {UPlotSeries[]} series @param {object} y options of the scale
+ * @param {object} yAxis
+ */
+function plotIn(id, columns, series, y = {}, yAxis = {}) {
+  const target = byId(id);
+  const plot = new uPlot({
+    width: Math.max(100, target.clientWidth), height: Math.max(80, target.clientHeight),
+    legend: { show: false }, cursor: { show: false }, padding: [6, 8, 0, 0],
+    scales: { x: { time: false }, y: { auto: false, range: [0, 1], ...y } },
+    axes: [axis({ size: 22, gap: 2, values: seconds }), axis({ size: 42, gap: 3, ...yAxis })],
+    series: [{}, ...series],
+  }, Array.from({ length: columns }, () => []), target);
+  new ResizeObserver(() => {
+    if (target.clientWidth > 0 && target.clientHeight > 0) plot.setSize({ width: target.clientWidth, height: target.clientHeight });
+  }).observe(target);
+  return plot;
+}
+
+/** Times at the ticks, with as many decimals as they need. @param {UPlot} _plot @param {number[]} ticks */
+const seconds = (_plot, ticks) => {
+  const step = ticks.length > 1 ? ticks[1] - ticks[0] : 1;
+  let decimals = 0;
+  while (decimals < 5 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
+  return ticks.map((t, i) => t.toFixed(decimals) + (i === ticks.length - 1 ? " s" : ""));
+};
+
+/** N and T of a surface between the limits. */
+function forcePlot() {
+  /** @param {"limit-static" | "limit-dynamic"} color @param {number[]} dash @returns {UPlotSeries} */
+  const limit = (color, dash) => ({ stroke: () => colors[color], width: 1.2, dash, points: { show: false } });
+  return plotIn("chart-forces", 7, [
+    { stroke: () => colors.normal, width: 1.4, points: { show: false } },
+    { stroke: () => colors.friction, width: 2, points: { show: false } },
+    limit("limit-static", [6, 3]), limit("limit-static", [6, 3]),
+    limit("limit-dynamic", [1.8, 2.6]), limit("limit-dynamic", [1.8, 2.6]),
+  ]);
+}
+
+/** A stem for every slip. */
+function slipPlot() {
+  return plotIn("chart-slips", 2, [{
+    stroke: () => colors.slip, width: 1.6, paths: stems,
+    points: { show: true, size: 5, fill: () => colors.slip, stroke: () => colors.slip },
+  }]);
+}
+
+/** Median and worst, on a scale of decades. */
+function stepPlot() {
+  return plotIn("chart-steps", 3, [
+    { stroke: () => colors.body, width: 2.2, points: { show: false } },
+    { stroke: () => colors.muted, width: 1.4, dash: [6, 3], points: { show: false } },
+  ], { distr: 3, range: [0.1, 100] }, {
+    values: decades, grid: { stroke: () => colors.grid, width: 1, filter: onlyDecades },
+  });
+}
+
+/** Grid lines at the powers of ten alone. @param {UPlot} _plot @param {number[]} ticks */
+const onlyDecades = (_plot, ticks) => ticks.map((value) => (isDecade(value) ? value : null));
+
+/** Labels at the powers of ten alone. @param {UPlot} _plot @param {(number | null)[]} ticks */
+const decades = (_plot, ticks) => ticks.map((value) => (value && isDecade(value) ? String(Number(value.toPrecision(1))) : null));
+
+/** True for a power of ten. @param {number} value */
+const isDecade = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
+
+/** Lines from 0 up to the values. @param {UPlot} plot @param {number} series @param {number} from @param {number} to */
+function stems(plot, series, from, to) {
+  const stroke = new Path2D();
+  const zero = plot.valToPos(0, "y", true);
+  for (let i = from; i <= to; i++) {
+    const x = plot.valToPos(plot.data[0][i], "x", true);
+    stroke.moveTo(x, zero);
+    stroke.lineTo(x, plot.valToPos(plot.data[series][i], "y", true));
+  }
+  return { stroke, fill: null };
+}

@@ -1,0 +1,191 @@
+// The controls of the solver: scene, number type, evolution, the four parameters, pause, step, speed, reset.
+
+import { byId, digits, setText } from "./dom.js";
+
+/** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic"} ParameterName */
+
+/**
+ * The range of a slider, and whether it is one of decades.
+ * @type {Record<ParameterName, {least: number, most: number, log: boolean}>}
+ */
+const RANGES = {
+  stiffness_translation: { least: 10, most: 10000, log: true },
+  stiffness_rotation: { least: 0.01, most: 100, log: true },
+  static: { least: 0, most: 1.5, log: false },
+  dynamic: { least: 0, most: 1.5, log: false },
+};
+const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
+/** Steps of a slider. */
+const STEPS = 1000;
+
+export class Controls {
+  /** @param {() => Feed} feed @param {(text: string) => void} tell */
+  constructor(feed, tell) {
+    this.feed = feed;
+    this.tell = tell;
+    /** @type {StateMessage | null} */
+    this.state = null;
+    /** Parameters that wait until those before are answered. @type {Partial<Parameters4> | null} */
+    this.waiting = null;
+    this.underWay = false;
+    this.scene = byId("scene", HTMLSelectElement);
+    this.number = byId("number", HTMLSelectElement);
+    this.evolution = byId("evolution", HTMLSelectElement);
+    this.pauseButton = byId("pause", HTMLButtonElement);
+    this.speed = byId("speed", HTMLSelectElement);
+    this.sliders = inputs("slide");
+    this.typed = inputs("type");
+    this.listen();
+  }
+
+  /** What every control does. */
+  listen() {
+    this.scene.addEventListener("change", () => this.ask({ type: "scene", name: this.scene.value }));
+    this.number.addEventListener("change", () => this.ask({ type: "number", value: this.number.value }));
+    this.evolution.addEventListener("change", () => this.ask({ type: "evolution", value: this.evolution.value }));
+    this.speed.addEventListener("change", () => this.ask({ type: "speed", value: Number(this.speed.value) }));
+    this.pauseButton.addEventListener("click", () => this.pause());
+    byId("step").addEventListener("click", () => this.step());
+    byId("reset").addEventListener("click", () => this.reset());
+    for (const name of NAMES) {
+      this.sliders[name].max = String(STEPS);
+      this.sliders[name].addEventListener("input", () => this.set(name, fromSlider(name, Number(this.sliders[name].value))));
+      this.typed[name].addEventListener("change", () => this.type(name));
+    }
+  }
+
+  /**
+   * Asks for something; what is refused is told, and the controls show again what holds.
+   * @param {{type: string, [field: string]: unknown}} message
+   */
+  async ask(message) {
+    try {
+      await this.feed().request(message);
+      return true;
+    } catch (why) {
+      this.tell(/** @type {Error} */ (why).message);
+      if (this.state) this.show(this.state);
+      return false;
+    }
+  }
+
+  /** Pauses or goes on. */
+  pause() {
+    this.ask({ type: "pause", value: !this.state?.paused });
+  }
+
+  /** One tick; what runs is paused first. */
+  async step() {
+    if (!this.state?.paused) await this.ask({ type: "pause", value: true });
+    this.ask({ type: "step", ticks: 1 });
+  }
+
+  /** Back to the beginning. */
+  reset() {
+    this.ask({ type: "reset" });
+  }
+
+  /** A value was typed. @param {ParameterName} name */
+  type(name) {
+    const value = Number(this.typed[name].value.replace(",", ".").replace("−", "-"));
+    if (this.typed[name].value.trim() !== "" && Number.isFinite(value)) {
+      this.set(name, value);
+    } else {
+      this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
+      if (this.state) this.show(this.state);
+    }
+  }
+
+  /**
+   * Sets one parameter. The dynamic friction never exceeds the static one: the other one goes with it.
+   * @param {ParameterName} name @param {number} value
+   */
+  set(name, value) {
+    if (!this.state) return;
+    const now = { ...this.state.parameters, ...this.waiting };
+    /** @type {Partial<Parameters4>} */
+    const change = { [name]: value };
+    if (name === "static" && value < now.dynamic) change.dynamic = value;
+    if (name === "dynamic" && value > now.static) change.static = value;
+    this.waiting = { ...this.waiting, ...change };
+    this.showParameters({ ...now, ...change }, name);
+    this.sendParameters();
+  }
+
+  /** Sends the parameters that wait, one message after the answer to the other. */
+  async sendParameters() {
+    if (this.underWay) return;
+    this.underWay = true;
+    let taken = true;
+    while (this.waiting) {
+      const parameters = this.waiting;
+      this.waiting = null;
+      taken = await this.ask({ type: "set", parameters });
+    }
+    this.underWay = false;
+    if (!taken && this.state) this.showParameters(this.state.parameters, null, true);
+  }
+
+  /** The scenes to choose from, and what a board does not let one choose. @param {HelloMessage} hello */
+  setHello({ scenes, source }) {
+    this.scene.replaceChildren(...scenes.map((name) => new Option(name, name)));
+    this.number.disabled = source.kind !== "core";
+    if (this.state) this.show(this.state);
+  }
+
+  /** Shows what holds. @param {StateMessage} state */
+  show(state) {
+    this.state = state;
+    const { title } = state.scene;
+    if (![...this.scene.options].some(({ value }) => value === title)) this.scene.add(new Option(title, title));
+    this.scene.value = title;
+    if (![...this.number.options].some(({ value }) => value === state.number)) this.number.add(new Option(state.number, state.number));
+    this.number.value = state.number;
+    this.evolution.value = state.evolution;
+    if (![...this.speed.options].some(({ value }) => Number(value) === state.speed)) {
+      this.speed.add(new Option(`${digits(state.speed)}×`, String(state.speed)));
+    }
+    this.speed.value = [...this.speed.options].find(({ value }) => Number(value) === state.speed)?.value ?? "1";
+    this.pauseButton.setAttribute("aria-pressed", String(state.paused));
+    setText(byId("pause-text"), state.paused ? "Go on" : "Pause");
+    if (!this.waiting && !this.underWay) this.showParameters(state.parameters, null);
+  }
+
+  /**
+   * Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved.
+   * @param {Parameters4} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone
+   */
+  showParameters(parameters, moved, all = false) {
+    for (const name of NAMES) {
+      // A scene without a surface has no friction.
+      const value = parameters[name] ?? 0;
+      this.sliders[name].disabled = parameters[name] === null;
+      this.typed[name].disabled = parameters[name] === null;
+      if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
+      this.sliders[name].setAttribute("aria-valuetext", digits(value));
+      if (document.activeElement !== this.typed[name] || moved || all) this.typed[name].value = String(Number(value.toPrecision(4)));
+    }
+  }
+}
+
+/**
+ * The inputs of the four parameters, by name.
+ * @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>}
+ */
+function inputs(kind) {
+  return /** @type {any} */ (Object.fromEntries(NAMES.map((name) => [name, byId(`${kind}-${name}`, HTMLInputElement)])));
+}
+
+/** The value at a place of a slider, rounded to three digits. @param {ParameterName} name @param {number} place */
+function fromSlider(name, place) {
+  const { least, most, log } = RANGES[name];
+  const part = place / STEPS;
+  return Number((log ? least * (most / least) ** part : least + part * (most - least)).toPrecision(3));
+}
+
+/** The place of a value on its slider. @param {ParameterName} name @param {number} value */
+function toSlider(name, value) {
+  const { least, most, log } = RANGES[name];
+  if (value <= least) return 0;
+  return Math.round(STEPS * Math.min(1, log ? Math.log(value / least) / Math.log(most / least) : (value - least) / (most - least)));
+}

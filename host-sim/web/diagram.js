@@ -1,0 +1,160 @@
+// The diagram of contact states: the four of the paper and the two beyond it. The current one is lit, transitions flash and are
+// counted.
+
+import { reducedMotion, setText, svg, whole } from "./dom.js";
+
+/** Where a state is, what it is called and a small picture of it: surfaces and body as SVG paths in a box of 36 by 24. */
+const STATES = /** @type {Record<StateName, {x: number, y: number, label: string, ground: string, body: string, dots: Vec[]}>} */ ({
+  "non-contact": { x: 54, y: 34, label: "non-contact", ground: "M3 22H33", body: "M9 10 24 5 27 12 12 17Z", dots: [] },
+  "corner": { x: 306, y: 34, label: "corner", ground: "M5 2V22H33", body: "M5 22 12 7 27 14 20 29Z", dots: [[5, 22]] },
+  "single-vertex": { x: 180, y: 124, label: "single-vertex", ground: "M3 22H33", body: "M13 22 6 8 20 3 27 17Z", dots: [[13, 22]] },
+  "edge": { x: 54, y: 214, label: "edge", ground: "M3 22H33", body: "M8 22V10H28V22Z", dots: [[8, 22], [28, 22]] },
+  "two-vertex": { x: 306, y: 214, label: "two-vertex", ground: "M5 2V22H33", body: "M5 12 18 3 28 9 15 22Z", dots: [[5, 12], [15, 22]] },
+  "locked": { x: 180, y: 258, label: "locked", ground: "M7 2V22H33", body: "M7 22V9H27V22Z", dots: [[7, 9], [7, 22], [27, 22]] },
+});
+
+/** The two that the paper does not have. */
+const BEYOND = ["corner", "locked"];
+/** Half the size of a state's box. */
+const HALF_WIDTH = 49;
+const HALF_HEIGHT = 27;
+/** Half the distance between the lanes of both directions. */
+const GAP = 5;
+/** Transitions that are drawn from the beginning; the others when they happen. @type {[StateName, StateName][]} */
+const LINKS = [
+  ["non-contact", "single-vertex"], ["non-contact", "edge"], ["single-vertex", "edge"], ["single-vertex", "two-vertex"],
+  ["single-vertex", "corner"], ["two-vertex", "locked"], ["edge", "locked"],
+];
+/** The ways around the box in the middle: begin, bend and end. @type {{[pair: string]: string[]}} */
+const DETOURS = {
+  "non-contact>two-vertex": ["106 38", "280 52", "296 184"], "two-vertex>non-contact": ["286 184", "270 62", "106 48"],
+  "corner>edge": ["254 38", "80 52", "64 184"], "edge>corner": ["74 184", "90 62", "254 48"],
+};
+/** A link flashes so long, and not again before (ms). */
+const FLASH = 450;
+
+/** One direction of a link. @typedef {{path: SVGElement, label: SVGElement, count: number, flashed: number}} Lane */
+
+export class Diagram {
+  /** @param {HTMLElement} parent */
+  constructor(parent) {
+    this.links = svg("g", { class: "links" });
+    this.labels = svg("g", { class: "counts" });
+    this.root = svg("svg", { viewBox: "0 0 360 290", role: "img", "aria-label": "Contact states" },
+      svg("defs", {}, svg("marker", { id: "head", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 6, markerHeight: 6, orient: "auto" },
+        svg("path", { d: "M0 0 8 4 0 8Z", class: "head" }))),
+      this.links);
+    /** @type {Map<string, SVGElement>} */
+    this.nodes = new Map(Object.entries(STATES).map(([name, state]) => [name, node(name, state)]));
+    this.root.append(...this.nodes.values(), this.labels);
+    /** @type {Map<string, Lane>} */
+    this.lanes = new Map();
+    for (const [from, to] of LINKS) {
+      this.lane(from, to);
+      this.lane(to, from);
+    }
+    /** @type {string} */
+    this.current = "";
+    parent.append(this.root);
+  }
+
+  /** The lane of a transition; a new one where there is none yet. @param {string} from @param {string} to */
+  lane(from, to) {
+    const key = `${from}>${to}`;
+    const known = this.lanes.get(key);
+    if (known) return known;
+    const { d, x, y, anchor } = route(from, to);
+    const path = svg("path", { d, class: "link", "marker-end": "url(#head)" });
+    const label = svg("text", { x, y, "text-anchor": anchor });
+    this.links.append(path);
+    this.labels.append(label);
+    /** @type {Lane} */
+    const lane = { path, label, count: 0, flashed: -Infinity };
+    this.lanes.set(key, lane);
+    return lane;
+  }
+
+  /** Shows a frame's state and the transitions so far. @param {FrameMessage} message */
+  show({ frame, counts }) {
+    if (frame.state !== this.current) {
+      this.nodes.get(this.current)?.classList.remove("now");
+      this.nodes.get(frame.state)?.classList.add("now");
+      this.current = frame.state;
+      this.root.setAttribute("aria-label", `Contact states; now ${frame.state}`);
+    }
+    for (const key in counts.transitions) this.count(key, counts.transitions[key]);
+    for (const [key, lane] of this.lanes) if (lane.count > 0 && !(key in counts.transitions)) this.set(lane, 0);
+  }
+
+  /** The count of one transition. @param {string} key @param {number} count */
+  count(key, count) {
+    const [from, to] = key.split(">");
+    if (!(from in STATES) || !(to in STATES) || from === to) return;
+    const lane = this.lane(from, to);
+    if (count === lane.count) return;
+    if (count > lane.count) flash(lane);
+    this.set(lane, count);
+  }
+
+  /** @param {Lane} lane @param {number} count */
+  set(lane, count) {
+    lane.count = count;
+    setText(lane.label, count === 0 ? "" : whole(count));
+    lane.path.classList.toggle("used", count > 0);
+  }
+}
+
+/** A state's box. @param {string} name @param {typeof STATES[StateName]} state */
+function node(name, { x, y, label, ground, body, dots }) {
+  const picture = svg("g", { transform: `translate(${x - 18} ${y - 24})`, class: "picture" },
+    svg("path", { d: body, class: "shape" }), svg("path", { d: ground, class: "ground" }),
+    ...dots.map(([cx, cy]) => svg("circle", { cx, cy, r: 2.2 })));
+  const box = svg("rect", { x: x - HALF_WIDTH, y: y - HALF_HEIGHT, width: 2 * HALF_WIDTH, height: 2 * HALF_HEIGHT, rx: 9 });
+  return svg("g", { class: BEYOND.includes(name) ? "node beyond" : "node" }, box, picture,
+    svg("text", { x, y: y + 19, "text-anchor": "middle" }, label));
+}
+
+/**
+ * The way of a transition: a line beside that of the other direction, from border to border, and the place of its count.
+ * @param {string} from @param {string} to
+ */
+function route(from, to) {
+  const detour = DETOURS[`${from}>${to}`];
+  if (detour) {
+    const [begin, bend, end] = detour;
+    const [x, y] = begin.split(" ").map(Number);
+    return { d: `M${begin}Q${bend} ${end}`, x: x + (x < 180 ? 22 : -22), y: to > from ? y - 4 : y + 14, anchor: "middle" };
+  }
+  const a = STATES[/** @type {StateName} */ (from)], b = STATES[/** @type {StateName} */ (to)];
+  const length = Math.hypot(b.x - a.x, b.y - a.y);
+  const ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+  const ox = -uy * GAP, oy = ux * GAP;
+  const start = leave(ux, uy, ox, oy), end = length - leave(-ux, -uy, ox, oy);
+  const x0 = a.x + start * ux + ox, y0 = a.y + start * uy + oy;
+  const x1 = a.x + end * ux + ox, y1 = a.y + end * uy + oy;
+  const x = (x0 + x1) / 2 + 1.6 * ox, y = (y0 + y1) / 2 + 2.2 * oy + 4;
+  const anchor = ox > 1 ? "start" : ox < -1 ? "end" : "middle";
+  return { d: `M${x0.toFixed(1)} ${y0.toFixed(1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`, x: x.toFixed(1), y: y.toFixed(1), anchor };
+}
+
+/**
+ * Way from the middle of a box to its border, on a line beside the middle.
+ * @param {number} ux @param {number} uy @param {number} ox @param {number} oy
+ */
+function leave(ux, uy, ox, oy) {
+  const across = (HALF_WIDTH + 3 - ox * Math.sign(ux)) / Math.abs(ux || 1e-9);
+  return Math.min(across, (HALF_HEIGHT + 3 - oy * Math.sign(uy)) / Math.abs(uy || 1e-9));
+}
+
+/** Lights a lane up for a moment. @param {Lane} lane */
+function flash(lane) {
+  const now = performance.now();
+  if (now - lane.flashed < FLASH) return;
+  lane.flashed = now;
+  if (reducedMotion()) {
+    lane.path.classList.add("lit");
+    setTimeout(() => lane.path.classList.remove("lit"), FLASH);
+    return;
+  }
+  lane.path.animate([{ stroke: "var(--accent)", strokeWidth: "5px" }, {}], { duration: FLASH, easing: "ease-out" });
+}

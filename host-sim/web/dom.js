@@ -1,0 +1,84 @@
+// Small helpers for the document: elements by name, text that is set only when it changes, numbers in words.
+
+/**
+ * The element of an id; it must be there.
+ * @template {HTMLElement} T
+ * @param {string} id
+ * @param {{ new (): T }} [kind]
+ * @returns {T}
+ */
+export function byId(id, kind) {
+  const element = document.getElementById(id);
+  if (!element || (kind && !(element instanceof kind))) throw new Error(`no element ${id}`);
+  return /** @type {T} */ (element);
+}
+
+/** Sets a text where it differs. @param {Element} element @param {string} text */
+export function setText(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * A new element with attributes and children.
+ * @param {string} name
+ * @param {{[attribute: string]: string}} [attributes]
+ * @param {(Node | string)[]} children
+ */
+export function make(name, attributes = {}, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+/**
+ * A new SVG element.
+ * @param {string} name
+ * @param {{[attribute: string]: string | number}} [attributes]
+ * @param {(Node | string)[]} children
+ */
+export function svg(name, attributes = {}, ...children) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+  element.append(...children);
+  return element;
+}
+
+/** A number with three digits that count, without an exponent where it can be read without. @param {number} value */
+export function digits(value) {
+  if (value === 0) return "0";
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size < 1e-4 || size >= 1e6) return minus(value.toExponential(1));
+  return minus(size >= 100 ? value.toFixed(0) : value.toPrecision(3));
+}
+
+/** A number with so many decimals. @param {number} value @param {number} decimals */
+export const fixed = (value, decimals) => minus((Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals));
+
+/** A proper minus sign. @param {string} text */
+const minus = (text) => text.replace("-", "−");
+
+/** A whole number with thin spaces between thousands. @param {number} value */
+export const whole = (value) => String(Math.round(value)).replace(/\B(?=(\d{3})+$)/g, "\u2009");
+
+/** A time in seconds, in the unit that fits. @param {number} seconds */
+export function duration(seconds) {
+  if (seconds < 1e-6) return `${digits(seconds * 1e9)} ns`;
+  if (seconds < 1e-3) return `${digits(seconds * 1e6)} µs`;
+  return seconds < 1 ? `${digits(seconds * 1e3)} ms` : `${digits(seconds)} s`;
+}
+
+/**
+ * The value that a fraction of the samples does not exceed.
+ * @param {readonly number[]} samples @param {number} fraction
+ */
+export function quantile(samples, fraction) {
+  if (samples.length === 0) return NaN;
+  const sorted = Float64Array.from(samples).sort();
+  return sorted[Math.min(sorted.length - 1, Math.floor(fraction * sorted.length))];
+}
+
+/** True if the reader asked for less motion. */
+const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
+export const reducedMotion = () => calm.matches;

@@ -1,0 +1,168 @@
+// Contacts: the friction cones with the reaction in them, and the bars of N along the normal and of T along the tangent.
+
+import { digits } from "./dom.js";
+import { colors } from "./theme.js";
+import { step125 } from "./ground.js";
+
+/** Length of a bar of the greatest force lately, and its width (px). */
+const LONGEST = 110;
+const WIDTH = 7;
+/** Length of the cones' sides (px). */
+const CONE = 92;
+/** Part of the greatest force that is forgotten in a drawing. */
+const FORGET = 0.003;
+
+/** The scale of the bars: so that the greatest force lately fits, in steps of 1, 2, 5, and not to and fro. */
+export class ForceScale {
+  constructor() {
+    this.greatest = 0;
+    /** Pixels per N. */
+    this.perNewton = 10;
+  }
+
+  /** Takes the forces of a frame in. @param {Contact[]} contacts */
+  take(contacts) {
+    let greatest = 0;
+    for (const { normal, friction } of contacts) greatest = Math.max(greatest, normal, Math.abs(friction));
+    this.greatest = Math.max(greatest, (1 - FORGET) * this.greatest);
+    if (this.greatest <= 0) return;
+    const now = this.greatest * this.perNewton;
+    if (now > LONGEST || now < 0.3 * LONGEST) this.perNewton = step125(LONGEST / this.greatest);
+  }
+
+  /** Forgets the forces of the scene before. */
+  reset() {
+    this.greatest = 0;
+  }
+}
+
+/** The unit tangent and normal of a surface in pixels. @param {Surface} surface */
+const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], ny: -normal[1] });
+
+/**
+ * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {Parameters4} parameters
+ */
+export function drawCones(ctx, view, contact, surface, parameters) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  for (const kind of /** @type {const} */ (["static", "dynamic"])) {
+    const mu = surface[kind] ?? parameters[kind];
+    const size = CONE / Math.hypot(1, mu);
+    ctx.beginPath();
+    ctx.moveTo(x + size * (nx + mu * tx), y + size * (ny + mu * ty));
+    ctx.lineTo(x, y);
+    ctx.lineTo(x + size * (nx - mu * tx), y + size * (ny - mu * ty));
+    ctx.fillStyle = colors[`cone-${kind}`];
+    ctx.fill();
+    ctx.setLineDash(kind === "static" ? [6, 3] : [1.8, 2.6]);
+    ctx.strokeStyle = colors[`limit-${kind}`];
+    ctx.lineWidth = 1.3;
+    ctx.stroke();
+  }
+  ctx.setLineDash([]);
+}
+
+/**
+ * The bars of a contact, the reaction as their sum, and the contact point.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ */
+export function drawContact(ctx, view, contact, surface, perNewton) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const n = contact.normal * perNewton, t = contact.friction * perNewton;
+  drawBar(ctx, x, y, nx * n, ny * n, colors.normal, false);
+  drawBar(ctx, x, y, tx * t, ty * t, colors.friction, true);
+  drawArrow(ctx, x, y, nx * n + tx * t, ny * n + ty * t);
+  ctx.beginPath();
+  ctx.arc(x, y, 4.5, 0, 2 * Math.PI);
+  ctx.fillStyle = colors.reaction;
+  ctx.fill();
+  ctx.strokeStyle = colors.paper;
+  ctx.lineWidth = 1.5;
+  ctx.stroke();
+}
+
+/**
+ * The values of a contact's bars beside their ends.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ */
+export function labelContact(ctx, view, contact, surface, perNewton) {
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
+  const n = contact.normal * perNewton, t = contact.friction * perNewton;
+  const side = contact.friction > 0 ? -1 : 1;
+  const away = 14;
+  ctx.textBaseline = "middle";
+  label(ctx, `N ${digits(contact.normal)}`, x + nx * n + side * away * tx, y + ny * n + side * away * ty, side * tx, colors.normal);
+  if (Math.abs(t) < 1) return;
+  const sense = Math.sign(t);
+  label(ctx, `T ${digits(contact.friction)}`, x + tx * (t + sense * 8) - 16 * nx, y + ty * (t + sense * 8) - 16 * ny, sense * tx, colors.friction);
+}
+
+/**
+ * A text with a halo of paper, to the right or left of a place.
+ * @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {number} toward
+ * @param {string} color
+ */
+function label(ctx, text, x, y, toward, color) {
+  ctx.textAlign = toward > 0.5 ? "left" : toward < -0.5 ? "right" : "center";
+  ctx.lineJoin = "round";
+  ctx.lineWidth = 4;
+  ctx.strokeStyle = colors.paper;
+  ctx.strokeText(text, x, y);
+  ctx.fillStyle = color;
+  ctx.fillText(text, x, y);
+}
+
+/**
+ * A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour.
+ * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy @param {string} color
+ * @param {boolean} hollow
+ */
+function drawBar(ctx, x, y, dx, dy, color, hollow) {
+  const length = Math.hypot(dx, dy);
+  if (length < 0.5) return;
+  const wx = (-dy / length) * (WIDTH / 2), wy = (dx / length) * (WIDTH / 2);
+  ctx.beginPath();
+  ctx.moveTo(x + wx, y + wy);
+  ctx.lineTo(x + dx + wx, y + dy + wy);
+  ctx.lineTo(x + dx - wx, y + dy - wy);
+  ctx.lineTo(x - wx, y - wy);
+  ctx.closePath();
+  ctx.fillStyle = hollow ? colors.paper : color;
+  ctx.fill();
+  if (hollow) {
+    for (let s = 5; s < length; s += 5) {
+      ctx.moveTo(x + (dx * s) / length + wx, y + (dy * s) / length + wy);
+      ctx.lineTo(x + (dx * s) / length - wx, y + (dy * s) / length - wy);
+    }
+  }
+  ctx.strokeStyle = color;
+  ctx.lineWidth = 1.6;
+  ctx.stroke();
+}
+
+/**
+ * The reaction: an arrow.
+ * @param {Ink} ctx @param {number} x @param {number} y @param {number} dx @param {number} dy
+ */
+function drawArrow(ctx, x, y, dx, dy) {
+  const length = Math.hypot(dx, dy);
+  if (length < 2) return;
+  const ux = dx / length, uy = dy / length;
+  const head = Math.min(10, length);
+  ctx.beginPath();
+  ctx.moveTo(x, y);
+  ctx.lineTo(x + dx - head * ux, y + dy - head * uy);
+  ctx.strokeStyle = colors.reaction;
+  ctx.lineWidth = 2.4;
+  ctx.stroke();
+  ctx.beginPath();
+  ctx.moveTo(x + dx, y + dy);
+  ctx.lineTo(x + dx - head * ux - 4.5 * uy, y + dy - head * uy + 4.5 * ux);
+  ctx.lineTo(x + dx - head * ux + 4.5 * uy, y + dy - head * uy - 4.5 * ux);
+  ctx.closePath();
+  ctx.fillStyle = colors.reaction;
+  ctx.fill();
+}

@@ -1,0 +1,220 @@
+// The page: what shows and what asks, put together around one feed, which is the server or a board on Web Serial.
+
+import { Charts } from "./charts.js";
+import { Controls } from "./controls.js";
+import { Diagram } from "./diagram.js";
+import { byId, setText } from "./dom.js";
+import { Grip } from "./grip.js";
+import { Keys } from "./keys.js";
+import { Link } from "./link.js";
+import { Pointers } from "./pointer.js";
+import { Readout } from "./readout.js";
+import { Stage } from "./stage.js";
+import { startTheme } from "./theme.js";
+import { Transport } from "./transport.js";
+
+/** A note disappears after so long (ms). */
+const NOTE = 6000;
+/** Zoom of a key or button. */
+const ZOOM = 1.3;
+
+startTheme();
+const stage = new Stage(byId("stage", HTMLCanvasElement));
+const diagram = new Diagram(byId("diagram"));
+const charts = new Charts();
+const readout = new Readout(stage);
+/** The board on Web Serial, instead of the server. @type {import("./board.js").Board | null} */
+let board = null;
+/**
+ * What the server said last, for when the board goes.
+ * @type {{hello: HelloMessage | null, state: StateMessage | null}}
+ */
+const server = { hello: null, state: null };
+let connected = false;
+let framesReceived = 0;
+
+/** @type {() => Feed} */
+const feed = () => board ?? link;
+/** True if this browser can talk to a serial port. */
+const canSerial = () => navigator.serial !== undefined;
+const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
+const controls = new Controls(feed, note);
+const transport = new Transport((message) => controls.ask(message), note);
+
+/**
+ * Where everything that comes goes; from the server only while no board is connected.
+ * @param {boolean} serial @returns {FeedEvents}
+ */
+function eventsFor(serial) {
+  const current = () => serial === (board !== null);
+  return {
+    hello(message) {
+      if (!serial) server.hello = message;
+      if (!current()) return;
+      readout.setHello(message);
+      controls.setHello(message);
+    },
+    state(message) {
+      if (!serial) server.state = message;
+      if (current()) showState(message);
+    },
+    frame(message) {
+      if (current()) showFrame(message);
+    },
+    connected(yes) {
+      if (serial) {
+        if (!yes) leaveBoard();
+      } else {
+        connected = yes;
+      }
+      readout.setConnected(connected || board !== null, board !== null);
+      if (!yes) charts.clear();
+    },
+    error: note,
+  };
+}
+
+/** @param {StateMessage} message */
+function showState(message) {
+  stage.setState(message);
+  charts.setState(message);
+  controls.show(message);
+  transport.show(message);
+  readout.setState(message);
+  if (message.replay) byId("hint").hidden = true;
+}
+
+/** @param {FrameMessage} message */
+function showFrame(message) {
+  framesReceived++;
+  charts.take(message);
+  stage.setFrame(message);
+  grip.take(message);
+}
+
+/** Why the hand cannot be had now, or null. */
+function handRefusal() {
+  if (board) return null;
+  const { hello, state } = server;
+  if (state?.replay) return "A replay moves the hand. Choose “live” to move it yourself.";
+  const other = state?.hand.by != null && state.hand.client !== hello?.you;
+  if (!other) return null;
+  return state.hand.client === null ? `The hand comes by ${state.hand.by}.` : `Page ${state.hand.client} holds the hand.`;
+}
+
+/** Tells something for a while. @param {string} text */
+function note(text) {
+  const element = byId("note");
+  setText(element, text);
+  element.hidden = false;
+  clearTimeout(noteTimer);
+  noteTimer = window.setTimeout(() => { element.hidden = true; }, NOTE);
+}
+let noteTimer = 0;
+
+stage.also.push(() => {
+  const { message } = stage;
+  if (!message) return;
+  diagram.show(message);
+  readout.update();
+  transport.take(message);
+  if (charts.draw(message)) stage.ask();
+});
+
+/** Connects to a board or leaves it. */
+async function toggleBoard() {
+  if (board) {
+    await board.stop();
+    return;
+  }
+  if (!canSerial()) {
+    note("This browser has no Web Serial. Chromium, Chrome and Edge on a desktop have it.");
+    return;
+  }
+  const baud = Number(byId("baud", HTMLSelectElement).value);
+  const { Board } = await import("./board.js");
+  const next = new Board(eventsFor(true), stage.state);
+  board = next;
+  charts.clear();
+  try {
+    await next.start(baud);
+    showBoardButton();
+  } catch (why) {
+    const error = /** @type {Error} */ (why);
+    await next.stop(error.name === "NotFoundError" ? "No port was chosen." : error.message);
+  }
+}
+
+/** Back to the server. */
+function leaveBoard() {
+  board = null;
+  showBoardButton();
+  if (server.hello) {
+    readout.setHello(server.hello);
+    controls.setHello(server.hello);
+  }
+  if (server.state) showState(server.state);
+}
+
+/** What the button of the board does now. */
+function showBoardButton() {
+  const button = byId("serial", HTMLButtonElement);
+  setText(button, board ? "Leave the board" : "Board by Web Serial");
+  button.setAttribute("aria-disabled", String(!canSerial()));
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "let-go"]) {
+    /** @type {HTMLButtonElement | HTMLSelectElement} */ (byId(id)).disabled = board !== null;
+  }
+  byId("no-serial").hidden = canSerial();
+  byId("baud-label").hidden = !canSerial();
+}
+
+/** @param {number} factor */
+function zoom(factor) {
+  stage.adjusted = true;
+  stage.view.zoom(factor);
+  stage.ask();
+}
+
+/** @param {boolean} keep the hand stays closed when the pointer lets go */
+function setKeep(keep) {
+  grip.keep = keep;
+  byId("keep", HTMLInputElement).checked = keep;
+}
+
+const help = byId("help", HTMLDialogElement);
+new Pointers(stage, grip);
+new Keys(stage, grip, {
+  "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
+  "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(), "+": () => zoom(ZOOM), "=": () => zoom(ZOOM),
+  "-": () => zoom(1 / ZOOM), "t": () => byId("theme").click(), "?": () => (help.open ? help.close() : help.showModal()),
+  "h": () => (help.open ? help.close() : help.showModal()),
+});
+byId("keep", HTMLInputElement).addEventListener("change", (event) => setKeep(/** @type {HTMLInputElement} */ (event.target).checked));
+byId("zoom-in").addEventListener("click", () => zoom(ZOOM));
+byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
+byId("zoom-fit").addEventListener("click", () => stage.fit());
+byId("help-open").addEventListener("click", () => help.showModal());
+byId("help-close").addEventListener("click", () => help.close());
+byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
+byId("serial").addEventListener("click", () => toggleBoard());
+for (const box of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[data-layer]"))) {
+  box.addEventListener("change", () => {
+    stage.layers[/** @type {import("./stage.js").Layer} */ (box.dataset.layer)] = box.checked;
+    stage.ask();
+  });
+}
+showBoardButton();
+
+Object.defineProperty(window, "stiction", {
+  value: Object.freeze({
+    get frame() { return stage.message; },
+    get state() { return stage.state; },
+    get connected() { return connected; },
+    get framesDrawn() { return stage.framesDrawn; },
+    get framesReceived() { return framesReceived; },
+    get latencies() { return stage.latencies.list(); },
+    get drawTimes() { return stage.drawTimes.list(); },
+  }),
+});
+
+const link = new Link(eventsFor(false));

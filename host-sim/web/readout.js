@@ -1,0 +1,154 @@
+// What the page says in words and numbers: the state over the scene, the trade, where the poses come from and how well, who holds
+// the hand, and the connection.
+
+import { byId, digits, duration, fixed, quantile, setText, whole } from "./dom.js";
+
+/** Pause between two updates of the texts, and of what is read aloud (ms). */
+const PAUSE = 100;
+const ALOUD = 2000;
+/** Decades of the error bars: from 1e-4 to 1e5. */
+const LEAST = -4;
+const MOST = 5;
+/** Events in the order in which they are counted. */
+const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "grasp", "release"];
+
+export class Readout {
+  /** @param {Stage} stage */
+  constructor(stage) {
+    this.stage = stage;
+    /** @type {HelloMessage | null} */
+    this.hello = null;
+    /** @type {StateMessage | null} */
+    this.state = null;
+    this.last = 0;
+    this.spoken = "";
+    this.spokenAt = 0;
+    this.events = new Map(EVENTS.map((name) => [name, eventChip(name)]));
+  }
+
+  /** @param {HelloMessage} hello */
+  setHello(hello) {
+    this.hello = hello;
+    setText(byId("source"), sourceText(hello.source));
+    setText(byId("program"), hello.program);
+  }
+
+  /** @param {StateMessage} state */
+  setState(state) {
+    this.state = state;
+    const { by, client } = state.hand;
+    const mine = client !== null && client === this.hello?.you;
+    const holder = { page: mine ? "this page" : `page ${client}`, osc: "OSC", opentrack: "OpenTrack", replay: "replay" }[by ?? ""] ?? by ?? "nobody";
+    setText(byId("holder"), `Hand: ${holder}`);
+    byId("holder").dataset.mine = String(mine);
+    setText(byId("clients"), state.clients === 1 ? "1 page" : `${state.clients} pages`);
+    setText(byId("trade-what"), `${state.number}, ${state.evolution} against f64, path`);
+  }
+
+  /** The newest frame, in words; called with every drawing, works ten times a second. */
+  update() {
+    const { message } = this.stage;
+    const now = performance.now();
+    if (!message || now - this.last < PAUSE) return;
+    this.last = now;
+    this.showFrame(message);
+    this.showTrade(message.reference);
+    this.showHealth(message);
+    for (const name of EVENTS) this.showEvent(name, message.counts.events[name] ?? 0);
+    if (now - this.spokenAt > ALOUD && message.frame.state !== this.spoken) {
+      this.spokenAt = now;
+      this.spoken = message.frame.state;
+      setText(byId("aloud"), `Contact state: ${message.frame.state}`);
+    }
+  }
+
+  /** State, poses and wrench, over the scene. @param {FrameMessage} message */
+  showFrame({ frame, holding }) {
+    setText(byId("state-name"), frame.state);
+    const status = byId("status");
+    setText(status, frame.status === "ok" ? "" : frame.status);
+    status.hidden = frame.status === "ok";
+    setText(byId("hand-pose"), poseText(frame.hand) + (holding ? "" : ", open"));
+    setText(byId("body-pose"), poseText(frame.pose));
+    const [fx, fy, m] = frame.wrench;
+    setText(byId("wrench"), `${fixed(Math.hypot(fx, fy), 2)} N, ${fixed(m * 1e3, 1)} mN·m`);
+  }
+
+  /** Errors against the reference, now and worst. @param {Reference | null} reference */
+  showTrade(reference) {
+    byId("trade").dataset.none = String(reference === null);
+    if (!reference) return;
+    const { error, worst, differ, since, state } = reference;
+    showError("length", error[0] * 1e6, worst[0] * 1e6, "µm");
+    showError("angle", error[1] * 1e3, worst[1] * 1e3, "mrad");
+    const now = this.stage.message?.frame.state === state;
+    setText(byId("differ-now"), now ? "the same" : `reference: ${state}`);
+    byId("differ-now").dataset.differs = String(!now);
+    setText(byId("differ"), `${whole(differ)} of ${whole(since)} ticks (${fixed(since ? (100 * differ) / since : 0, 2)} %)`);
+  }
+
+  /** Time per step, ticks, frames lost, latency; of a board also its health. @param {FrameMessage} message */
+  showHealth({ counts, skipped, board }) {
+    setText(byId("ticks"), `${whole(counts.ticks)}, ${whole(counts.missed)} missed`);
+    setText(byId("skipped"), whole(skipped));
+    const latencies = this.stage.latencies.list().slice(-300);
+    setText(byId("latency"), latencies.length
+      ? `${fixed(quantile(latencies, 0.5), 0)} ms, 99 %: ${fixed(quantile(latencies, 0.99), 0)} ms` : "move the hand to measure");
+    setText(byId("drawing"), `${fixed(quantile(this.stage.drawTimes.list().slice(-300), 0.5), 1)} ms`);
+    byId("board-health").hidden = board === null;
+    if (!board) return;
+    setText(byId("board-link"), board.connected ? `connected, ${fixed(board.rate, 0)} poses/s` : "not connected");
+    setText(byId("board-latency"), board.latency === null ? "–" : duration(board.latency));
+    setText(byId("board-lost"), `${whole(board.lost)} lost, ${whole(board.late)} late`);
+    setText(byId("board-missed"), `${whole(board.missed)} ticks missed, ${whole(board.faults)} faults`);
+  }
+
+  /** The count of an event. @param {string} name @param {number} count */
+  showEvent(name, count) {
+    const chip = this.events.get(name);
+    if (!chip) return;
+    setText(chip.count, whole(count));
+    chip.root.dataset.none = String(count === 0);
+  }
+
+  /** The connection. @param {boolean} yes @param {boolean} serial there is a board on Web Serial instead */
+  setConnected(yes, serial) {
+    byId("lost").hidden = yes || serial;
+    byId("source").dataset.lost = String(!yes);
+    document.body.dataset.lost = String(!yes);
+    if (!yes && !serial) setText(byId("source"), "not connected");
+    else if (this.hello) setText(byId("source"), sourceText(this.hello.source));
+  }
+}
+
+/** A chip with the count of an event. @param {string} name */
+function eventChip(name) {
+  const count = document.createElement("b");
+  const root = document.createElement("li");
+  root.append(name, " ", count);
+  byId("events").append(root);
+  return { root, count };
+}
+
+/**
+ * An error now and worst, as numbers and as marks on a bar of decades.
+ * @param {"length" | "angle"} name @param {number} now @param {number} worst @param {string} unit
+ */
+function showError(name, now, worst, unit) {
+  setText(byId(`error-${name}`), `${digits(now)} ${unit}`);
+  setText(byId(`worst-${name}`), `${digits(worst)} ${unit}`);
+  const place = (/** @type {number} */ value) =>
+    Math.min(1, Math.max(0, (Math.log10(Math.max(value, 1e-12)) - LEAST) / (MOST - LEAST)));
+  const bar = byId(`bar-${name}`);
+  bar.style.setProperty("--now", place(now).toFixed(3));
+  bar.style.setProperty("--worst", place(worst).toFixed(3));
+}
+
+/** A pose: millimetres and degrees. @param {Pose} pose */
+const poseText = ([x, y, angle]) => `${fixed(x * 1e3, 2)}, ${fixed(y * 1e3, 2)} mm, ${fixed((angle * 180) / Math.PI, 2)}°`;
+
+/** Where the poses come from. @param {Source} source */
+function sourceText({ kind, name, number, where, emulated }) {
+  if (kind === "core") return "core, in process";
+  return [`${emulated ? "emulated board" : "board"}${name ? ` ${name}` : ""}`, number, where].filter(Boolean).join(", ");
+}

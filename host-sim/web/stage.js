@@ -1,0 +1,192 @@
+// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and measures
+// what drawing costs and how old a sample of the hand is when its pose appears.
+
+import { colors, onTheme } from "./theme.js";
+import { drawContact, drawCones, ForceScale, labelContact } from "./forces.js";
+import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
+import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
+import { Samples } from "./samples.js";
+import { Trails } from "./trails.js";
+import { View } from "./view.js";
+
+/** Rows of pixels at the top that the texts over the scene take. */
+const TEXT_HEIGHT = 44;
+/** A scene of this height (px) has signs and texts in their ordinary size; they grow by this at most. */
+const ORDINARY = 620;
+const MOST = 2;
+
+/** What can be left out. @typedef {"ghost" | "trails" | "cones" | "bars" | "values"} Layer */
+
+export class Stage {
+  /** @param {HTMLCanvasElement} canvas */
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", { alpha: false }));
+    this.view = new View();
+    this.view.top = TEXT_HEIGHT;
+    this.trails = new Trails();
+    this.force = new ForceScale();
+    /** @type {StateMessage | null} */
+    this.state = null;
+    /** @type {FrameMessage | null} */
+    this.message = null;
+    /** @type {Record<Layer, boolean>} */
+    this.layers = { ghost: true, trails: true, cones: true, bars: true, values: true };
+    /** Text that tells one scene from another. */
+    this.sceneKey = "";
+    /** The reader has zoomed or moved the window. */
+    this.adjusted = false;
+    this.fitted = false;
+    this.asked = false;
+    this.lastEcho = -1;
+    /** Signs and texts are so much larger on a large screen. */
+    this.magnify = 1;
+    /** Pixels of the screen for one of the drawing. */
+    this.ratio = 1;
+    this.framesDrawn = 0;
+    this.drawTimes = new Samples(2000);
+    this.latencies = new Samples(2000);
+    /** Called in every drawing, after the scene: what else follows the newest frame. @type {(() => void)[]} */
+    this.also = [];
+    this.work = () => this.draw();
+    onTheme(() => this.ask());
+    new ResizeObserver((entries) => this.resize(entries[0])).observe(canvas);
+  }
+
+  /** The canvas gets as many pixels as the screen has there. @param {ResizeObserverEntry} entry */
+  resize(entry) {
+    const { width, height } = entry.contentRect;
+    if (width === 0 || height === 0) return;
+    const ratio = window.devicePixelRatio || 1;
+    this.magnify = Math.min(MOST, Math.max(1, Math.min(width, height) / ORDINARY));
+    this.ratio = ratio * this.magnify;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.view.width = width / this.magnify;
+    this.view.height = height / this.magnify;
+    if (!this.adjusted) this.fitted = false;
+    this.draw();
+  }
+
+  /** Place of a pointer or wheel in the drawing. @param {MouseEvent} event */
+  place(event) {
+    return { x: event.offsetX / this.magnify, y: event.offsetY / this.magnify };
+  }
+
+  /** What holds until it is told anew. @param {StateMessage} state */
+  setState(state) {
+    const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces]);
+    if (key !== this.sceneKey) {
+      this.sceneKey = key;
+      // The newest frame is one of the scene before.
+      this.message = null;
+      this.clear();
+      this.fit();
+    }
+    this.state = state;
+    this.ask();
+  }
+
+  /** The newest frame. @param {FrameMessage} message */
+  setFrame(message) {
+    if (this.message && message.frame.t < this.message.frame.t) this.clear();
+    const before = this.message;
+    this.message = message;
+    if (before && before.tick === message.tick && before.echo === message.echo
+      && before.frame.pose.every((value, i) => value === message.frame.pose[i])) return;
+    this.trails.take(message, this.view.scale);
+    this.force.take(message.frame.contacts);
+    this.ask();
+  }
+
+  /** Forgets trails and slips. */
+  clear() {
+    this.trails.clear();
+    this.force.reset();
+    this.ask();
+  }
+
+  /** Fits the scene into the window with the next drawing. */
+  fit() {
+    this.fitted = false;
+    this.adjusted = false;
+    this.ask();
+  }
+
+  /** Asks for a drawing before the screen's next refresh. */
+  ask() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(this.work);
+  }
+
+  /** Draws, and measures. */
+  draw() {
+    this.asked = false;
+    const begin = performance.now();
+    const { state, message } = this;
+    this.ctx.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    this.ctx.fillStyle = colors.paper;
+    this.ctx.fillRect(0, 0, this.view.width, this.view.height);
+    if (!state || !message) return;
+    this.aim(state.scene, message.frame);
+    this.drawScene(state, message);
+    for (const work of this.also) work();
+    const end = performance.now();
+    this.framesDrawn++;
+    this.drawTimes.push(end - begin);
+    if (message.echo !== null && message.echo > this.lastEcho) {
+      this.lastEcho = message.echo;
+      this.latencies.push(end - message.echo);
+    }
+  }
+
+  /** Fits or follows. @param {Scene} scene @param {TraceFrame} frame */
+  aim(scene, frame) {
+    if (!this.fitted) {
+      this.view.fit(scene, frame.pose, frame.hand);
+      this.fitted = true;
+    } else if (this.view.follow(scene, frame.pose, frame.hand)) {
+      this.ask();
+    }
+  }
+
+  /** The layers from the back to the front. @param {StateMessage} state @param {FrameMessage} message */
+  drawScene({ scene, parameters }, { frame, holding, ghost }) {
+    const { ctx, view, layers, trails } = this;
+    ctx.font = "12px system-ui, sans-serif";
+    ctx.lineCap = "round";
+    drawGrid(ctx, view);
+    drawSurfaces(ctx, view, scene.surfaces);
+    if (layers.trails) {
+      trails.draw(ctx, view);
+      trails.drawSlips(ctx, view, scene.surfaces);
+    }
+    if (ghost && layers.ghost) drawGhost(ctx, view, scene.body, ghost);
+    drawBody(ctx, view, scene.body, frame.pose);
+    const contacts = this.contactsOf(frame, scene);
+    if (layers.cones) for (const [contact, surface] of contacts) drawCones(ctx, view, contact, surface, parameters);
+    if (holding) {
+      if (scene.body.length > 1) drawSpiral(ctx, view, holding, frame.pose[2], ghost ? ghost[2] - frame.pose[2] : 0);
+      drawCoil(ctx, view, holding, frame.hand);
+      drawHolding(ctx, view, holding);
+    }
+    if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, this.force.perNewton);
+    drawHand(ctx, view, frame.hand, holding !== null);
+    if (layers.bars && layers.values) {
+      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, this.force.perNewton);
+    }
+    drawScales(ctx, view, this.force.perNewton);
+  }
+
+  /**
+   * The contacts of a frame with their surfaces.
+   * @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Surface][]}
+   */
+  contactsOf(frame, scene) {
+    return frame.contacts.flatMap((contact) => {
+      const surface = scene.surfaces.find(({ name }) => name === contact.surface);
+      return surface ? [/** @type {[Contact, Surface]} */ ([contact, surface])] : [];
+    });
+  }
+}

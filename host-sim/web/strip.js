@@ -1,0 +1,69 @@
+// A table that grows at one end and forgets at the other; its columns are handed to the charts as they are.
+
+export class Strip {
+  /** @param {number} columns the first one is the time @param {number} capacity rows that are kept at least */
+  constructor(columns, capacity) {
+    this.columns = Array.from({ length: columns }, () => new Float64Array(2 * capacity));
+    this.capacity = capacity;
+    this.length = 0;
+  }
+
+  /** A row more. @param {number[]} row */
+  push(...row) {
+    if (this.length === 2 * this.capacity) {
+      for (const column of this.columns) column.copyWithin(0, this.capacity);
+      this.length = this.capacity;
+    }
+    for (let i = 0; i < row.length; i++) this.columns[i][this.length] = row[i];
+    this.length++;
+  }
+
+  /** Forgets all rows. */
+  clear() {
+    this.length = 0;
+  }
+
+  /** The newest value of a column, or NaN. @param {number} column */
+  last(column) {
+    return this.length ? this.columns[column][this.length - 1] : NaN;
+  }
+
+  /** A value. @param {number} column @param {number} row */
+  at(column, row) {
+    return this.columns[column][row];
+  }
+
+  /** The first row not before a time. @param {number} time */
+  find(time) {
+    let low = 0, high = this.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.columns[0][middle] < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /** The columns from a time on, and one row before it; not copied. @param {number} time */
+  since(time) {
+    const first = Math.max(0, this.find(time) - 1);
+    return this.columns.map((column) => column.subarray(first, this.length));
+  }
+
+  /**
+   * The least and the greatest value of the columns from 1 up to another one, and of 0, from a time on.
+   * @param {number} time @param {number} columns @returns {Vec}
+   */
+  extent(time, columns) {
+    let low = 0, high = 0;
+    const first = this.find(time);
+    for (let c = 1; c < columns; c++) {
+      const column = this.columns[c];
+      for (let i = first; i < this.length; i++) {
+        if (column[i] < low) low = column[i];
+        if (column[i] > high) high = column[i];
+      }
+    }
+    return [low, high];
+  }
+}

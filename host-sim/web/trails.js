@@ -1,0 +1,125 @@
+// Where hand and object have been, and where the object slipped.
+
+import { colors } from "./theme.js";
+
+/** Points of a trail, and the least distance between two of them (px). */
+const POINTS = 600;
+const SPACING = 1.5;
+/** Slips that are marked. */
+const MARKS = 80;
+/** Parts of a trail that fade one after the other. */
+const PARTS = 5;
+
+/** A ring of points. */
+class Ring {
+  constructor() {
+    this.x = new Float64Array(POINTS);
+    this.y = new Float64Array(POINTS);
+    this.length = 0;
+    this.next = 0;
+  }
+
+  /**
+   * Takes a point that is farther than a distance from the last one.
+   * @param {number} x @param {number} y @param {number} spacing
+   */
+  push(x, y, spacing) {
+    const last = (this.next + POINTS - 1) % POINTS;
+    if (this.length > 0 && Math.hypot(x - this.x[last], y - this.y[last]) < spacing) return;
+    this.x[this.next] = x;
+    this.y[this.next] = y;
+    this.next = (this.next + 1) % POINTS;
+    this.length = Math.min(POINTS, this.length + 1);
+  }
+}
+
+export class Trails {
+  constructor() {
+    this.hand = new Ring();
+    this.body = new Ring();
+    /** The slips that are marked, oldest first. @type {Slip[]} */
+    this.slips = [];
+  }
+
+  /** Takes a frame in. @param {FrameMessage} message @param {number} scale pixels per metre */
+  take(message, scale) {
+    const { hand, pose } = message.frame;
+    this.hand.push(hand[0], hand[1], SPACING / scale);
+    this.body.push(pose[0], pose[1], SPACING / scale);
+    const newest = this.slips.at(-1)?.n ?? -1;
+    for (const slip of message.slips) if (slip.n > newest) this.slips.push(slip);
+    if (this.slips.length > MARKS) this.slips.splice(0, this.slips.length - MARKS);
+  }
+
+  /** Forgets everything. */
+  clear() {
+    this.hand = new Ring();
+    this.body = new Ring();
+    this.slips = [];
+  }
+
+  /** The trails: the hand's dotted, the body's solid; the older, the fainter. @param {Ink} ctx @param {View} view */
+  draw(ctx, view) {
+    ctx.lineWidth = 1.6;
+    ctx.lineJoin = "round";
+    ctx.setLineDash([1.5, 4]);
+    drawTrail(ctx, view, this.hand, colors["trail-hand"]);
+    ctx.setLineDash([]);
+    drawTrail(ctx, view, this.body, colors["trail-body"]);
+  }
+
+  /**
+   * A mark at each slip: a small triangle below the surface that points at the place where it ended.
+   * @param {Ink} ctx @param {View} view @param {Surface[]} surfaces
+   */
+  drawSlips(ctx, view, surfaces) {
+    ctx.fillStyle = colors.slip;
+    this.slips.forEach((slip, i) => {
+      const normal = nearest(surfaces, slip.point);
+      const nx = normal[0], ny = -normal[1];
+      const x = view.px(slip.point[0]) - 4 * nx, y = view.py(slip.point[1]) - 4 * ny;
+      ctx.globalAlpha = 0.25 + (0.75 * (i + 1)) / this.slips.length;
+      ctx.beginPath();
+      ctx.moveTo(x, y);
+      ctx.lineTo(x - 9 * nx + 4 * ny, y - 9 * ny - 4 * nx);
+      ctx.lineTo(x - 9 * nx - 4 * ny, y - 9 * ny + 4 * nx);
+      ctx.closePath();
+      ctx.fill();
+    });
+    ctx.globalAlpha = 1;
+  }
+}
+
+/**
+ * The normal of the surface that is nearest to a point.
+ * @param {Surface[]} surfaces @param {Vec} point @returns {Vec}
+ */
+function nearest(surfaces, point) {
+  /** @type {Vec} */
+  let normal = [0, 1];
+  let least = Infinity;
+  for (const surface of surfaces) {
+    const gap = Math.abs(surface.normal[0] * point[0] + surface.normal[1] * point[1] - surface.offset);
+    if (gap < least) [least, normal] = [gap, surface.normal];
+  }
+  return normal;
+}
+
+/** @param {Ink} ctx @param {View} view @param {Ring} ring @param {string} color */
+function drawTrail(ctx, view, ring, color) {
+  ctx.strokeStyle = color;
+  const first = (ring.next + POINTS - ring.length) % POINTS;
+  for (let part = 0; part < PARTS; part++) {
+    const from = Math.floor((part * ring.length) / PARTS);
+    const to = Math.min(ring.length - 1, Math.floor(((part + 1) * ring.length) / PARTS));
+    if (to <= from) continue;
+    ctx.globalAlpha = (part + 1) / PARTS;
+    ctx.beginPath();
+    for (let i = from; i <= to; i++) {
+      const at = (first + i) % POINTS;
+      ctx.lineTo(view.px(ring.x[at]), view.py(ring.y[at]));
+    }
+    ctx.stroke();
+  }
+  ctx.globalAlpha = 1;
+}

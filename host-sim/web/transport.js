@@ -1,0 +1,135 @@
+// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place in it.
+
+import { byId, fixed, setText, whole } from "./dom.js";
+
+/** The files of a recording. */
+const FILES = ["trace.jsonl", "scene.toml", "hand.csv"];
+/** Places on the scrubber. */
+const PLACES = 1000;
+/** Time between two places that are asked for while the scrubber is moved (ms). */
+const PAUSE = 60;
+
+export class Transport {
+  /** @param {Ask} ask @param {(text: string) => void} tell */
+  constructor(ask, tell) {
+    this.ask = ask;
+    this.tell = tell;
+    /** @type {StateMessage | null} */
+    this.state = null;
+    /** Name of the path that was uploaded. @type {string | null} */
+    this.uploaded = null;
+    this.recordButton = byId("record", HTMLButtonElement);
+    this.replay = byId("replay", HTMLSelectElement);
+    this.scrubber = byId("scrubber", HTMLInputElement);
+    this.place = byId("place");
+    this.file = byId("file", HTMLInputElement);
+    /** The scrubber is being moved; since the last place that was asked for. */
+    this.scrubbing = false;
+    this.seekAt = 0;
+    this.seekTimer = 0;
+    this.scrubber.max = String(PLACES);
+    this.listen();
+  }
+
+  /** What every control does. */
+  listen() {
+    this.recordButton.addEventListener("click", () => this.record());
+    this.replay.addEventListener("change", () => this.choose());
+    byId("upload").addEventListener("click", () => this.file.click());
+    this.file.addEventListener("change", () => {
+      const [file] = this.file.files ?? [];
+      if (file) this.upload(file);
+      this.file.value = "";
+    });
+    this.scrubber.addEventListener("input", () => {
+      this.scrubbing = true;
+      this.seek();
+    });
+    this.scrubber.addEventListener("change", () => { this.scrubbing = false; });
+    for (const name of FILES) {
+      byId(`get-${name}`, HTMLAnchorElement).addEventListener("click", (event) => {
+        if (!this.state?.recorded) event.preventDefault();
+      });
+    }
+  }
+
+  /** Begins or ends a recording. */
+  record() {
+    this.ask({ type: "record", value: this.state?.recording === null });
+  }
+
+  /** Replays what was chosen. */
+  choose() {
+    const what = this.replay.value === "live" ? null : this.replay.value;
+    this.ask({ type: "replay", what });
+  }
+
+  /** Uploads a recorded path of the hand and replays it. @param {File} file */
+  async upload(file) {
+    try {
+      const response = await fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+      const answer = await response.json();
+      if (!response.ok) throw new Error(answer.message ?? `The server refused ${file.name}.`);
+      this.uploaded = file.name;
+      this.tell(`${file.name}: ${whole(answer.records)} records, ${fixed(answer.seconds, 1)} s.`);
+      await this.ask({ type: "replay", what: "upload" });
+    } catch (why) {
+      this.tell(`${file.name} cannot be used. ${/** @type {Error} */ (why).message}`);
+    }
+  }
+
+  /** Goes to the scrubber's place, not too often. */
+  seek() {
+    if (this.seekTimer) return;
+    const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
+    this.seekTimer = window.setTimeout(() => {
+      this.seekTimer = 0;
+      this.seekAt = performance.now();
+      const length = this.state?.replay?.seconds;
+      if (length) this.ask({ type: "seek", seconds: (Number(this.scrubber.value) / PLACES) * length });
+    }, wait);
+  }
+
+  /** Shows what holds. @param {StateMessage} state */
+  show(state) {
+    this.state = state;
+    const { recording, recorded, replay } = state;
+    this.recordButton.setAttribute("aria-pressed", String(recording !== null));
+    setText(byId("record-text"), recording === null ? "Record" : "End recording");
+    const what = replay === null ? "live" : ["scene", "recording"].includes(replay.what) ? replay.what : "upload";
+    if (what === "upload" && replay) this.uploaded ??= replay.what;
+    const option = (/** @type {string} */ value) => /** @type {HTMLOptionElement} */ (this.replay.querySelector(`[value=${value}]`));
+    option("recording").disabled = recorded === null;
+    option("upload").disabled = this.uploaded === null;
+    option("upload").textContent = this.uploaded ? `uploaded: ${this.uploaded}` : "uploaded path";
+    this.replay.value = what;
+    this.scrubber.disabled = replay === null;
+    if (replay === null) {
+      this.scrubber.value = "0";
+      setText(this.place, recording === null ? "live" : "recording");
+    }
+    for (const name of FILES) {
+      const link = byId(`get-${name}`, HTMLAnchorElement);
+      link.setAttribute("aria-disabled", String(recorded === null));
+      if (recorded === null) link.removeAttribute("href");
+      else link.href = `recording/${name}`;
+    }
+    setText(byId("recorded"), recorded === null ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+  }
+
+  /** Shows the place in the replay, or how long the recording is. @param {FrameMessage} message */
+  take({ position, frame }) {
+    const { state } = this;
+    if (!state) return;
+    if (state.replay && position != null) {
+      if (!this.scrubbing) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
+      const text = `${fixed(position, 1)} of ${fixed(state.replay.seconds, 1)} s`;
+      setText(this.place, text);
+      this.scrubber.setAttribute("aria-valuetext", text);
+    } else if (state.recording !== null) {
+      setText(this.place, `recording, ${fixed(frame.t, 1)} s`);
+    } else {
+      setText(this.place, `live, ${fixed(frame.t, 1)} s`);
+    }
+  }
+}

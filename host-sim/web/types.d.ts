@@ -1,0 +1,236 @@
+// Shapes of what the page gets and says, for the type checker. Nothing here is served.
+// SI units: m, rad, N, N·m, s; angles unwrapped.
+
+type Vec = [number, number];
+/** A place in the drawing (px). */
+type Spot = { x: number; y: number };
+type Ink = CanvasRenderingContext2D;
+type View = import("./view.js").View;
+type Stage = import("./stage.js").Stage;
+type Grip = import("./grip.js").Grip;
+
+/** A message of the wire, with the fields of its type. */
+type Message = { type: string; sequence: number; time: number; [field: string]: any };
+
+/** Asks the feed for something; what is refused is told to the reader. */
+type Ask = (message: { type: string; [field: string]: unknown }) => Promise<boolean>;
+type Pose = [number, number, number];
+type StateName = "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
+
+interface Contact {
+  vertex: number;
+  surface: string;
+  point: Vec;
+  normal: number;
+  friction: number;
+}
+
+/** A record of the trace. */
+interface TraceFrame {
+  t: number;
+  hand: Pose;
+  held: boolean;
+  pose: Pose;
+  depth: number;
+  state: StateName;
+  contacts: Contact[];
+  wrench: Pose;
+  slips: number;
+  events: string[];
+  status: string;
+}
+
+interface Slip {
+  n: number;
+  t: number;
+  point: Vec;
+  length: number;
+}
+
+interface Reference {
+  pose: Pose;
+  state: StateName;
+  error: Vec;
+  worst: Vec;
+  differ: number;
+  since: number;
+}
+
+interface Counts {
+  ticks: number;
+  missed: number;
+  slips: number;
+  transitions: { [pair: string]: number };
+  events: { [name: string]: number };
+}
+
+interface BoardHealth {
+  rate: number;
+  latency: number | null;
+  late: number;
+  lost: number;
+  missed: number;
+  faults: number;
+  connected: boolean;
+}
+
+interface FrameMessage {
+  type: "frame";
+  tick: number;
+  skipped: number;
+  frame: TraceFrame;
+  holding: Vec | null;
+  ghost: Pose | null;
+  echo: number | null;
+  reference: Reference | null;
+  counts: Counts;
+  slips: Slip[];
+  strip: number[][];
+  /** A board does not tell its median. */
+  step: { median: number | null; worst: number } | null;
+  board: BoardHealth | null;
+  position?: number | null;
+}
+
+interface Surface {
+  name: string;
+  normal: Vec;
+  offset: number;
+  static?: number;
+  dynamic?: number;
+}
+
+interface Scene {
+  title: string;
+  body: Vec[];
+  surfaces: Surface[];
+  weight: number;
+  grasp: Vec | null;
+  reach: number;
+  start: Pose;
+  home: Pose;
+}
+
+interface Parameters4 {
+  stiffness_translation: number;
+  stiffness_rotation: number;
+  static: number;
+  dynamic: number;
+}
+
+interface StateMessage {
+  type: "state";
+  scene: Scene;
+  parameters: Parameters4;
+  number: string;
+  evolution: string;
+  paused: boolean;
+  speed: number;
+  recording: number | null;
+  recorded: { seconds: number; frames: number } | null;
+  replay: { what: string; seconds: number } | null;
+  hand: { by: string | null; client: number | null };
+  clients: number;
+}
+
+interface Source {
+  kind: "core" | "board";
+  name?: string;
+  number?: string;
+  where?: string;
+  emulated?: boolean;
+}
+
+interface HelloMessage {
+  type: "hello";
+  version: number;
+  you: number;
+  program: string;
+  scenes: string[];
+  source: Source;
+}
+
+/** What the page shows: fed by the server, or by a board over Web Serial. */
+interface Feed {
+  /** A sample of the hand. */
+  hand(pose: Pose, held: boolean, sent: number): void;
+  /** Anything else; resolves when it is done, rejects with what is wrong in words. */
+  request(message: { type: string; [field: string]: unknown }): Promise<void>;
+}
+
+interface FeedEvents {
+  hello(message: HelloMessage): void;
+  state(message: StateMessage): void;
+  frame(message: FrameMessage): void;
+  /** True: connected. */
+  connected(yes: boolean): void;
+  error(message: string): void;
+}
+
+/** What tests read on `window.stiction`. */
+interface Probe {
+  readonly frame: FrameMessage | null;
+  readonly state: StateMessage | null;
+  readonly connected: boolean;
+  readonly framesDrawn: number;
+  readonly framesReceived: number;
+  readonly latencies: readonly number[];
+  readonly drawTimes: readonly number[];
+}
+
+interface Window {
+  stiction: Probe;
+}
+
+// The part of uPlot that the page uses.
+
+interface UPlotSeries {
+  label?: string;
+  scale?: string;
+  stroke?: string | (() => string);
+  fill?: string | (() => string);
+  width?: number;
+  dash?: number[];
+  points?: { show?: boolean; size?: number; fill?: string | (() => string); stroke?: string | (() => string); width?: number };
+  paths?: (u: UPlot, series: number, from: number, to: number) => { stroke: Path2D; fill: null } | null;
+}
+
+interface UPlotOptions {
+  width: number;
+  height: number;
+  legend?: { show: boolean };
+  cursor?: object;
+  padding?: (number | null)[];
+  scales?: { [name: string]: { [option: string]: unknown } };
+  axes?: { [option: string]: unknown }[];
+  series: UPlotSeries[];
+}
+
+declare class UPlot {
+  constructor(options: UPlotOptions, data: ArrayLike<number | null>[], target: HTMLElement);
+  data: ArrayLike<number>[];
+  width: number;
+  height: number;
+  setData(data: ArrayLike<number | null>[], rescale?: boolean): void;
+  setScale(name: string, range: { min: number; max: number }): void;
+  setSize(size: { width: number; height: number }): void;
+  batch(work: () => void): void;
+  redraw(rebuild?: boolean): void;
+  valToPos(value: number, scale: string, canvas?: boolean): number;
+  destroy(): void;
+}
+
+declare const uPlot: typeof UPlot;
+
+// Web Serial, which the type checker's browser does not know.
+
+interface SerialPort extends EventTarget {
+  open(options: { baudRate: number; bufferSize?: number }): Promise<void>;
+  close(): Promise<void>;
+  readonly readable: ReadableStream<Uint8Array> | null;
+  readonly writable: WritableStream<Uint8Array> | null;
+}
+
+interface Navigator {
+  readonly serial?: { requestPort(): Promise<SerialPort> };
+}
