@@ -10,6 +10,7 @@
 //! ```
 
 mod address;
+mod audience;
 mod counts;
 mod emulate;
 mod error;
@@ -20,6 +21,7 @@ mod info;
 mod latency;
 mod line;
 mod link;
+mod live;
 mod print;
 mod record;
 mod refusal;
@@ -33,20 +35,24 @@ mod tracker;
 mod verify;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
 
 pub use address::ConnectArgs;
+pub(crate) use address::PLACE;
 pub use emulate::EmulatedBoard;
 pub use error::BoardError;
+pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::number::Number;
 use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
 use crate::trace::Format;
 use crate::{report, scenes};
+use audience::Console;
 use counts::Counts;
 use feed::Feed;
 use flight::Flight;
@@ -61,6 +67,7 @@ use verify::Verdict;
 
 /// The arguments of `stiction board`.
 #[derive(Args, Clone, Debug)]
+#[command(mut_group(PLACE, |group| group.required(true)))]
 pub struct BoardArgs {
     /// Scene file (TOML), or the name of a bundled scene
     #[arg(default_value = scenes::DEFAULT)]
@@ -105,6 +112,7 @@ pub struct BoardArgs {
 
 /// The arguments of `stiction info`.
 #[derive(Args, Clone, Debug)]
+#[command(mut_group(PLACE, |group| group.required(true)))]
 pub struct InfoArgs {
     /// Where the board is.
     #[command(flatten)]
@@ -116,7 +124,7 @@ pub struct InfoArgs {
 /// # Errors
 /// Input that cannot be used, a board that is not there, refuses something or goes away.
 pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
-    let scene = open_scene(&args.scene, Number::F32)?;
+    let scene = Arc::new(open_scene(&args.scene, Number::F32)?);
     if !args.keep {
         // Said with the key and the line, which the board does not know.
         scene.scene::<f32>()?;
@@ -132,7 +140,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     let trace = Trace::create(args.out.as_ref(), &scene, args.evolution)?;
     stop::listen();
     let setup = Setup {
-        scene: &scene,
+        scene: Arc::clone(&scene),
         evolution: args.evolution,
         tolerance: args.tolerance,
         events: args.events,
@@ -144,13 +152,12 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         mut stream,
         session,
         title,
-    } = connected(args, &setup, feed, trace)?;
+    } = connected(args, setup, feed, trace)?;
     let result = stream.run(session);
     let Stream {
-        mut screen,
+        audience: Console { mut screen, trace },
         counts,
         verdict,
-        trace,
         ..
     } = stream;
     screen.clear();
@@ -168,7 +175,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
 
 /// A stream with the session that it begins in.
 struct Connected<'a> {
-    stream: Stream<'a>,
+    stream: Stream<'a, Console>,
     session: Session,
     title: String,
 }
@@ -176,7 +183,7 @@ struct Connected<'a> {
 /// Connects, sends scene and mode, starts the tracker.
 fn connected<'a>(
     args: &BoardArgs,
-    setup: &'a Setup<'a>,
+    setup: Setup,
     feed: Feed<'a>,
     trace: Trace,
 ) -> Result<Connected<'a>, BoardError> {
@@ -188,7 +195,7 @@ fn connected<'a>(
         screen.note(&remark);
     }
     let twin = match args.verify {
-        true => Some(verify::twin(&about, setup.scene, &setup.mode(&about))?),
+        true => Some(verify::twin(&about, &setup.scene, &setup.mode(&about))?),
         false => None,
     };
     let placement = &setup.scene.hand.placement;
@@ -197,14 +204,14 @@ fn connected<'a>(
     let title = format!("{} on {} ({address})", setup.scene.title, about.name);
     let stream = Stream {
         setup,
+        about,
         address,
         mail,
         begun,
         timeout,
         feed,
         twin,
-        trace,
-        screen,
+        audience: Console { screen, trace },
         counts: Counts::default(),
         verdict: Verdict::default(),
         flight: Flight::default(),

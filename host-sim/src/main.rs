@@ -35,16 +35,16 @@ enum Command {
 
 fn main() -> ExitCode {
     // False where the work was done and its outcome is bad.
-    let result: Result<bool, Box<dyn std::error::Error>> = match Cli::parse().command {
+    let Cli { command } = Cli::parse();
+    let command = command.or_else(|| Cli::parse_from(["stiction", "view"]).command);
+    let result: Result<bool, Box<dyn std::error::Error>> = match command {
         Some(Command::Run(args)) => run(&args).map(|()| true).map_err(Into::into),
         Some(Command::Trade(args)) => trade(&args).map(|()| true).map_err(Into::into),
         Some(Command::Footprint(args)) => footprint(&args).map(|()| true).map_err(Into::into),
         Some(Command::Board(args)) => board(&args).map_err(Into::into),
         Some(Command::Info(args)) => info(&args).map(|()| true).map_err(Into::into),
         Some(Command::View(args)) => view(&args).map(|()| true).map_err(Into::into),
-        None => view(&ViewArgs::default())
-            .map(|()| true)
-            .map_err(Into::into),
+        None => Ok(true),
     };
     match result {
         Ok(true) => ExitCode::SUCCESS,

@@ -5,6 +5,7 @@
 //! trackers ═ outward ───────────────────────┴─ engine ─ pair ─ feed ────┴─ outward ═ renderers
 //!                                               │        └ body: the solver; the f64 path reference
 //!                                               ├─ guide, holder: the hand
+//!                                               ├─ remote, mirror: a board instead of the solver
 //!                                               └─ recording, replay
 //! ```
 //!
@@ -12,6 +13,7 @@
 
 mod body;
 mod carry;
+mod change;
 mod client;
 mod counts;
 mod engine;
@@ -20,11 +22,13 @@ mod free;
 mod guide;
 mod hear;
 mod holder;
+mod mirror;
 mod orders;
 mod outward;
 mod page;
 mod pair;
 mod recording;
+mod remote;
 mod replay;
 mod say;
 mod server;
@@ -44,7 +48,7 @@ use stiction_core::Evolution;
 use stiction_scene::InputError;
 use tokio::sync::{mpsc, watch};
 
-use crate::board::stop;
+use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE, stop};
 use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::report;
@@ -54,6 +58,7 @@ use body::Setting;
 use engine::Engine;
 use feed::Feed;
 use outward::Format;
+use remote::Remote;
 use replay::Way;
 use server::Hub;
 use stage::Stage;
@@ -78,8 +83,11 @@ pub struct ViewArgs {
     /// Recorded hand path (csv, tum, txt) that the hand follows from the beginning
     #[arg(long, value_name = "FILE")]
     hand: Option<PathBuf>,
-    /// Number type of the solver
-    #[arg(long, value_enum, default_value_t = Number::F32)]
+    /// A board instead of the solver in this program.
+    #[command(flatten)]
+    connect: ConnectArgs,
+    /// Number type of the solver; a board has its own
+    #[arg(long, value_enum, default_value_t = Number::F32, conflicts_with = PLACE)]
     number: Number,
     /// path: events are found along the hand's straight line between two frames; frame: at frames only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
@@ -106,25 +114,6 @@ pub struct ViewArgs {
     /// Take the hand from OpenTrack on this UDP port
     #[arg(long, value_name = "PORT")]
     opentrack_in: Option<u16>,
-}
-
-impl Default for ViewArgs {
-    /// What `stiction` does without arguments.
-    fn default() -> Self {
-        Self {
-            scene: SCENE.into(),
-            hand: None,
-            number: Number::F32,
-            evolution: Evolution::Path,
-            listen: ([127, 0, 0, 1], 8405).into(),
-            headless: false,
-            osc: None,
-            osc_rate: 100.0,
-            osc_in: None,
-            opentrack: None,
-            opentrack_in: None,
-        }
-    }
 }
 
 fn parse_pose_rate(text: &str) -> Result<f64, String> {
@@ -154,9 +143,12 @@ pub enum ViewError {
     /// The system does not give what a server needs.
     #[error(transparent)]
     System(#[from] io::Error),
-    /// The solver's thread ended.
-    #[error("the solver ended by itself")]
-    Solver,
+    /// The board cannot be used, or refuses the scene.
+    #[error(transparent)]
+    Board(#[from] BoardError),
+    /// The solver ended: a board is gone for good, or its thread broke.
+    #[error("{0}")]
+    Solver(String),
 }
 
 /// Serves until Ctrl-C.
@@ -166,6 +158,7 @@ pub enum ViewError {
 pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (engine, feed) = prepared(args)?;
+    let board = engine.board.as_ref().map(|board| board.identity().clone());
     let scenes = orders::scene_names(engine.own.as_ref());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
@@ -182,10 +175,11 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         feed,
         orders,
         scenes,
+        board,
         stop,
         clients: AtomicU32::new(0),
     });
-    greet(args, place);
+    greet(args, place, hub.board.as_ref());
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
@@ -193,30 +187,41 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     ending.store(true, Ordering::Relaxed);
     let ended = solver.join();
     runtime.shutdown_timeout(FAREWELL);
-    result.and(ended.map_err(|_| ViewError::Solver))
+    let ended = ended.unwrap_or_else(|_| Err("the solver broke".to_owned()));
+    result.and(ended.map_err(ViewError::Solver))
 }
 
 /// The solver with its scene, before its first tick.
 fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
     let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
-    let setting = Setting {
-        scene: Arc::clone(&stage.scene),
-        number: args.number,
-        evolution: args.evolution,
-    };
     // Said with the key and the line.
     stage.scene.scene::<f64>()?;
+    let board = match args.connect.is_wanted() {
+        true => {
+            let board = LiveBoard::connect(&args.connect, &stage.scene, args.evolution)?;
+            Some(Remote::new(board))
+        }
+        false => None,
+    };
+    let number = board.as_ref().map(|board| board.identity().number);
+    let setting = Setting {
+        scene: Arc::clone(&stage.scene),
+        number: number.unwrap_or(args.number),
+        evolution: args.evolution,
+    };
     let is_bundled = !args.scene.exists() && scenes::find(&args.scene).is_some();
     let feed = Arc::new(Feed::default());
     let own = (!is_bundled).then(|| stage.clone());
     let placement = stage.scene.hand.placement;
     let mut engine = Engine::new(stage, &setting, Arc::clone(&feed)).map_err(ViewError::Scene)?;
     engine.own = own;
+    engine.board = board;
     if let Some(file) = &args.hand {
         let path = HandPath::read(file, &placement)?;
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         engine.upload = Some((name.into_owned(), Way::Path(Arc::new(path))));
-        engine.follow_upload().map_err(ViewError::Scene)?;
+        let follow = engine.upload().and_then(|change| engine.apply(change));
+        follow.map_err(ViewError::Scene)?;
     }
     Ok((engine, feed))
 }
@@ -298,13 +303,16 @@ impl Ends {
     }
 }
 
-/// Says where it is.
-fn greet(args: &ViewArgs, place: SocketAddr) {
+/// Says where it is, and who has the solver.
+fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     let what = match args.headless {
         true => format!("ws://{place}/ws"),
         false => format!("http://{place}/"),
     };
-    report::print(&format!("{what}   Ctrl-C ends it\n"));
+    let board = board.map_or_else(String::new, |board| {
+        format!("the solver is on {}, {}\n", board.name, board.place)
+    });
+    report::print(&format!("{what}   Ctrl-C ends it\n{board}"));
 }
 
 /// Until Ctrl-C, or until the solver is gone.
@@ -313,7 +321,7 @@ async fn serve(
     listener: TcpListener,
     ends: Ends,
     hub: Arc<Hub>,
-    (stopper, solver): (watch::Sender<bool>, &JoinHandle<()>),
+    (stopper, solver): (watch::Sender<bool>, &JoinHandle<Result<(), String>>),
 ) -> Result<(), ViewError> {
     for (socket, format) in ends.out {
         let feed = Arc::clone(&hub.feed);

@@ -23,9 +23,12 @@ pub struct ConnectArgs {
     timeout: Duration,
 }
 
+/// The group of arguments of which a program that cannot do without a board requires one.
+pub(crate) const PLACE: &str = "place";
+
 /// One of these.
-#[derive(Args, Clone, Debug)]
-#[group(required = true, multiple = false)]
+#[derive(Args, Clone, Debug, Default)]
+#[group(id = PLACE, multiple = false)]
 struct PlaceArgs {
     /// The board is on a serial port
     #[arg(long, value_name = "/dev/tty...")]
@@ -50,6 +53,17 @@ fn parse_timeout(text: &str) -> Result<Duration, String> {
 }
 
 impl ConnectArgs {
+    /// There is to be a board.
+    pub(crate) const fn is_wanted(&self) -> bool {
+        let PlaceArgs {
+            port,
+            socket,
+            tcp,
+            emulate,
+        } = &self.place;
+        port.is_some() || socket.is_some() || tcp.is_some() || emulate.is_some()
+    }
+
     /// The place; builds and starts the emulator where one is wanted.
     pub(super) fn address(&self) -> Result<Address, BoardError> {
         let PlaceArgs {

@@ -67,6 +67,13 @@ impl<'a> Feed<'a> {
         }
     }
 
+    /// Drops what was not sent yet.
+    pub(super) fn drop_waiting(&mut self) {
+        if let Self::Live { waiting, .. } = self {
+            waiting.clear();
+        }
+    }
+
     /// There are no more samples.
     pub(super) fn is_over(&mut self) -> bool {
         match self {

@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 use serial2::SerialPort;
 
 use super::error::BoardError;
+use super::live::Wish;
 use crate::hand_path::Sample;
 
 /// A reader looks so often whether it is still wanted.
@@ -32,6 +33,8 @@ pub(super) enum News {
     Sample(Sample),
     /// The tracker is gone, and why.
     NoTracker(BoardError),
+    /// The board is to work in another way.
+    Wish(Wish),
 }
 
 /// A stream of bytes in both directions.

@@ -62,6 +62,8 @@ pub(super) struct Session {
     pub(super) health: Option<Health>,
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
+    /// What came while a command waited for its answer, and was not that.
+    pub(super) meanwhile: Vec<Heard>,
     pub(super) address: String,
     /// The board may be silent for so long.
     pub(super) timeout: Duration,
@@ -90,6 +92,7 @@ impl Session {
             line,
             health: None,
             last_sample: None,
+            meanwhile: Vec::new(),
             address: name,
             timeout,
         };
@@ -140,11 +143,14 @@ impl Session {
             sent.push(self.send(command)?);
             let again = end.min(Instant::now() + AGAIN);
             while let Some(news) = mail.receive(again) {
+                let mut answer = None;
                 for heard in self.read(mail, news)? {
                     self.note(&heard.said);
-                    if let Some(answer) = pick(&heard.said, &sent) {
-                        return Ok(answer);
-                    }
+                    answer = answer.or_else(|| pick(&heard.said, &sent));
+                    self.meanwhile.push(heard);
+                }
+                if let Some(answer) = answer {
+                    return Ok(answer);
                 }
                 if self.line.faults().of(FaultKind::Version) > 0 {
                     return Err(BoardError::Version(self.address.clone()));
@@ -188,7 +194,7 @@ impl Session {
             News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
             // Of a line of before.
             News::Bytes(..) | News::Gone(..) => Ok(Vec::new()),
-            News::Sample(_) | News::NoTracker(_) => {
+            News::Sample(_) | News::NoTracker(_) | News::Wish(_) => {
                 mail.keep([news]);
                 Ok(Vec::new())
             }

@@ -1,11 +1,14 @@
 //! What a session begins with: the scene and the mode.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use stiction_core::Evolution;
 use stiction_core::frame::{
-    Command, Mode, Reason, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
+    Command, Mode, Parameters, Reason, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
 };
+
+use stiction_scene::SurfaceInfo;
 
 use super::error::BoardError;
 use super::heard::{About, Answer};
@@ -21,8 +24,8 @@ const ATTEMPTS: usize = 8;
 
 /// The scene and how the board is to work.
 #[derive(Clone, Debug)]
-pub(super) struct Setup<'a> {
-    pub(super) scene: &'a SceneFile,
+pub(super) struct Setup {
+    pub(super) scene: Arc<SceneFile>,
     pub(super) evolution: Evolution,
     /// Of the solver (rad).
     pub(super) tolerance: f32,
@@ -36,7 +39,7 @@ pub(super) struct Setup<'a> {
     pub(super) per_sample: bool,
 }
 
-impl Setup<'_> {
+impl Setup {
     /// Sends both and waits for the counts from which this session's are taken. A remark for the user, if there is one.
     pub(super) fn apply(
         &self,
@@ -51,6 +54,56 @@ impl Setup<'_> {
         let patience = Duration::from_millis(2 * u64::from(HEALTH_EVERY));
         session.wait_for_health(mail, patience)?;
         Ok(remark)
+    }
+
+    /// The body at the start of this scene, or, where it is not to begin anew, what is another one than in `before`: the
+    /// body stays where it is.
+    pub(super) fn change(
+        &self,
+        before: &Self,
+        anew: bool,
+        session: &mut Session,
+        (about, mail): (&About, &mut Mail),
+    ) -> Result<(), BoardError> {
+        if anew {
+            self.send_scene(session, about, mail)?;
+        } else if self.frictions() != before.frictions() || self.stiffness() != before.stiffness() {
+            let names = self.surface_names();
+            session.demand(mail, Command::Parameters(self.parameters()?), &names)?;
+        }
+        if self.evolution != before.evolution {
+            self.set_mode(session, mail, self.mode(about))?;
+        }
+        Ok(())
+    }
+
+    fn stiffness(&self) -> [f64; 2] {
+        let scene = &self.scene;
+        [scene.stiffness_translation, scene.stiffness_rotation]
+    }
+
+    /// mu_s and mu_d of every surface.
+    fn frictions(&self) -> Vec<[f64; 2]> {
+        let surfaces = self.scene.surfaces.iter();
+        let friction = |surface: &SurfaceInfo| [surface.friction_static, surface.friction_dynamic];
+        surfaces.map(friction).collect()
+    }
+
+    /// The four parameters, which a board has for all surfaces together.
+    fn parameters(&self) -> Result<Parameters, BoardError> {
+        let frictions = self.frictions();
+        let [mu_s, mu_d] = frictions.first().copied().unwrap_or_default();
+        if frictions.iter().any(|&friction| friction != [mu_s, mu_d]) {
+            let allowed = "the surfaces have frictions of their own, allowed on a board: the same static and the same dynamic one for all";
+            return Err(BoardError::Refused(allowed.to_owned()));
+        }
+        let [k_h, k_theta] = self.stiffness();
+        Ok(Parameters {
+            stiffness_translation: k_h as f32,
+            stiffness_rotation: k_theta as f32,
+            friction_static: mu_s as f32,
+            friction_dynamic: mu_d as f32,
+        })
     }
 
     fn send_scene(

@@ -1,4 +1,4 @@
-//! Samples to the board in real time, and what comes back: the trace, the counts, the comparison.
+//! Samples to the board in real time, and what comes back: frames for an audience, the counts, the comparison.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -7,20 +7,20 @@ use stiction_core::frame::{Command, Reason};
 use stiction_core::narrow_hand;
 
 use super::address::Address;
+use super::audience::Audience;
 use super::counts::Counts;
 use super::error::BoardError;
 use super::feed::Feed;
 use super::flight::{Flight, Sent};
-use super::heard::{Heard, Said};
+use super::heard::{About, Heard, Said};
 use super::link::News;
-use super::print::Screen;
+use super::live::Wish;
 use super::record::Recorder;
 use super::refusal::explain;
 use super::session::{Mail, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::stop;
-use super::trace::Trace;
 use super::verify::{Twin, Verdict};
 
 /// A board that went away is looked for so often.
@@ -39,8 +39,10 @@ const HAND: u8 = 0x01;
 const BREATH: Duration = Duration::from_millis(50);
 
 /// A stream from a feed to a board and back.
-pub(super) struct Stream<'a> {
-    pub(super) setup: &'a Setup<'a>,
+pub(super) struct Stream<'a, A> {
+    pub(super) setup: Setup,
+    /// What the board says of itself.
+    pub(super) about: About,
     pub(super) address: Address,
     pub(super) mail: Mail,
     /// Zero of the client's clock.
@@ -48,8 +50,7 @@ pub(super) struct Stream<'a> {
     pub(super) timeout: Duration,
     pub(super) feed: Feed<'a>,
     pub(super) twin: Option<Box<dyn Twin>>,
-    pub(super) trace: Trace,
-    pub(super) screen: Screen,
+    pub(super) audience: A,
     pub(super) counts: Counts,
     pub(super) verdict: Verdict,
     pub(super) flight: Flight,
@@ -59,7 +60,7 @@ pub(super) struct Stream<'a> {
     pub(super) tracker_gone: Option<BoardError>,
 }
 
-impl Stream<'_> {
+impl<A: Audience> Stream<'_, A> {
     /// Until the feed ends. A board that goes away is waited for, unless it is compared with the host.
     pub(super) fn run(&mut self, mut session: Session) -> Result<(), BoardError> {
         loop {
@@ -76,6 +77,7 @@ impl Stream<'_> {
     /// As long as the board is there.
     fn follow(&mut self, session: &mut Session) -> Result<(), BoardError> {
         self.number_anew(session)?;
+        session.meanwhile.clear();
         // Since when the board owes a word.
         let mut owed: Option<Instant> = None;
         let faults = self.counts.faults;
@@ -106,7 +108,7 @@ impl Stream<'_> {
                 return Err(session.silent("frame"));
             }
             self.counts.faults = faults + u64::from(session.line.faults().total());
-            self.screen.show(&self.counts);
+            self.audience.counts(&self.counts);
         }
     }
 
@@ -176,6 +178,10 @@ impl Stream<'_> {
                 self.end_tracker(error);
                 Ok(false)
             }
+            News::Wish(wish) => {
+                self.grant(session, wish)?;
+                Ok(true)
+            }
             news => {
                 let heard = session.read(&mut self.mail, news)?;
                 let any = !heard.is_empty();
@@ -185,6 +191,26 @@ impl Stream<'_> {
                 Ok(any)
             }
         }
+    }
+
+    /// The board works in another way from now on, or refuses to. What it says meanwhile counts as before.
+    fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
+        let Wish { setup, anew } = wish;
+        let with = (&self.about, &mut self.mail);
+        let result = setup.change(&self.setup, anew, session, with);
+        for heard in std::mem::take(&mut session.meanwhile) {
+            self.take(session, heard)?;
+        }
+        if result.is_ok() {
+            self.setup = setup;
+            if anew {
+                self.feed.drop_waiting();
+                // They are of the run before.
+                self.flight.give_up();
+                self.steps = Steps::default();
+            }
+        }
+        self.audience.answer(result)
     }
 
     fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
@@ -222,7 +248,7 @@ impl Stream<'_> {
                 .add((sent.index, sent.sample.t), step, expected);
         }
         match self.recorder.frame(&sent, step) {
-            Some(frame) => self.trace.write(&frame)?,
+            Some(frame) => self.audience.frame(frame, latency)?,
             None => self.counts.incomplete += 1,
         }
         Ok(())
@@ -267,8 +293,8 @@ impl Stream<'_> {
 
     /// Looks for a board that went away; what is due meanwhile is lost.
     fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
-        self.screen
-            .note(&format!("{error}; looking for the board once a second"));
+        self.audience
+            .gone(&format!("{error}; looking for the board once a second"));
         let lost = self.flight.give_up();
         self.lose(lost);
         self.steps = Steps::default();
@@ -277,7 +303,7 @@ impl Stream<'_> {
             match self.begin_again() {
                 Ok(session) => {
                     self.skip_missed();
-                    self.screen.note("the board is back");
+                    self.audience.back();
                     return Ok(session);
                 }
                 Err(error) if error.may_pass() => {}
@@ -305,6 +331,7 @@ impl Stream<'_> {
         } = self;
         let (mut session, about) = Session::begin(address, mail, *timeout, *begun)?;
         setup.apply(&mut session, &about, mail)?;
+        self.about = about;
         Ok(session)
     }
 
@@ -316,6 +343,13 @@ impl Stream<'_> {
             match news {
                 News::Sample(sample) => self.feed.push(sample),
                 News::NoTracker(error) => self.end_tracker(error),
+                News::Wish(_) => {
+                    let refusal = "the board is not connected, allowed: when it is back";
+                    // Which is no reason to end.
+                    let _ = self
+                        .audience
+                        .answer(Err(BoardError::Refused(refusal.to_owned())));
+                }
                 news => of_lines.push(news),
             }
         }

@@ -142,7 +142,7 @@ impl Mouth<'_> {
         mut rate: watch::Receiver<f64>,
     ) -> Result<(), Gone> {
         let mut stop = self.hub.stop.clone();
-        let hello = say::hello(self.client, &self.hub.scenes);
+        let hello = say::hello(self.client, &self.hub.scenes, self.hub.board.as_ref());
         self.send(hello).await?;
         let mut due = Tick::now();
         let mut told = Told::new(self.hub);

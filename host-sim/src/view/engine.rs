@@ -1,5 +1,5 @@
-//! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. It waits
-//! for the clock and for nothing else.
+//! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. Where a
+//! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and for nothing else.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -17,9 +17,13 @@ use super::holder::Holder;
 use super::orders::Order;
 use super::pair::Pair;
 use super::recording::{self, Recording};
+use super::remote::Remote;
 use super::replay::{Replay, Way};
 use super::say::{self, By, Recorded, Replayed, Status};
 use super::stage::Stage;
+use crate::board::Word;
+use crate::hand_path::Sample;
+use crate::record::Frame;
 
 /// From one tick to the next.
 const PERIOD: Duration = Duration::from_millis(1);
@@ -38,6 +42,10 @@ pub(super) struct Engine {
     pub(super) pending: Pending,
     pub(super) stage: Stage,
     pub(super) pair: Pair,
+    /// The board, where one has the solver.
+    pub(super) board: Option<Remote>,
+    /// The hand of the newest tick.
+    sample: Sample,
     pub(super) times: StepTimes,
     pub(super) guide: Guide,
     pub(super) holder: Holder,
@@ -72,8 +80,13 @@ impl Engine {
             feed,
             pending: Pending::default(),
             guide: Guide::at(HandPose::of(&stage.home)),
+            sample: Sample {
+                t: 0.0,
+                hand: stage.home,
+            },
             stage,
             pair,
+            board: None,
             times: StepTimes::default(),
             holder: Holder::default(),
             replay: None,
@@ -96,7 +109,14 @@ impl Engine {
     }
 
     /// Until `stop`.
-    pub(super) fn run(mut self, mut orders: Receiver<Order>, stop: &AtomicBool) {
+    ///
+    /// # Errors
+    /// The board will not come back.
+    pub(super) fn run(
+        mut self,
+        mut orders: Receiver<Order>,
+        stop: &AtomicBool,
+    ) -> Result<(), String> {
         let mut due = Instant::now();
         while !stop.load(Ordering::Relaxed) {
             let now = Instant::now();
@@ -108,11 +128,16 @@ impl Engine {
                 }
             }
             self.changed |= self.holder.expire(now);
+            self.listen()?;
             self.pass();
+            if let Some(board) = &mut self.board {
+                board.send(self.sample);
+            }
             self.publish();
             due += PERIOD;
             thread::sleep(due.saturating_duration_since(Instant::now()));
         }
+        Ok(())
     }
 
     /// Counts a tick that begins more than a period late. When it was due; where that is too long ago, now.
@@ -132,6 +157,38 @@ impl Engine {
     fn moves(&self) -> bool {
         let ended = self.replay.as_ref().is_some_and(Replay::is_over);
         !self.paused && !ended
+    }
+
+    /// What the board said.
+    fn listen(&mut self) -> Result<(), String> {
+        while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
+            match word {
+                Word::Frame(frame) => self.answered(*frame),
+                Word::Answer(result) => {
+                    if let Some((change, reply)) = self.board.as_mut().and_then(Remote::answered) {
+                        reply.send(result.and_then(|()| self.apply(change)));
+                    }
+                }
+                // What it is told anew is what it was told before: there is nothing to refuse.
+                Word::Back => self.apply(self.anew())?,
+                Word::Fares(fares) => {
+                    if let Some(board) = &mut self.board {
+                        board.fares = fares;
+                    }
+                    self.pending.touch();
+                }
+                Word::End(why) => return Err(why),
+            }
+        }
+        Ok(())
+    }
+
+    fn answered(&mut self, frame: Frame) {
+        if let Some(recording) = &mut self.recording {
+            recording.hear(&frame);
+        }
+        self.pair.answered(frame);
+        self.pending.record(&self.pair.frame);
     }
 
     /// A period passes.
@@ -165,11 +222,17 @@ impl Engine {
         }
     }
 
-    /// One tick.
+    /// One tick. A board hears of it.
     fn advance(&mut self) {
         if let Some(replay) = &mut self.replay {
-            if replay.advance(&mut self.pair, &mut self.times) {
-                self.tick = replay.at as u64;
+            let is_board = self.board.is_some();
+            let sample = match is_board {
+                true => replay.next(),
+                false => replay.advance(&mut self.pair, &mut self.times),
+            };
+            let Some(sample) = sample else { return };
+            (self.sample, self.tick) = (sample, replay.at as u64);
+            if !is_board {
                 self.pending.record(&self.pair.frame);
             }
             return;
@@ -180,9 +243,15 @@ impl Engine {
             hand.depth = 0.0;
         }
         self.tick += 1;
-        let t = self.tick as f64 / 1000.0;
-        self.pair.step(t, &hand.hand(), &mut self.times);
-        self.pending.record(&self.pair.frame);
+        self.sample = Sample {
+            t: self.tick as f64 / 1000.0,
+            hand: hand.hand(),
+        };
+        if self.board.is_none() {
+            let Sample { t, hand } = self.sample;
+            self.pair.step(t, &hand, &mut self.times);
+            self.pending.record(&self.pair.frame);
+        }
         if let Some(recording) = &mut self.recording {
             recording.add(hand);
             let count = recording.len();
@@ -195,7 +264,8 @@ impl Engine {
 
     /// What was recorded can be downloaded.
     pub(super) fn end_recording(&mut self) {
-        if let Some(recording) = self.recording.take() {
+        if let Some(mut recording) = self.recording.take() {
+            recording.finish();
             let recording = Arc::new(recording);
             self.recorded = Some(Arc::clone(&recording));
             self.pending.recorded(Some(recording));
@@ -203,26 +273,14 @@ impl Engine {
         }
     }
 
-    /// Body and hand as at the beginning; a path from its beginning.
-    ///
-    /// # Errors
-    /// The scene cannot be used.
-    pub(super) fn reset(&mut self) -> Result<(), String> {
-        self.end_recording();
-        if let Some(replay) = &mut self.replay {
-            replay.seek(0.0, &mut self.pair)?;
-        } else {
-            let setting = self.pair.setting.clone();
-            self.pair = Pair::start(&setting, 0.0, &self.stage.home)?;
-            self.guide = Guide::at(HandPose::of(&self.stage.home));
-        }
-        self.begin_run();
-        Ok(())
-    }
-
     /// What is shown from now on is of another run.
     pub(super) fn begin_run(&mut self) {
         self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
+        let first = self.replay.as_ref().and_then(Replay::sample);
+        self.sample = first.unwrap_or(Sample {
+            t: 0.0,
+            hand: self.stage.home,
+        });
         self.phase = 0.0;
         self.steps = 0;
         self.echo = None;
@@ -247,7 +305,8 @@ impl Engine {
             reference: Some(pair.comparison),
             counts: pair.counts,
             slips: Arc::clone(&pair.slips),
-            step: self.times.summary(),
+            step: self.board.is_none().then(|| self.times.summary()),
+            board: self.board.as_ref().map(|board| board.fares),
             position: self.replay.as_ref().map(Replay::position),
         });
     }

@@ -9,6 +9,7 @@ use serde_json::Number as JsonNumber;
 use super::counts::Counts;
 use super::pair::{Comparison, SlipMark};
 use super::recording::Recording;
+use crate::board::Fares;
 use crate::record::Frame;
 use crate::scene_file::SceneFile;
 
@@ -28,8 +29,10 @@ pub(super) struct Latest {
     pub(super) reference: Option<Comparison>,
     pub(super) counts: Counts,
     pub(super) slips: Arc<[SlipMark]>,
-    /// Median and worst time of a step (s).
-    pub(super) step: [f32; 2],
+    /// Median and worst time of a step (s), on this computer.
+    pub(super) step: Option<[f32; 2]>,
+    /// How the board fares that has the solver.
+    pub(super) board: Option<Fares>,
     pub(super) position: Option<f64>,
 }
 

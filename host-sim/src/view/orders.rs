@@ -1,4 +1,5 @@
-//! What the solver is told, and what it makes of it. What is refused changes nothing.
+//! What the solver is told, and what it makes of it: a change of the setting, another run, or what concerns the hand and the
+//! time alone. What is refused changes nothing.
 
 use std::path::Path as FilePath;
 use std::sync::Arc;
@@ -8,16 +9,15 @@ use serde_json::Number as JsonNumber;
 use tokio::sync::mpsc::Sender;
 
 use super::body::Setting;
+use super::change::{Change, Reply, Run};
 use super::engine::Engine;
 use super::guide::{Guide, HandPose};
 use super::hear::{Message, Parameters, Path};
 use super::holder::Source;
-use super::pair::Pair;
-use super::recording::Recording;
-use super::replay::{self, Replay, Way};
-use super::say;
+use super::replay::{self, Way};
 use super::stage::{Stage, reread};
 use crate::hand_path::HandPath;
+use crate::number::Number;
 use crate::scene_file::SceneFile;
 use crate::scenes;
 
@@ -67,18 +67,23 @@ impl Engine {
                 message,
                 answers,
             } => {
-                let answer = match (self.carry_out(client, message, now), id) {
-                    (Ok(()), None) => return,
-                    (Ok(()), Some(id)) => say::done(id),
-                    (Err(problem), id) => say::error(id, &problem),
-                };
-                // A client that does not read loses answers.
-                let _ = answers.try_send(answer);
+                let reply = Reply { id, answers };
+                match self.carry_out(client, message, now) {
+                    Ok(Some(change)) => self.change(change, reply),
+                    Ok(None) => reply.send(Ok(())),
+                    Err(problem) => reply.send(Err(problem)),
+                }
             }
         }
     }
 
-    fn carry_out(&mut self, client: u32, message: Message, now: Instant) -> Result<(), String> {
+    /// Does what can be done at once; a change of the body is given back.
+    fn carry_out(
+        &mut self,
+        client: u32,
+        message: Message,
+        now: Instant,
+    ) -> Result<Option<Change>, String> {
         match message {
             Message::Hand { pose, held, sent } => {
                 let pose = HandPose {
@@ -86,50 +91,53 @@ impl Engine {
                     depth: 0.0,
                     held,
                 };
-                self.hand(Source::Client(client), pose, sent, now)
+                self.hand(Source::Client(client), pose, sent, now)?;
             }
             Message::LetGo {} => {
                 self.changed |= self.holder.leave(Source::Client(client));
-                Ok(())
             }
-            Message::Scene { name } => self.scene(&name),
-            Message::Set { parameters } => self.set(&parameters),
-            Message::Number { value } => self.change(Setting {
-                number: value.into(),
-                ..self.pair.setting.clone()
-            }),
-            Message::Evolution { value } => self.change(Setting {
-                evolution: value.into(),
-                ..self.pair.setting.clone()
-            }),
+            Message::Scene { name } => return self.scene(&name).map(Some),
+            Message::Set { parameters } => return Ok(Some(self.set(&parameters))),
+            Message::Number { value } => {
+                let number = Number::from(value);
+                let setting = self.pair.setting.clone();
+                if self.board.is_some() && number != setting.number {
+                    return Err(format!(
+                        "`value` is {}, allowed on this board: {}",
+                        number.name(),
+                        setting.number.name()
+                    ));
+                }
+                return Ok(Some(Change::Setting(Setting { number, ..setting })));
+            }
+            Message::Evolution { value } => {
+                return Ok(Some(Change::Setting(Setting {
+                    evolution: value.into(),
+                    ..self.pair.setting.clone()
+                })));
+            }
             Message::Pause { value } => {
                 self.paused = value;
                 self.steps = 0;
                 self.changed = true;
-                Ok(())
             }
-            Message::Step { ticks } if self.paused => {
-                self.steps = ticks;
-                Ok(())
-            }
+            Message::Step { ticks } if self.paused => self.steps = ticks,
             Message::Step { .. } => {
-                Err("it is not paused, allowed: a step while paused".to_owned())
+                return Err("it is not paused, allowed: a step while paused".to_owned());
             }
             Message::Speed { value } => {
                 self.speed = value;
                 self.changed = true;
-                Ok(())
             }
-            Message::Reset {} => self.reset(),
-            Message::Record { value: true } => self.record(),
-            Message::Record { value: false } => {
-                self.end_recording();
-                Ok(())
-            }
-            Message::Replay { what } => self.replay(what),
-            Message::Seek { seconds } => self.seek(seconds),
-            Message::Rate { .. } => Ok(()),
+            Message::Reset {} => return Ok(Some(self.anew())),
+            Message::Record { value: true } => return self.record().map(Some),
+            Message::Record { value: false } => self.end_recording(),
+            Message::Replay { what: None } => self.live(),
+            Message::Replay { what: Some(what) } => return self.replay(what).map(Some),
+            Message::Seek { seconds } => self.seek(seconds)?,
+            Message::Rate { .. } => {}
         }
+        Ok(None)
     }
 
     /// A sample of the hand.
@@ -151,7 +159,7 @@ impl Engine {
         Ok(())
     }
 
-    fn scene(&mut self, name: &str) -> Result<(), String> {
+    fn scene(&self, name: &str) -> Result<Change, String> {
         let own = self.own.as_ref().filter(|own| own.scene.title == name);
         let number = self.pair.setting.number;
         let stage = match (own, scenes::find(FilePath::new(name))) {
@@ -169,22 +177,23 @@ impl Engine {
             scene: Arc::clone(&stage.scene),
             ..self.pair.setting.clone()
         };
-        self.show(stage, &setting)
+        Ok(Change::run(stage, setting))
     }
 
-    /// Another stage, with the body at its start and the hand live.
-    fn show(&mut self, stage: Stage, setting: &Setting) -> Result<(), String> {
-        let pair = Pair::start(setting, 0.0, &stage.home)?;
-        self.end_recording();
-        self.replay = None;
-        self.guide = Guide::at(HandPose::of(&stage.home));
-        self.stage = stage;
-        self.pair = pair;
-        self.begin_run();
-        Ok(())
+    /// Body and hand as at the beginning; a path from its beginning.
+    pub(super) fn anew(&self) -> Change {
+        Change::Run(Box::new(Run {
+            stage: self.stage.clone(),
+            setting: self.pair.setting.clone(),
+            path: self
+                .replay
+                .as_ref()
+                .map(|replay| (replay.what.clone(), replay.way.clone())),
+            file: None,
+        }))
     }
 
-    fn set(&mut self, parameters: &Parameters) -> Result<(), String> {
+    fn set(&self, parameters: &Parameters) -> Change {
         let mut setting = self.pair.setting.clone();
         let scene = Arc::make_mut(&mut setting.scene);
         let written = &mut scene.written;
@@ -201,22 +210,10 @@ impl Engine {
             put(&mut surface.friction_static, parameters.friction_static);
             put(&mut surface.friction_dynamic, parameters.friction_dynamic);
         }
-        self.change(setting)
+        Change::Setting(setting)
     }
 
-    /// Another setting of the same scene: the body stays where it is and settles.
-    fn change(&mut self, setting: Setting) -> Result<(), String> {
-        self.pair.change(&setting)?;
-        self.end_recording();
-        if let Some(replay) = &mut self.replay {
-            replay.forget();
-        }
-        self.pending.record(&self.pair.frame);
-        self.changed = true;
-        Ok(())
-    }
-
-    fn record(&mut self) -> Result<(), String> {
+    fn record(&self) -> Result<Change, String> {
         let mut setting = self.pair.setting.clone();
         // From now on the scene is the one that a reader of the file gets.
         let (scene, text) =
@@ -232,62 +229,58 @@ impl Engine {
             home: home.hand(),
             ..self.stage.clone()
         };
-        self.show(stage.clone(), &setting)?;
-        let mut recording = Recording::new(text, setting, stage);
-        recording.add(home);
-        self.recording = Some(recording);
-        Ok(())
+        Ok(Change::Run(Box::new(Run {
+            stage,
+            setting,
+            path: None,
+            file: Some(text),
+        })))
     }
 
-    fn replay(&mut self, what: Option<Path>) -> Result<(), String> {
+    fn replay(&mut self, what: Path) -> Result<Change, String> {
         let missing = |what: &str| Err(format!("there is no {what} to replay"));
-        let (name, way) = match what {
-            None => return self.live(),
-            Some(Path::Scene) => match &self.stage.path {
+        let (mut stage, mut setting) = (self.stage.clone(), self.pair.setting.clone());
+        let path = match what {
+            Path::Scene => match &self.stage.path {
                 Some(path) => ("scene".to_owned(), Way::Path(Arc::clone(path))),
                 None => return missing("path in the scene"),
             },
-            Some(Path::Upload) => match &self.upload {
+            Path::Upload => match &self.upload {
                 Some(upload) => upload.clone(),
                 None => return missing("uploaded path"),
             },
-            Some(Path::Recording) => {
+            Path::Recording => {
                 self.end_recording();
-                let Some(recorded) = self.recorded.clone() else {
+                let Some(recorded) = &self.recorded else {
                     return missing("recording");
                 };
-                let way = Way::Recorded(Arc::clone(&recorded));
-                let started = Replay::begin("recording".to_owned(), way, &recorded.setting)?;
-                self.stage = recorded.stage.clone();
-                return self.follow(started);
+                stage = recorded.stage.clone();
+                setting = recorded.setting.clone();
+                ("recording".to_owned(), Way::Recorded(Arc::clone(recorded)))
             }
         };
-        if way.len() > replay::LONGEST {
+        let ticks = path.1.len();
+        if ticks > replay::LONGEST {
             return Err(format!(
-                "the path has {} ticks, allowed: {}",
-                way.len(),
+                "the path has {ticks} ticks, allowed: {}",
                 replay::LONGEST
             ));
         }
-        let started = Replay::begin(name, way, &self.pair.setting)?;
-        self.follow(started)
+        Ok(Change::Run(Box::new(Run {
+            stage,
+            setting,
+            path: Some(path),
+            file: None,
+        })))
     }
 
-    /// Follows the path that was sent.
-    pub(super) fn follow_upload(&mut self) -> Result<(), String> {
-        self.replay(Some(Path::Upload))
-    }
-
-    fn follow(&mut self, (replay, pair): (Replay, Pair)) -> Result<(), String> {
-        self.end_recording();
-        self.replay = Some(replay);
-        self.pair = pair;
-        self.begin_run();
-        Ok(())
+    /// The path that was sent.
+    pub(super) fn upload(&mut self) -> Result<Change, String> {
+        self.replay(Path::Upload)
     }
 
     /// The hand is live again, and stays where it is.
-    fn live(&mut self) -> Result<(), String> {
+    fn live(&mut self) {
         if self.replay.take().is_some() {
             let frame = &self.pair.frame;
             self.guide = Guide::at(HandPose {
@@ -298,13 +291,15 @@ impl Engine {
             self.changed = true;
             self.pending.touch();
         }
-        Ok(())
     }
 
     fn seek(&mut self, seconds: f64) -> Result<(), String> {
         let Some(replay) = &mut self.replay else {
             return Err("there is no replay, allowed: a seek while replaying".to_owned());
         };
+        if self.board.is_some() {
+            return Err("a board cannot be set back, allowed: a reset".to_owned());
+        }
         replay.seek(seconds, &mut self.pair)?;
         self.begin_run();
         Ok(())

@@ -9,6 +9,7 @@ use stiction_core::Hand;
 
 use super::body::{Body, Setting};
 use super::counts::{Counts, StepTimes};
+use super::mirror::Mirror;
 use crate::record::Frame;
 
 /// The newest slips that are kept.
@@ -84,7 +85,17 @@ impl Pair {
         times.add(begun.elapsed());
         self.reference.step(hand);
         self.counts.ticks += 1;
-        self.show(t);
+        self.show(self.body.frame(t));
+        self.look(true);
+    }
+
+    /// A board's answer to a sample: the body is where the board says, and the reference follows the same hand.
+    pub(super) fn answered(&mut self, frame: Frame) {
+        let mirror = Mirror::of(&frame, self.body.present(), &self.setting);
+        self.reference.step(&mirror.hand);
+        self.body = Box::new(mirror);
+        self.counts.ticks += 1;
+        self.show(frame);
         self.look(true);
     }
 
@@ -99,7 +110,7 @@ impl Pair {
         self.setting = setting.clone();
         self.body = body;
         self.reference = reference;
-        self.show(self.frame.t);
+        self.show(self.body.frame(self.frame.t));
         self.comparison = Comparison::default();
         self.look(false);
         Ok(())
@@ -118,8 +129,7 @@ impl Pair {
     }
 
     /// Takes over what the body says.
-    fn show(&mut self, t: f64) {
-        let frame = self.body.frame(t);
+    fn show(&mut self, frame: Frame) {
         self.counts.add(Some(self.frame.state), &frame);
         let contacts = frame.contacts.iter();
         if let Some(loaded) = contacts.max_by(|a, b| a.normal.total_cmp(&b.normal)) {
@@ -128,7 +138,7 @@ impl Pair {
         if frame.slips > 0 {
             let mark = SlipMark {
                 n: self.counts.slips,
-                t,
+                t: frame.t,
                 point: self.foot,
                 length: frame.longest_slip,
             };

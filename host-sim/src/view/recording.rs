@@ -1,13 +1,18 @@
-//! A recording: the hand of every tick and the setting. Its trace is computed from these, by the code of `stiction run`.
+//! A recording: the hand of every tick and the setting. Its trace is computed from these, by the code of `stiction run`; that
+//! of a board is what the board said.
 
 use std::fmt::Write as _;
-use std::fs;
+use std::path::PathBuf;
+use std::{fs, io};
+
+use tempfile::TempDir;
 
 use super::body::Setting;
 use super::guide::HandPose;
 use super::stage::Stage;
+use crate::record::{Frame, Run};
 use crate::run::{RunArgs, run};
-use crate::trace::Format;
+use crate::trace::{Format, TraceWriter};
 
 /// A recording ends by itself after so many ticks (ms).
 pub(super) const LONGEST: usize = 600_000;
@@ -15,7 +20,7 @@ pub(super) const LONGEST: usize = 600_000;
 const CHUNK: usize = 4096;
 
 /// The hand of every tick, and the setting.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Recording {
     /// The scene file.
     pub(super) scene: String,
@@ -23,16 +28,48 @@ pub(super) struct Recording {
     pub(super) setting: Setting,
     pub(super) stage: Stage,
     chunks: Vec<Vec<HandPose>>,
+    /// What a board said.
+    heard: Option<Heard>,
 }
 
 impl Recording {
-    /// Without ticks yet.
-    pub(super) fn new(scene: String, setting: Setting, stage: Stage) -> Self {
-        Self {
+    /// With the hand at the beginning. `is_heard`: of a board.
+    ///
+    /// # Errors
+    /// There is no room for what a board says.
+    pub(super) fn begin(
+        scene: String,
+        setting: Setting,
+        stage: Stage,
+        is_heard: bool,
+    ) -> Result<Self, String> {
+        let heard = match is_heard {
+            true => Some(Heard::begin(&setting).map_err(|error| error.to_string())?),
+            false => None,
+        };
+        let home = HandPose::of(&stage.home);
+        let mut recording = Self {
             scene,
             setting,
             stage,
             chunks: Vec::with_capacity(LONGEST / CHUNK + 1),
+            heard,
+        };
+        recording.add(home);
+        Ok(recording)
+    }
+
+    /// The board said something.
+    pub(super) fn hear(&mut self, frame: &Frame) {
+        if let Some(heard) = &mut self.heard {
+            heard.add(frame);
+        }
+    }
+
+    /// It is over.
+    pub(super) fn finish(&mut self) {
+        if let Some(heard) = &mut self.heard {
+            heard.finish();
         }
     }
 
@@ -80,6 +117,9 @@ impl Recording {
     /// # Errors
     /// There is no room for its files.
     pub(super) fn trace(&self) -> Result<Vec<u8>, String> {
+        if let Some(heard) = &self.heard {
+            return heard.trace();
+        }
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let file = |name| folder.path().join(name);
         let (scene, hand, trace) = (file("scene.toml"), file("hand.csv"), file("trace.jsonl"));
@@ -97,5 +137,64 @@ impl Recording {
         };
         run(&args).map_err(|error| error.to_string())?;
         fs::read(&trace).map_err(|error| error.to_string())
+    }
+}
+
+/// The answers of a board, in a file.
+#[derive(Debug)]
+struct Heard {
+    folder: TempDir,
+    writer: Option<TraceWriter>,
+    /// Time of the last one (s).
+    last: f64,
+    problem: Option<String>,
+}
+
+impl Heard {
+    fn begin(setting: &Setting) -> io::Result<Self> {
+        let folder = tempfile::tempdir()?;
+        let run = Run::of(&setting.scene, setting.number, setting.evolution);
+        let writer = TraceWriter::create(&Self::file(&folder), Format::JsonLines, &run)?;
+        Ok(Self {
+            folder,
+            writer: Some(writer),
+            last: f64::NEG_INFINITY,
+            problem: None,
+        })
+    }
+
+    fn file(folder: &TempDir) -> PathBuf {
+        folder.path().join("trace.jsonl")
+    }
+
+    /// A hand that rests sends the same sample again: its first answer counts.
+    fn add(&mut self, frame: &Frame) {
+        if let Some(writer) = &mut self.writer
+            && frame.t > self.last
+        {
+            self.last = frame.t;
+            let written = writer.write(frame);
+            self.note(written);
+        }
+    }
+
+    fn finish(&mut self) {
+        if let Some(writer) = self.writer.take() {
+            let finished = writer.finish();
+            self.note(finished);
+        }
+    }
+
+    fn note(&mut self, result: io::Result<()>) {
+        if let Err(error) = result {
+            self.problem.get_or_insert(error.to_string());
+        }
+    }
+
+    fn trace(&self) -> Result<Vec<u8>, String> {
+        match &self.problem {
+            Some(problem) => Err(problem.clone()),
+            None => fs::read(Self::file(&self.folder)).map_err(|error| error.to_string()),
+        }
     }
 }

@@ -48,7 +48,7 @@ impl Way {
 pub(super) struct Replay {
     /// What the state calls it.
     pub(super) what: String,
-    way: Way,
+    pub(super) way: Way,
     /// The tick that the body is at.
     pub(super) at: usize,
     /// The tick that is sought.
@@ -101,17 +101,26 @@ impl Replay {
         self.sought.is_some()
     }
 
-    /// Goes to the next tick; false at the end.
-    pub(super) fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> bool {
-        let Some(sample) = self.way.sample(self.at + 1) else {
-            return false;
-        };
+    /// The hand where it is.
+    pub(super) fn sample(&self) -> Option<Sample> {
+        self.way.sample(self.at)
+    }
+
+    /// Goes to the next tick; nothing at the end.
+    pub(super) fn next(&mut self) -> Option<Sample> {
+        let sample = self.way.sample(self.at + 1)?;
         self.at += 1;
+        Some(sample)
+    }
+
+    /// As [`Self::next`], and the body follows.
+    pub(super) fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> Option<Sample> {
+        let sample = self.next()?;
         pair.step(sample.t, &sample.hand, times);
         if self.at == self.snapshots.len() * SNAPSHOT_EVERY {
             self.snapshots.push(pair.snapshot());
         }
-        true
+        Some(sample)
     }
 
     /// Seeks a time (s): from the nearest snapshot before it, or from here where that is nearer. [`Self::approach`] goes on.
@@ -139,7 +148,8 @@ impl Replay {
 
     /// One tick towards the one that is sought.
     pub(super) fn approach(&mut self, pair: &mut Pair, times: &mut StepTimes) {
-        let arrived = !self.advance(pair, times) || self.sought.is_none_or(|tick| self.at >= tick);
+        let arrived =
+            self.advance(pair, times).is_none() || self.sought.is_none_or(|tick| self.at >= tick);
         if arrived {
             self.sought = None;
         }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 use serde_json::{Number as JsonNumber, json};
 use stiction_core::Evolution;
+use stiction_scene::SurfaceInfo;
 
 use super::body::Setting;
 use super::counts::Counts;
@@ -12,6 +13,7 @@ use super::feed::{Latest, Shown};
 use super::free::Springs;
 use super::pair::{Comparison, SlipMark};
 use super::stage::Stage;
+use crate::board::{Fares, Identity};
 use crate::record::Frame;
 use crate::scene_file::SceneFile;
 use crate::trace::Record;
@@ -22,14 +24,24 @@ const VERSION: u32 = 1;
 const STRIP: usize = 64;
 
 /// The first message to a client.
-pub(super) fn hello(client: u32, scenes: &[String]) -> String {
+pub(super) fn hello(client: u32, scenes: &[String], board: Option<&Identity>) -> String {
+    let source = match board {
+        None => json!({"kind": "core"}),
+        Some(board) => json!({
+            "kind": "board",
+            "name": board.name,
+            "number": board.number.name(),
+            "where": board.place,
+            "emulated": board.emulated,
+        }),
+    };
     json!({
         "type": "hello",
         "version": VERSION,
         "you": client,
         "program": concat!("stiction ", env!("CARGO_PKG_VERSION")),
         "scenes": scenes,
-        "source": {"kind": "core"},
+        "source": source,
     })
     .to_string()
 }
@@ -117,7 +129,15 @@ pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String
 }
 
 fn described(stage: &Stage, scene: &SceneFile) -> serde_json::Value {
-    let surface = |surface: &stiction_scene::SurfaceInfo| json!({"name": surface.name, "normal": surface.normal, "offset": surface.offset});
+    let surface = |surface: &SurfaceInfo| {
+        json!({
+            "name": surface.name,
+            "normal": surface.normal,
+            "offset": surface.offset,
+            "static": surface.friction_static,
+            "dynamic": surface.friction_dynamic,
+        })
+    };
     let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
     let [x, y] = stage.home.position;
     json!({
@@ -146,15 +166,25 @@ struct FrameMessage<'a> {
     slips: &'a [SlipMark],
     strip: Vec<Vec<f64>>,
     step: StepTime,
-    /// Of a board: none.
-    board: (),
+    board: Option<Fares>,
     position: Option<f64>,
 }
 
 #[derive(Serialize)]
 struct StepTime {
-    median: f32,
-    worst: f32,
+    /// A board tells the worst one only.
+    median: Option<f64>,
+    worst: Option<f64>,
+}
+
+impl StepTime {
+    fn of(latest: &Latest) -> Self {
+        let [median, worst] = match (latest.step, latest.board) {
+            (Some(times), _) => times.map(|time| Some(time.into())),
+            (None, board) => [None, board.and_then(|board| board.worst_step)],
+        };
+        Self { median, worst }
+    }
 }
 
 /// The newest record with what led to it, for one client.
@@ -185,7 +215,6 @@ impl News {
         let names: Vec<String> = scene.surfaces.iter().map(|s| s.name.clone()).collect();
         let springs = Springs::of(scene, &latest.frame);
         let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
-        let [median, worst] = latest.step;
         let strip = self.since.iter().map(|frame| strip(frame, names.len()));
         text(&FrameMessage {
             r#type: "frame",
@@ -199,8 +228,8 @@ impl News {
             counts: &latest.counts,
             slips: &latest.slips,
             strip: strip.collect(),
-            step: StepTime { median, worst },
-            board: (),
+            step: StepTime::of(latest),
+            board: latest.board,
             position: latest.position,
         })
     }

@@ -23,6 +23,7 @@ use super::orders::Order;
 use super::recording::Recording;
 use super::replay::{self, Way};
 use super::{client, page};
+use crate::board::Identity;
 use crate::hand_path::HandPath;
 
 /// The largest path that is uploaded (bytes).
@@ -37,6 +38,8 @@ pub(super) struct Hub {
     pub(super) feed: Arc<Feed>,
     pub(super) orders: mpsc::Sender<Order>,
     pub(super) scenes: Vec<String>,
+    /// The board that has the solver.
+    pub(super) board: Option<Identity>,
     /// True when the server ends.
     pub(super) stop: watch::Receiver<bool>,
     pub(super) clients: AtomicU32,

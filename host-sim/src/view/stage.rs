@@ -11,6 +11,9 @@ use crate::number::Number;
 use crate::run::open_path;
 use crate::scene_file::SceneFile;
 
+/// How far from a point or a rod a hand may be at least, and still take hold (m): a hand's tremor.
+const LEAST_REACH: f64 = 1e-4;
+
 /// A scene with its hand.
 #[derive(Clone, Debug)]
 pub(super) struct Stage {
@@ -26,7 +29,9 @@ impl Stage {
     ///
     /// # Errors
     /// Its path cannot be read.
-    pub(super) fn new(scene: SceneFile) -> Result<Self, InputError> {
+    pub(super) fn new(mut scene: SceneFile) -> Result<Self, InputError> {
+        let reach = graspable(&scene);
+        scene.written.reach = reach;
         let path = match &scene.hand.motion {
             Some(_) => Some(Arc::new(open_path(&scene, None, Some(1000.0))?.0)),
             None => None,
@@ -38,6 +43,14 @@ impl Stage {
             path,
             home,
         })
+    }
+}
+
+/// The reach of a body that can be held again once it was let go: a point and a rod have no inside where a hand could be.
+fn graspable(scene: &SceneFile) -> f64 {
+    match scene.vertices.len() {
+        ..3 => scene.reach.max(LEAST_REACH),
+        _ => scene.reach,
     }
 }
 

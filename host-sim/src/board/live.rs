@@ -1,0 +1,290 @@
+//! A board that a program follows: samples and wishes go to a thread of its own, frames and how it fares come back. Nobody
+//! waits for the other.
+
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use serde::Serialize;
+use stiction_core::Evolution;
+use stiction_core::frame::NumberType;
+
+use super::address::{Address, ConnectArgs};
+use super::audience::Audience;
+use super::counts::Counts;
+use super::error::BoardError;
+use super::feed::Feed;
+use super::flight::Flight;
+use super::heard::About;
+use super::link::News;
+use super::record::Recorder;
+use super::session::{Mail, Session};
+use super::setup::Setup;
+use super::steps::Steps;
+use super::stream::Stream;
+use super::verify::Verdict;
+use crate::hand_path::Sample;
+use crate::number::Number;
+use crate::record::Frame;
+use crate::scene_file::SceneFile;
+
+/// How the board fares is told so often.
+const EVERY: Duration = Duration::from_millis(250);
+
+/// The board is to work in another way.
+#[derive(Debug)]
+pub(super) struct Wish {
+    pub(super) setup: Setup,
+    /// The body begins at its start.
+    pub(super) anew: bool,
+}
+
+/// What a board says to the program that follows it.
+#[derive(Debug)]
+pub(crate) enum Word {
+    /// The answer to a sample.
+    Frame(Box<Frame>),
+    /// How it fares.
+    Fares(Fares),
+    /// What became of the oldest wish that has no answer yet.
+    Answer(Result<(), String>),
+    /// It came back after it was gone, and is at the start of its scene.
+    Back,
+    /// It will not come back.
+    End(String),
+}
+
+/// How a board fares.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub(crate) struct Fares {
+    pub(crate) connected: bool,
+    /// Answers in a second.
+    pub(crate) rate: f64,
+    /// From a sample to its answer (s), median of the last ones.
+    pub(crate) latency: Option<f64>,
+    /// Samples that a newer one overtook.
+    pub(crate) late: u64,
+    /// Samples without an answer.
+    pub(crate) lost: u64,
+    /// Ticks of the board that came too late.
+    pub(crate) missed: u64,
+    /// Garbled frames, of both sides.
+    pub(crate) faults: u64,
+    /// The longest step of its solver (s).
+    #[serde(skip)]
+    pub(crate) worst_step: Option<f64>,
+}
+
+impl Fares {
+    /// Of no board.
+    pub(crate) const NONE: Self = Self {
+        connected: false,
+        rate: 0.0,
+        latency: None,
+        late: 0,
+        lost: 0,
+        missed: 0,
+        faults: 0,
+        worst_step: None,
+    };
+}
+
+/// Who the board is.
+#[derive(Clone, Debug)]
+pub(crate) struct Identity {
+    pub(crate) name: String,
+    pub(crate) number: Number,
+    /// Where it is.
+    pub(crate) place: String,
+    pub(crate) emulated: bool,
+    /// Ticks in a second.
+    pub(crate) tick_rate: u16,
+}
+
+/// A board that is followed.
+#[derive(Debug)]
+pub(crate) struct LiveBoard {
+    news: Sender<News>,
+    words: Receiver<Word>,
+    pub(crate) identity: Identity,
+}
+
+impl LiveBoard {
+    /// Connects and sends the scene.
+    ///
+    /// # Errors
+    /// A board that is not there, does not answer, or refuses the scene.
+    pub(crate) fn connect(
+        args: &ConnectArgs,
+        scene: &Arc<SceneFile>,
+        evolution: Evolution,
+    ) -> Result<Self, BoardError> {
+        let (begun, timeout) = (Instant::now(), args.timeout());
+        let (mut address, mut mail) = (args.address()?, Mail::new());
+        let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
+        let setup = setup(scene, evolution);
+        if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
+            eprintln!("{remark}");
+        }
+        let (sender, words) = mpsc::channel();
+        let (identity, news) = (identify(&about, &address), mail.sender.clone());
+        thread::spawn(move || {
+            let mut stream = Stream {
+                setup,
+                about,
+                address,
+                mail,
+                begun,
+                timeout,
+                feed: Feed::live(),
+                twin: None,
+                audience: Follower::new(sender),
+                counts: Counts::default(),
+                verdict: Verdict::default(),
+                flight: Flight::default(),
+                steps: Steps::default(),
+                recorder: Recorder::default(),
+                tracker_gone: None,
+            };
+            if let Err(error) = stream.run(session) {
+                stream.audience.say(Word::End(error.to_string()));
+            }
+        });
+        Ok(Self {
+            news,
+            words,
+            identity,
+        })
+    }
+
+    /// A sample of the hand. A board that is gone is told of by [`Word::End`].
+    pub(crate) fn send(&self, sample: Sample) {
+        let _ = self.news.send(News::Sample(sample));
+    }
+
+    /// Another scene or evolution; `anew`: with the body at its start, otherwise where it is. [`Word::Answer`] tells what
+    /// became of it.
+    pub(crate) fn wish(&self, scene: &Arc<SceneFile>, evolution: Evolution, anew: bool) {
+        let setup = setup(scene, evolution);
+        let _ = self.news.send(News::Wish(Wish { setup, anew }));
+    }
+
+    /// What it said, if it said something.
+    pub(crate) fn hear(&self) -> Option<Word> {
+        self.words.try_recv().ok()
+    }
+}
+
+fn setup(scene: &Arc<SceneFile>, evolution: Evolution) -> Setup {
+    Setup {
+        scene: Arc::clone(scene),
+        evolution,
+        tolerance: 0.0,
+        events: None,
+        tick: None,
+        keep: false,
+        per_sample: false,
+    }
+}
+
+fn identify(about: &About, address: &Address) -> Identity {
+    Identity {
+        name: about.name.clone(),
+        number: match about.number {
+            NumberType::F32 => Number::F32,
+            NumberType::Fixed => Number::Fixed,
+        },
+        place: address.to_string(),
+        emulated: matches!(address, Address::Emulated(_)),
+        tick_rate: about.mode.tick_rate,
+    }
+}
+
+/// Passes on what a stream says.
+#[derive(Debug)]
+struct Follower {
+    words: Sender<Word>,
+    connected: bool,
+    /// Since when these latencies came.
+    since: Instant,
+    latencies: Vec<Duration>,
+}
+
+impl Follower {
+    fn new(words: Sender<Word>) -> Self {
+        Self {
+            words,
+            connected: true,
+            since: Instant::now(),
+            latencies: Vec::new(),
+        }
+    }
+
+    fn say(&self, word: Word) {
+        // Where nobody listens any more, the program ends.
+        let _ = self.words.send(word);
+    }
+
+    /// Of the time since the last one.
+    fn fares(&mut self, counts: &Counts) -> Fares {
+        let seconds = self.since.elapsed().as_secs_f64();
+        let count = self.latencies.len();
+        let latency = (count > 0).then(|| {
+            let (_, median, _) = self.latencies.select_nth_unstable(count / 2);
+            median.as_secs_f64()
+        });
+        let health = counts.health();
+        let garbled = health.map_or(0, |health| u64::from(health.faults.total()));
+        self.latencies.clear();
+        self.since = Instant::now();
+        Fares {
+            connected: self.connected,
+            rate: count as f64 / seconds,
+            latency,
+            late: counts.late(),
+            lost: counts.lost(),
+            missed: health.map_or(0, |health| health.missed_ticks.into()),
+            faults: counts.faults + garbled,
+            worst_step: health.map(|health| f64::from(health.worst_step) * 1e-9),
+        }
+    }
+}
+
+impl Audience for Follower {
+    fn frame(&mut self, frame: Frame, latency: Duration) -> Result<(), BoardError> {
+        self.latencies.push(latency);
+        self.say(Word::Frame(Box::new(frame)));
+        Ok(())
+    }
+
+    fn counts(&mut self, counts: &Counts) {
+        if self.since.elapsed() >= EVERY {
+            let fares = self.fares(counts);
+            self.say(Word::Fares(fares));
+        }
+    }
+
+    fn gone(&mut self, why: &str) {
+        eprintln!("{why}");
+        self.connected = false;
+        self.latencies.clear();
+        self.say(Word::Fares(Fares::NONE));
+    }
+
+    fn back(&mut self) {
+        eprintln!("the board is back");
+        self.connected = true;
+        self.since = Instant::now();
+        self.say(Word::Back);
+    }
+
+    fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError> {
+        let told = result.as_ref().map_err(ToString::to_string);
+        self.say(Word::Answer(told.copied()));
+        match result {
+            Err(error) if error.may_pass() => Err(error),
+            _ => Ok(()),
+        }
+    }
+}

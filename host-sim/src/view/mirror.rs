@@ -1,0 +1,78 @@
+//! The body of a board, as its last answer says: a body that nobody moves here.
+
+use stiction_core::{Angle, Event, Hand, Wrench};
+
+use super::body::{Body, Setting};
+use super::carry::{Hold, Present};
+use crate::record::Frame;
+
+/// What a board said last.
+#[derive(Clone, Debug)]
+pub(super) struct Mirror {
+    frame: Frame,
+    /// The sample that it answered.
+    pub(super) hand: Hand<f64>,
+    hold: Hold,
+    stiffness: [f64; 2],
+}
+
+impl Mirror {
+    /// Of an answer, after the body was as in `before`.
+    pub(super) fn of(frame: &Frame, before: Present, setting: &Setting) -> Self {
+        let [x, y, phi] = frame.hand;
+        let hold = match before.hold {
+            _ if frame.events.contains(&Event::Grasp) => Hold::Taken,
+            Hold::Never if frame.held => Hold::Given,
+            hold => hold,
+        };
+        Self {
+            frame: frame.clone(),
+            hand: Hand {
+                position: [x, y],
+                angle: Angle::from_radians(phi),
+                depth: frame.depth,
+                held: frame.held,
+            },
+            hold,
+            stiffness: [
+                setting.scene.stiffness_translation,
+                setting.scene.stiffness_rotation,
+            ],
+        }
+    }
+}
+
+impl Body for Mirror {
+    fn step(&mut self, _hand: &Hand<f64>) {}
+
+    fn frame(&self, t: f64) -> Frame {
+        Frame {
+            t,
+            ..self.frame.clone()
+        }
+    }
+
+    fn present(&self) -> Present {
+        let [x, y, theta] = self.frame.pose;
+        let [fx, fy, moment] = self.frame.wrench;
+        let angle = Angle::from_radians(theta);
+        let mut hand = self.hand;
+        hand.angle.turns = hand.angle.turns.saturating_sub(angle.turns);
+        Present {
+            position: [x, y],
+            angle,
+            held: self.frame.held,
+            hold: self.hold,
+            hand,
+            wrench: Wrench {
+                force: [fx, fy],
+                moment,
+            },
+            stiffness: self.stiffness,
+        }
+    }
+
+    fn copy(&self) -> Box<dyn Body> {
+        Box::new(self.clone())
+    }
+}
