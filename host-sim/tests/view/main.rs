@@ -1,5 +1,7 @@
 //! `stiction view` as its clients meet it: over the socket, over HTTP, over UDP. No verdict hangs on how fast anything is.
 
+#[cfg(unix)]
+mod boards;
 #[path = "../common/mod.rs"]
 mod common;
 mod messages;
@@ -8,3 +10,5 @@ mod paths;
 mod program;
 mod refusals;
 mod several;
+#[cfg(unix)]
+mod station;
