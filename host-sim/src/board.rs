@@ -53,17 +53,12 @@ use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trac
 use crate::trace::Format;
 use crate::{report, scenes};
 use audience::Console;
-use counts::Counts;
 use feed::Feed;
-use flight::Flight;
 use print::Screen;
-use record::Recorder;
 use session::{Mail, Session};
 use setup::Setup;
-use steps::Steps;
 use stream::Stream;
 use trace::Trace;
-use verify::Verdict;
 
 /// The arguments of `stiction board`.
 #[derive(Args, Clone, Debug)]
@@ -148,11 +143,17 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         keep: args.keep,
         per_sample: args.verify,
     };
-    let Connected {
-        mut stream,
-        session,
-        title,
-    } = connected(args, setup, feed, trace)?;
+    let screen = Screen::new(args.quiet);
+    let (mut stream, session) =
+        Stream::connect(&args.connect, setup, feed, Console { screen, trace })?;
+    let about = &stream.about;
+    let title = format!("{} on {} ({})", scene.title, about.name, stream.address);
+    if args.verify {
+        stream.twin = Some(verify::twin(about, &scene, &stream.setup.mode(about))?);
+    }
+    let (placement, timeout) = (&scene.hand.placement, args.connect.timeout());
+    args.tracker
+        .start(placement, timeout, stream.mail.sender.clone())?;
     let result = stream.run(session);
     let Stream {
         audience: Console { mut screen, trace },
@@ -171,59 +172,6 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         report::print(&format!("{verdict}\n"));
     }
     result.map(|()| !args.verify || verdict.is_good())
-}
-
-/// A stream with the session that it begins in.
-struct Connected<'a> {
-    stream: Stream<'a, Console>,
-    session: Session,
-    title: String,
-}
-
-/// Connects, sends scene and mode, starts the tracker.
-fn connected<'a>(
-    args: &BoardArgs,
-    setup: Setup,
-    feed: Feed<'a>,
-    trace: Trace,
-) -> Result<Connected<'a>, BoardError> {
-    let (begun, timeout) = (Instant::now(), args.connect.timeout());
-    let (mut address, mut mail) = (args.connect.address()?, Mail::new());
-    let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
-    let mut screen = Screen::new(args.quiet);
-    if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
-        screen.note(&remark);
-    }
-    let twin = match args.verify {
-        true => Some(verify::twin(&about, &setup.scene, &setup.mode(&about))?),
-        false => None,
-    };
-    let placement = &setup.scene.hand.placement;
-    args.tracker
-        .start(placement, timeout, mail.sender.clone())?;
-    let title = format!("{} on {} ({address})", setup.scene.title, about.name);
-    let stream = Stream {
-        setup,
-        about,
-        address,
-        mail,
-        begun,
-        timeout,
-        feed,
-        twin,
-        audience: Console { screen, trace },
-        counts: Counts::default(),
-        verdict: Verdict::default(),
-        flight: Flight::default(),
-        steps: Steps::default(),
-        recorder: Recorder::default(),
-        tracker_gone: None,
-    };
-    Ok(Connected {
-        stream,
-        session,
-        title,
-    })
 }
 
 /// Prints what a board says about itself.

@@ -16,8 +16,11 @@ pub(super) trait Audience {
     /// The counts, often.
     fn counts(&mut self, counts: &Counts);
 
-    /// The board is gone, and why.
-    fn gone(&mut self, why: &str);
+    /// Something worth a line to the user.
+    fn note(&mut self, text: &str);
+
+    /// The board is gone.
+    fn gone(&mut self);
 
     /// It is back, at the start of its scene.
     fn back(&mut self);
@@ -42,13 +45,13 @@ impl Audience for Console {
         self.screen.show(counts);
     }
 
-    fn gone(&mut self, why: &str) {
-        self.screen.note(why);
+    fn note(&mut self, text: &str) {
+        self.screen.note(text);
     }
 
-    fn back(&mut self) {
-        self.screen.note("the board is back");
-    }
+    fn gone(&mut self) {}
+
+    fn back(&mut self) {}
 
     fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError> {
         result

@@ -10,7 +10,7 @@ use crate::hand_path::Sample;
 pub(super) enum Feed<'a> {
     /// A path, whose first sample is due at once.
     Path {
-        rest: Peekable<Box<dyn Iterator<Item = Sample> + 'a>>,
+        rest: Peekable<Box<dyn Iterator<Item = Sample> + Send + 'a>>,
         /// When it began, and the time of its first sample.
         begun: Option<(Instant, f64)>,
     },
@@ -22,8 +22,8 @@ pub(super) enum Feed<'a> {
 }
 
 impl<'a> Feed<'a> {
-    pub(super) fn path(samples: impl Iterator<Item = Sample> + 'a) -> Self {
-        let rest: Box<dyn Iterator<Item = Sample> + 'a> = Box::new(samples);
+    pub(super) fn path(samples: impl Iterator<Item = Sample> + Send + 'a) -> Self {
+        let rest: Box<dyn Iterator<Item = Sample> + Send + 'a> = Box::new(samples);
         Self::Path {
             rest: rest.peekable(),
             begun: None,
@@ -93,7 +93,8 @@ impl<'a> Feed<'a> {
     pub(super) fn end(&mut self) {
         match self {
             Self::Path { rest, .. } => {
-                let nothing: Box<dyn Iterator<Item = Sample> + 'a> = Box::new(std::iter::empty());
+                let nothing: Box<dyn Iterator<Item = Sample> + Send + 'a> =
+                    Box::new(std::iter::empty());
                 *rest = nothing.peekable();
             }
             Self::Live { waiting, ended } => {

@@ -35,6 +35,8 @@ pub(super) enum News {
     NoTracker(BoardError),
     /// The board is to work in another way.
     Wish(Wish),
+    /// No more of the board is wanted.
+    Enough,
 }
 
 /// A stream of bytes in both directions.

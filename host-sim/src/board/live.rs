@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread;
+use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use serde::Serialize;
@@ -15,15 +15,10 @@ use super::audience::Audience;
 use super::counts::Counts;
 use super::error::BoardError;
 use super::feed::Feed;
-use super::flight::Flight;
 use super::heard::About;
 use super::link::News;
-use super::record::Recorder;
-use super::session::{Mail, Session};
 use super::setup::Setup;
-use super::steps::Steps;
 use super::stream::Stream;
-use super::verify::Verdict;
 use crate::hand_path::Sample;
 use crate::number::Number;
 use crate::record::Frame;
@@ -108,6 +103,7 @@ pub(crate) struct LiveBoard {
     news: Sender<News>,
     words: Receiver<Word>,
     pub(crate) identity: Identity,
+    thread: Option<JoinHandle<()>>,
 }
 
 impl LiveBoard {
@@ -120,33 +116,13 @@ impl LiveBoard {
         scene: &Arc<SceneFile>,
         evolution: Evolution,
     ) -> Result<Self, BoardError> {
-        let (begun, timeout) = (Instant::now(), args.timeout());
-        let (mut address, mut mail) = (args.address()?, Mail::new());
-        let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
-        let setup = setup(scene, evolution);
-        if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
-            eprintln!("{remark}");
-        }
         let (sender, words) = mpsc::channel();
-        let (identity, news) = (identify(&about, &address), mail.sender.clone());
-        thread::spawn(move || {
-            let mut stream = Stream {
-                setup,
-                about,
-                address,
-                mail,
-                begun,
-                timeout,
-                feed: Feed::live(),
-                twin: None,
-                audience: Follower::new(sender),
-                counts: Counts::default(),
-                verdict: Verdict::default(),
-                flight: Flight::default(),
-                steps: Steps::default(),
-                recorder: Recorder::default(),
-                tracker_gone: None,
-            };
+        let follower = Follower::new(sender);
+        let setup = setup(scene, evolution);
+        let (mut stream, session) = Stream::connect(args, setup, Feed::live(), follower)?;
+        let identity = identify(&stream.about, &stream.address);
+        let news = stream.mail.sender.clone();
+        let thread = thread::spawn(move || {
             if let Err(error) = stream.run(session) {
                 stream.audience.say(Word::End(error.to_string()));
             }
@@ -155,6 +131,7 @@ impl LiveBoard {
             news,
             words,
             identity,
+            thread: Some(thread),
         })
     }
 
@@ -173,6 +150,17 @@ impl LiveBoard {
     /// What it said, if it said something.
     pub(crate) fn hear(&self) -> Option<Word> {
         self.words.try_recv().ok()
+    }
+}
+
+impl Drop for LiveBoard {
+    /// An emulated board ends with its stream.
+    fn drop(&mut self) {
+        let _ = self.news.send(News::Enough);
+        if let Some(thread) = self.thread.take() {
+            // What it broke of was told when it did.
+            let _ = thread.join();
+        }
     }
 }
 
@@ -265,15 +253,17 @@ impl Audience for Follower {
         }
     }
 
-    fn gone(&mut self, why: &str) {
-        eprintln!("{why}");
+    fn note(&mut self, text: &str) {
+        eprintln!("{text}");
+    }
+
+    fn gone(&mut self) {
         self.connected = false;
         self.latencies.clear();
         self.say(Word::Fares(Fares::NONE));
     }
 
     fn back(&mut self) {
-        eprintln!("the board is back");
         self.connected = true;
         self.since = Instant::now();
         self.say(Word::Back);

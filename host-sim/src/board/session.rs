@@ -194,7 +194,7 @@ impl Session {
             News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
             // Of a line of before.
             News::Bytes(..) | News::Gone(..) => Ok(Vec::new()),
-            News::Sample(_) | News::NoTracker(_) | News::Wish(_) => {
+            News::Sample(_) | News::NoTracker(_) | News::Wish(_) | News::Enough => {
                 mail.keep([news]);
                 Ok(Vec::new())
             }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Reason};
 use stiction_core::narrow_hand;
 
-use super::address::Address;
+use super::address::{Address, ConnectArgs};
 use super::audience::Audience;
 use super::counts::Counts;
 use super::error::BoardError;
@@ -60,7 +60,40 @@ pub(super) struct Stream<'a, A> {
     pub(super) tracker_gone: Option<BoardError>,
 }
 
-impl<A: Audience> Stream<'_, A> {
+impl<'a, A: Audience> Stream<'a, A> {
+    /// Connects, sends scene and mode. The stream, and the session that it begins in.
+    pub(super) fn connect(
+        args: &ConnectArgs,
+        setup: Setup,
+        feed: Feed<'a>,
+        mut audience: A,
+    ) -> Result<(Self, Session), BoardError> {
+        let (begun, timeout) = (Instant::now(), args.timeout());
+        let (mut address, mut mail) = (args.address()?, Mail::new());
+        let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
+        if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
+            audience.note(&remark);
+        }
+        let stream = Self {
+            setup,
+            about,
+            address,
+            mail,
+            begun,
+            timeout,
+            feed,
+            twin: None,
+            audience,
+            counts: Counts::default(),
+            verdict: Verdict::default(),
+            flight: Flight::default(),
+            steps: Steps::default(),
+            recorder: Recorder::default(),
+            tracker_gone: None,
+        };
+        Ok((stream, session))
+    }
+
     /// Until the feed ends. A board that goes away is waited for, unless it is compared with the host.
     pub(super) fn run(&mut self, mut session: Session) -> Result<(), BoardError> {
         loop {
@@ -182,6 +215,10 @@ impl<A: Audience> Stream<'_, A> {
                 self.grant(session, wish)?;
                 Ok(true)
             }
+            News::Enough => {
+                self.feed.end();
+                Ok(false)
+            }
             news => {
                 let heard = session.read(&mut self.mail, news)?;
                 let any = !heard.is_empty();
@@ -294,7 +331,8 @@ impl<A: Audience> Stream<'_, A> {
     /// Looks for a board that went away; what is due meanwhile is lost.
     fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
         self.audience
-            .gone(&format!("{error}; looking for the board once a second"));
+            .note(&format!("{error}; looking for the board once a second"));
+        self.audience.gone();
         let lost = self.flight.give_up();
         self.lose(lost);
         self.steps = Steps::default();
@@ -303,6 +341,7 @@ impl<A: Audience> Stream<'_, A> {
             match self.begin_again() {
                 Ok(session) => {
                     self.skip_missed();
+                    self.audience.note("the board is back");
                     self.audience.back();
                     return Ok(session);
                 }
@@ -343,6 +382,7 @@ impl<A: Audience> Stream<'_, A> {
             match news {
                 News::Sample(sample) => self.feed.push(sample),
                 News::NoTracker(error) => self.end_tracker(error),
+                News::Enough => self.feed.end(),
                 News::Wish(_) => {
                     let refusal = "the board is not connected, allowed: when it is back";
                     // Which is no reason to end.

@@ -21,7 +21,7 @@ pub(super) struct Expected {
 }
 
 /// The host's solver, of the number type and the model of a board.
-pub(super) trait Twin {
+pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
@@ -30,7 +30,7 @@ struct Host<R: Real, M: Model> {
     state: Option<State<R>>,
 }
 
-impl<R: Real<Si = f32>, M: Model> Twin for Host<R, M> {
+impl<R: Real<Si = f32> + Send, M: Model + Send> Twin for Host<R, M> {
     fn step(&mut self, hand: Hand<f32>) -> Expected {
         let output = match &mut self.state {
             Some(state) => self.solver.step(state, hand),
@@ -65,7 +65,7 @@ pub(super) fn twin(
 
 type Setting<'a> = (&'a SceneFile, &'a Mode);
 
-fn with_model<R: Real<Si = f32> + 'static>(
+fn with_model<R: Real<Si = f32> + Send + 'static>(
     about: &About,
     of: Setting<'_>,
 ) -> Result<Box<dyn Twin>, InputError>
@@ -80,7 +80,7 @@ where
     }
 }
 
-fn host<R: Real<Si = f32> + 'static, M: Model>(
+fn host<R: Real<Si = f32> + Send + 'static, M: Model + Send>(
     (scene, mode): Setting<'_>,
 ) -> Result<Box<dyn Twin>, InputError> {
     let solver = Solver::new(scene.scene_in::<R, M>()?, mode.evolution)

@@ -1,5 +1,9 @@
 //! A board that has the solver: what it answers is what clients see, with the reference beside it.
 
+#[cfg(target_os = "linux")]
+use std::fs;
+#[cfg(target_os = "linux")]
+use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
 use serde_json::{Value, json};
@@ -256,13 +260,14 @@ fn without_a_board_there_is_nothing_to_view() {
     assert!(text(&output.stderr).contains("cannot be used with"));
 }
 
+#[cfg(target_os = "linux")]
 #[test]
 fn an_emulated_board_is_a_board() {
     let image = require_qemu_arm().and_then(|()| Emulated::OLIMEX.image("", None));
     if if_installed(image).is_none() {
         return;
     }
-    let view = View::start(&["box-flat", "--emulate", "--timeout", "60"]);
+    let mut view = View::start(&["box-flat", "--emulate", "--timeout", "60"]);
     let mut client = view.client();
     let source = &client.hello["source"];
     assert_eq!(
@@ -272,4 +277,20 @@ fn an_emulated_board_is_a_board() {
     let pressed = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
     assert_eq!(pressed["frame"]["state"], "edge");
     assert_eq!(pressed["reference"]["state"], "edge");
+    let emulators = children(view.child.id());
+    assert_eq!(emulators.len(), 1);
+    view.interrupt();
+    assert!(view.child.wait().expect("it ends").success());
+    assert!(!emulators[0].exists(), "the emulator ends with it");
+}
+
+/// The processes that one has started.
+#[cfg(target_os = "linux")]
+fn children(id: u32) -> Vec<PathBuf> {
+    let all = fs::read_dir("/proc").expect("the processes").flatten();
+    let is_child = |process: &PathBuf| {
+        let status = fs::read_to_string(process.join("status")).unwrap_or_default();
+        status.lines().any(|line| line == format!("PPid:\t{id}"))
+    };
+    all.map(|entry| entry.path()).filter(is_child).collect()
 }

@@ -54,6 +54,14 @@ impl View {
         }
     }
 
+    /// Ctrl-C.
+    #[cfg(unix)]
+    pub(crate) fn interrupt(&self) {
+        let number = self.child.id().to_string();
+        let sent = Command::new("kill").args(["-INT", &number]).status();
+        assert!(sent.expect("kill").success());
+    }
+
     /// A client that is connected and has heard hello.
     pub(crate) fn client(&self) -> Client {
         self.client_of(None).expect("a connection")

@@ -204,11 +204,7 @@ fn ctrl_c_ends_it_and_the_clients_are_told() {
     let mut view = View::start(&["box-flat"]);
     let mut client = view.client();
     client.frame(|_| true);
-    let number = view.child.id().to_string();
-    let sent = std::process::Command::new("kill")
-        .args(["-INT", &number])
-        .status();
-    assert!(sent.expect("kill").success());
+    view.interrupt();
     let closed = loop {
         match client.socket.read() {
             Ok(Message::Close(frame)) => break frame.map(|frame| u16::from(frame.code)),
