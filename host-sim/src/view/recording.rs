@@ -2,6 +2,7 @@
 //! of a board is what the board said.
 
 use std::fmt::Write as _;
+use std::fs::File;
 use std::path::PathBuf;
 use std::{fs, io};
 
@@ -112,13 +113,13 @@ impl Recording {
         text
     }
 
-    /// The trace, as `stiction run` writes it.
+    /// The trace, as `stiction run` writes it: a file, and the folder that goes with it.
     ///
     /// # Errors
     /// There is no room for its files.
-    pub(super) fn trace(&self) -> Result<Vec<u8>, String> {
+    pub(super) fn trace(&self) -> Result<(File, Option<TempDir>), String> {
         if let Some(heard) = &self.heard {
-            return heard.trace();
+            return Ok((heard.trace()?, None));
         }
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let file = |name| folder.path().join(name);
@@ -136,7 +137,8 @@ impl Recording {
             quiet: true,
         };
         run(&args).map_err(|error| error.to_string())?;
-        fs::read(&trace).map_err(|error| error.to_string())
+        let file = File::open(&trace).map_err(|error| error.to_string())?;
+        Ok((file, Some(folder)))
     }
 }
 
@@ -191,10 +193,10 @@ impl Heard {
         }
     }
 
-    fn trace(&self) -> Result<Vec<u8>, String> {
+    fn trace(&self) -> Result<File, String> {
         match &self.problem {
             Some(problem) => Err(problem.clone()),
-            None => fs::read(Self::file(&self.folder)).map_err(|error| error.to_string()),
+            None => File::open(Self::file(&self.folder)).map_err(|error| error.to_string()),
         }
     }
 }

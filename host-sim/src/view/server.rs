@@ -5,18 +5,20 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use axum::Router;
-use axum::body::Bytes;
+use axum::body::{Body, Bytes};
 use axum::extract::rejection::BytesRejection;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use futures_util::StreamExt;
 use serde::Deserialize;
 use serde_json::json;
 use stiction_scene::Source;
 use tokio::sync::{mpsc, watch};
 use tokio::task::spawn_blocking;
+use tokio_util::io::ReaderStream;
 
 use super::feed::Feed;
 use super::orders::Order;
@@ -137,15 +139,16 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
         return problem(StatusCode::NOT_FOUND, "there is no recording");
     };
     let name = file.clone();
-    let bytes = spawn_blocking(move || content(&recorded, &name)).await;
+    let body = spawn_blocking(move || content(&recorded, &name)).await;
     let named = format!("attachment; filename=\"{file}\"");
-    match bytes {
-        Ok(Ok(bytes)) => (
+    match body {
+        Ok(Ok((body, length))) => (
             [
                 (header::CONTENT_TYPE, kind),
                 (header::CONTENT_DISPOSITION, named.as_str()),
+                (header::CONTENT_LENGTH, &length.to_string()),
             ],
-            bytes,
+            body,
         )
             .into_response(),
         Ok(Err(error)) => problem(StatusCode::INTERNAL_SERVER_ERROR, &error),
@@ -156,12 +159,22 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
     }
 }
 
-fn content(recorded: &Recording, file: &str) -> Result<Vec<u8>, String> {
-    Ok(match file {
-        "trace.jsonl" => recorded.trace()?,
-        "scene.toml" => recorded.scene.clone().into_bytes(),
-        _ => recorded.hand_csv().into_bytes(),
-    })
+/// A file of a recording, and its bytes.
+fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
+    let text = match file {
+        "trace.jsonl" => {
+            // The trace of ten minutes is hundreds of megabytes: it is read as it is sent.
+            let (trace, folder) = recorded.trace()?;
+            let length = trace.metadata().map_err(|error| error.to_string())?.len();
+            let bytes = ReaderStream::new(tokio::fs::File::from_std(trace));
+            let body = Body::from_stream(bytes.inspect(move |_| _ = &folder));
+            return Ok((body, length));
+        }
+        "scene.toml" => recorded.scene.clone(),
+        _ => recorded.hand_csv(),
+    };
+    let length = text.len() as u64;
+    Ok((text.into(), length))
 }
 
 #[derive(Deserialize)]

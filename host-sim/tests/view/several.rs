@@ -58,17 +58,16 @@ fn a_client_that_never_reads_costs_the_solver_nothing() {
     let mut stalled = view.client();
     stalled.say(&json!({"type": "rate", "value": 1000}));
     let mut other = view.client();
-    // Far more than what the system keeps for one that does not read.
-    let first = other.frame(|_| true)["tick"].as_u64().expect("a number");
-    let last = other.frame(|frame| frame["tick"].as_u64() > Some(first + 8000));
-    assert!(last["counts"]["ticks"].as_u64() > Some(first + 8000));
-    assert_eq!(last["skipped"], 0);
-    let now = last["tick"].as_u64();
-    // What waits for it is old; then it gets the newest, and is told how many it lost.
-    let message = stalled.frame(|frame| frame["tick"].as_u64() >= now);
-    assert!(
-        message["skipped"].as_u64() > Some(100),
-        "{}",
-        message["skipped"]
-    );
+    // What the system keeps for one that does not read, and how fast it fills, differ: longer and longer.
+    let lost = [4_000, 8_000, 16_000].into_iter().find(|wait| {
+        let first = other.frame(|_| true)["tick"].as_u64().expect("a number");
+        let last = other.frame(|frame| frame["tick"].as_u64() > Some(first + wait));
+        assert!(last["counts"]["ticks"].as_u64() > Some(first + wait));
+        assert_eq!(last["skipped"], 0);
+        let now = last["tick"].as_u64();
+        // What waits for it is old; then it gets the newest, and is told how many it lost.
+        let message = stalled.frame(|frame| frame["tick"].as_u64() >= now);
+        message["skipped"].as_u64() > Some(100)
+    });
+    assert!(lost.is_some(), "it lost frames");
 }
