@@ -17,6 +17,8 @@ pub(super) struct Counts {
     pub(super) incomplete: u64,
     /// Samples that no pose followed: late or lost.
     pub(super) unanswered: u64,
+    /// Of these, the ones that were never sent, because a newer one was there.
+    pub(super) overtaken: u64,
     /// Frames of the board that were garbled.
     pub(super) faults: u64,
     pub(super) latency: Latency,
@@ -33,7 +35,7 @@ pub(super) struct Counts {
 impl Counts {
     /// A session begins.
     pub(super) fn begin(&mut self, health: Option<Health>) {
-        self.late_before = self.late();
+        self.late_before = self.late() - self.overtaken;
         self.health = health.map(|health| (health, health));
     }
 
@@ -44,12 +46,12 @@ impl Counts {
         self.unanswered_then = self.unanswered;
     }
 
-    /// Samples that a newer one overtook before the board made a step with them.
+    /// Samples that a newer one overtook, here or before the board made a step with them.
     pub(super) fn late(&self) -> u64 {
         let now = self.health.map_or(0, |(first, last)| {
             u64::from(last.late_samples.saturating_sub(first.late_samples))
         });
-        self.late_before + now
+        self.late_before + now + self.overtaken
     }
 
     /// Samples that did not reach the board, or whose poses did not come back.
@@ -95,6 +97,20 @@ mod tests {
         counts.unanswered = 10;
         counts.note(health(1));
         assert_eq!((counts.late(), counts.lost()), (6, 4));
+    }
+
+    #[test]
+    fn what_is_overtaken_here_is_late() {
+        let mut counts = Counts {
+            unanswered: 5,
+            overtaken: 3,
+            ..Counts::default()
+        };
+        counts.begin(Some(health(10)));
+        counts.note(health(11));
+        assert_eq!((counts.late(), counts.lost()), (4, 1));
+        counts.begin(Some(health(0)));
+        assert_eq!(counts.late(), 4);
     }
 
     #[test]

@@ -6,6 +6,9 @@ use std::time::{Duration, Instant};
 
 use crate::hand_path::Sample;
 
+/// Samples that wait for the line: an older hand is of no use.
+const MOST_WAITING: usize = 2;
+
 /// Samples in real time.
 pub(super) enum Feed<'a> {
     /// A path, whose first sample is due at once.
@@ -17,6 +20,8 @@ pub(super) enum Feed<'a> {
     /// Samples as they come.
     Live {
         waiting: VecDeque<Sample>,
+        /// So many may wait for the line.
+        most: usize,
         ended: bool,
     },
 }
@@ -33,6 +38,16 @@ impl<'a> Feed<'a> {
     pub(super) const fn live() -> Self {
         Self::Live {
             waiting: VecDeque::new(),
+            most: usize::MAX,
+            ended: false,
+        }
+    }
+
+    /// As they come; those that the line has no time for are overtaken by newer ones.
+    pub(super) const fn newest() -> Self {
+        Self::Live {
+            waiting: VecDeque::new(),
+            most: MOST_WAITING,
             ended: false,
         }
     }
@@ -60,11 +75,22 @@ impl<'a> Feed<'a> {
         }
     }
 
-    /// A sample of the tracker.
-    pub(super) fn push(&mut self, sample: Sample) {
-        if let Self::Live { waiting, .. } = self {
-            waiting.push_back(sample);
+    /// A sample as it comes. Whether the oldest one that waits is overtaken.
+    pub(super) fn push(&mut self, sample: Sample) -> bool {
+        let Self::Live { waiting, most, .. } = self else {
+            return false;
+        };
+        waiting.push_back(sample);
+        let is_overtaken = waiting.len() > *most;
+        if is_overtaken {
+            waiting.pop_front();
         }
+        is_overtaken
+    }
+
+    /// A newer sample is better than every sample.
+    pub(super) const fn is_hasty(&self) -> bool {
+        matches!(self, Self::Live { most, .. } if *most == MOST_WAITING)
     }
 
     /// Drops what was not sent yet.
@@ -78,7 +104,7 @@ impl<'a> Feed<'a> {
     pub(super) fn is_over(&mut self) -> bool {
         match self {
             Self::Path { rest, .. } => rest.peek().is_none(),
-            Self::Live { waiting, ended } => *ended && waiting.is_empty(),
+            Self::Live { waiting, ended, .. } => *ended && waiting.is_empty(),
         }
     }
 
@@ -97,7 +123,7 @@ impl<'a> Feed<'a> {
                     Box::new(std::iter::empty());
                 *rest = nothing.peekable();
             }
-            Self::Live { waiting, ended } => {
+            Self::Live { waiting, ended, .. } => {
                 waiting.clear();
                 *ended = true;
             }
@@ -138,5 +164,16 @@ mod tests {
         assert!(feed.take(now).is_some());
         feed.end();
         assert!(feed.is_over());
+    }
+
+    #[test]
+    fn a_sample_that_the_line_has_no_time_for_is_overtaken() {
+        let (mut feed, now) = (Feed::newest(), Instant::now());
+        let overtaken: Vec<bool> = (0..4).map(|t| feed.push(sample(f64::from(t)))).collect();
+        assert_eq!(overtaken, [false, false, true, true]);
+        let left: Vec<f64> = std::iter::from_fn(|| feed.take(now))
+            .map(|sample| sample.t)
+            .collect();
+        assert_eq!(left, [2.0, 3.0]);
     }
 }

@@ -119,7 +119,7 @@ impl LiveBoard {
         let (sender, words) = mpsc::channel();
         let follower = Follower::new(sender);
         let setup = setup(scene, evolution);
-        let (mut stream, session) = Stream::connect(args, setup, Feed::live(), follower)?;
+        let (mut stream, session) = Stream::connect(args, setup, Feed::newest(), follower)?;
         let identity = identify(&stream.about, &stream.address);
         let news = stream.mail.sender.clone();
         let thread = thread::spawn(move || {
@@ -183,7 +183,10 @@ fn identify(about: &About, address: &Address) -> Identity {
             NumberType::F32 => Number::F32,
             NumberType::Fixed => Number::Fixed,
         },
-        place: address.to_string(),
+        place: match address {
+            Address::Emulated(_) => "QEMU".to_owned(),
+            _ => address.to_string(),
+        },
         emulated: matches!(address, Address::Emulated(_)),
         tick_rate: about.mode.tick_rate,
     }

@@ -22,6 +22,7 @@ use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::stop;
 use super::verify::{Twin, Verdict};
+use crate::hand_path::Sample;
 
 /// A board that went away is looked for so often.
 const RETRY: Duration = Duration::from_secs(1);
@@ -29,6 +30,8 @@ const RETRY: Duration = Duration::from_secs(1);
 const WINDOW: usize = 4;
 /// Samples on their way to a board that takes the newest one: more would wait in the line, and come late.
 const TIMED_WINDOW: usize = 32;
+/// As many where newer is better: a hand that waits in the line is an old one, which can be felt.
+const LIVE_WINDOW: usize = 8;
 /// Samples that are sent before what came is looked at: a full line makes each of them wait.
 const BURST: usize = 2;
 /// News that are looked at before samples are sent: an emulator sends byte by byte.
@@ -153,10 +156,20 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(())
     }
 
+    /// A live sample.
+    fn push(&mut self, sample: Sample) {
+        if self.feed.push(sample) {
+            self.counts.samples += 1;
+            self.counts.unanswered += 1;
+            self.counts.overtaken += 1;
+        }
+    }
+
     fn has_room(&self) -> bool {
-        let window = match self.setup.per_sample {
-            true => WINDOW,
-            false => TIMED_WINDOW,
+        let window = match (self.setup.per_sample, self.feed.is_hasty()) {
+            (true, _) => WINDOW,
+            (false, true) => LIVE_WINDOW,
+            (false, false) => TIMED_WINDOW,
         };
         self.flight.len() < window
     }
@@ -204,7 +217,7 @@ impl<'a, A: Audience> Stream<'a, A> {
     fn hear(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
         match news {
             News::Sample(sample) => {
-                self.feed.push(sample);
+                self.push(sample);
                 Ok(false)
             }
             News::NoTracker(error) => {
@@ -380,7 +393,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         let mut of_lines = Vec::new();
         while let Some(news) = self.mail.next(now) {
             match news {
-                News::Sample(sample) => self.feed.push(sample),
+                News::Sample(sample) => self.push(sample),
                 News::NoTracker(error) => self.end_tracker(error),
                 News::Enough => self.feed.end(),
                 News::Wish(_) => {
