@@ -33,6 +33,7 @@ mod replay;
 mod say;
 mod server;
 mod stage;
+mod urgent;
 
 use std::future::IntoFuture;
 use std::io;
@@ -168,7 +169,11 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     let solver = {
         let ending = Arc::clone(&ending);
         let thread = thread::Builder::new().name("solver".to_owned());
-        thread.spawn(move || engine.run(inbox, &ending))?
+        thread.spawn(move || {
+            // Without, it is late more often under load.
+            urgent::hurry();
+            engine.run(inbox, &ending)
+        })?
     };
     let (stopper, stop) = watch::channel(false);
     let hub = Arc::new(Hub {
