@@ -170,7 +170,6 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         let ending = Arc::clone(&ending);
         let thread = thread::Builder::new().name("solver".to_owned());
         thread.spawn(move || {
-            // Without, it is late more often under load.
             urgent::hurry();
             engine.run(inbox, &ending)
         })?

@@ -1,7 +1,7 @@
 //! A serial port, a unix socket or a tcp connection as one thing that is written to, while a thread reads it.
 
 use std::io::{self, Read, Write};
-use std::net::TcpStream;
+use std::net::{TcpStream, ToSocketAddrs};
 #[cfg(unix)]
 use std::os::unix::net::UnixStream;
 use std::path::Path;
@@ -19,7 +19,7 @@ use crate::hand_path::Sample;
 
 /// A reader looks so often whether it is still wanted.
 const BREATH: Duration = Duration::from_millis(50);
-/// A line that takes no bytes for so long is gone.
+/// A line that takes no bytes, or is not there, for so long is gone.
 const STUCK: Duration = Duration::from_secs(1);
 
 /// What reaches the main thread.
@@ -60,7 +60,11 @@ impl Link {
     }
 
     pub(super) fn tcp(address: &str) -> io::Result<Self> {
-        let stream = TcpStream::connect(address)?;
+        let mut places = address.to_socket_addrs()?;
+        let place = places
+            .next()
+            .ok_or_else(|| io::Error::other("no such host"))?;
+        let stream = TcpStream::connect_timeout(&place, STUCK)?;
         stream.set_nodelay(true)?;
         stream.set_read_timeout(Some(BREATH))?;
         stream.set_write_timeout(Some(STUCK))?;

@@ -2,7 +2,7 @@
 //! waits for the other.
 
 use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -18,6 +18,7 @@ use super::feed::Feed;
 use super::heard::About;
 use super::link::News;
 use super::setup::Setup;
+use super::stop;
 use super::stream::Stream;
 use crate::hand_path::Sample;
 use crate::number::Number;
@@ -123,7 +124,9 @@ impl LiveBoard {
         let identity = identify(&stream.about, &stream.address);
         let news = stream.mail.sender.clone();
         let thread = thread::spawn(move || {
-            if let Err(error) = stream.run(session) {
+            if let Err(error) = stream.run(session)
+                && !stop::asked()
+            {
                 stream.audience.say(Word::End(error.to_string()));
             }
         });
@@ -149,7 +152,13 @@ impl LiveBoard {
 
     /// What it said, if it said something.
     pub(crate) fn hear(&self) -> Option<Word> {
-        self.words.try_recv().ok()
+        match self.words.try_recv() {
+            Ok(word) => Some(word),
+            Err(TryRecvError::Disconnected) if !stop::asked() => {
+                Some(Word::End("the board's thread broke".to_owned()))
+            }
+            Err(_) => None,
+        }
     }
 }
 

@@ -62,8 +62,10 @@ pub(super) struct Session {
     pub(super) health: Option<Health>,
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
-    /// What came while a command waited for its answer, and was not that.
-    pub(super) meanwhile: Vec<Heard>,
+    /// What came while a command waited for its answer.
+    pub(super) before_answer: Vec<Heard>,
+    /// What came with the answer, after it.
+    pub(super) after_answer: Vec<Heard>,
     pub(super) address: String,
     /// The board may be silent for so long.
     pub(super) timeout: Duration,
@@ -92,7 +94,8 @@ impl Session {
             line,
             health: None,
             last_sample: None,
-            meanwhile: Vec::new(),
+            before_answer: Vec::new(),
+            after_answer: Vec::new(),
             address: name,
             timeout,
         };
@@ -139,6 +142,7 @@ impl Session {
     ) -> Result<T, BoardError> {
         let end = Instant::now() + self.timeout;
         let mut sent = Vec::new();
+        self.before_answer.append(&mut self.after_answer);
         while Instant::now() < end {
             sent.push(self.send(command)?);
             let again = end.min(Instant::now() + AGAIN);
@@ -146,8 +150,12 @@ impl Session {
                 let mut answer = None;
                 for heard in self.read(mail, news)? {
                     self.note(&heard.said);
-                    answer = answer.or_else(|| pick(&heard.said, &sent));
-                    self.meanwhile.push(heard);
+                    if answer.is_some() {
+                        self.after_answer.push(heard);
+                    } else {
+                        answer = pick(&heard.said, &sent);
+                        self.before_answer.push(heard);
+                    }
                 }
                 if let Some(answer) = answer {
                     return Ok(answer);

@@ -91,6 +91,16 @@ impl Steps {
         self.finish(beyond.max(whole.map_or(0, |last| last + 1)))
     }
 
+    /// Events of a step that nobody asked for are of the next one.
+    pub(super) fn keep(&mut self, events: Option<Events>) {
+        if let Some(events) = events {
+            match &mut self.earlier {
+                Some(earlier) => earlier.merge(events),
+                None => self.earlier = Some(events),
+            }
+        }
+    }
+
     /// What is left, when nothing more will come.
     pub(super) fn flush(&mut self) -> Vec<Step> {
         self.finish(self.pending.len())
@@ -208,6 +218,21 @@ mod tests {
             (told.slips, told.list),
             (2, vec![Event::Touch, Event::Slip])
         );
+    }
+
+    #[test]
+    fn events_of_a_step_without_a_sample_are_of_the_next_one() {
+        let mut steps = Steps::default();
+        for slips in 1..3 {
+            steps.keep(Some(Events {
+                slips,
+                ..Events::default()
+            }));
+        }
+        steps.keep(None);
+        steps.add(heard(9, pose(&[])));
+        let done = steps.add(heard(9, forces(0)));
+        assert_eq!(done[0].events.as_ref().map(|events| events.slips), Some(3));
     }
 
     #[test]

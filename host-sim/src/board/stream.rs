@@ -113,7 +113,8 @@ impl<'a, A: Audience> Stream<'a, A> {
     /// As long as the board is there.
     fn follow(&mut self, session: &mut Session) -> Result<(), BoardError> {
         self.number_anew(session)?;
-        session.meanwhile.clear();
+        session.before_answer.clear();
+        session.after_answer.clear();
         // Since when the board owes a word.
         let mut owed: Option<Instant> = None;
         let faults = self.counts.faults;
@@ -243,12 +244,13 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
     }
 
-    /// The board works in another way from now on, or refuses to. What it says meanwhile counts as before.
+    /// The board works in another way from now on, or refuses to. What it says until then is told before, and what it says
+    /// afterwards after the answer.
     fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
         let Wish { setup, anew } = wish;
         let with = (&self.about, &mut self.mail);
         let result = setup.change(&self.setup, anew, session, with);
-        for heard in std::mem::take(&mut session.meanwhile) {
+        for heard in std::mem::take(&mut session.before_answer) {
             self.take(session, heard)?;
         }
         if result.is_ok() {
@@ -260,7 +262,11 @@ impl<'a, A: Audience> Stream<'a, A> {
                 self.steps = Steps::default();
             }
         }
-        self.audience.answer(result)
+        self.audience.answer(result)?;
+        for heard in std::mem::take(&mut session.after_answer) {
+            self.take(session, heard)?;
+        }
+        Ok(())
     }
 
     fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
@@ -287,6 +293,8 @@ impl<'a, A: Audience> Stream<'a, A> {
     /// A step that follows a sample.
     fn answer(&mut self, step: &Step) -> Result<(), BoardError> {
         let Some((sent, overtaken)) = self.flight.answer(&step.pose) else {
+            // A step without a new sample: what happened in it is told with the next one.
+            self.steps.keep(step.events.clone());
             return Ok(());
         };
         self.lose(overtaken);

@@ -11,6 +11,8 @@ use crate::scene_file::{HostSolver, SceneFile};
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f64 = 1e-4;
 
+const OUT_OF_REACH: &str = "the hand would lose its hold, allowed: what keeps it within reach";
+
 /// How the hand came to hold the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hold {
@@ -65,9 +67,7 @@ pub(super) fn carried<R: Real<Si: SiFloat>>(
             ));
         }
         if present.held && !output.held {
-            return Err(
-                "the hand would lose its hold, allowed: what keeps it within reach".to_owned(),
-            );
+            return Err(OUT_OF_REACH.to_owned());
         }
         let mut going = *description;
         if present.hold != Hold::Never {
@@ -132,7 +132,10 @@ fn taken_on<R: Real<Si: SiFloat>>(
     // The point was within reach; its rounding must not put it outside.
     there.reach = R::Si::narrow(there.reach.widen() + ROUNDING * size);
     let solver = solver(&there, Evolution::Frame)?;
-    let (mut state, _) = solver.start(narrow_hand(&idle));
+    let (mut state, taken) = solver.start(narrow_hand(&idle));
+    if !taken.held {
+        return Err(OUT_OF_REACH.to_owned());
+    }
     let output = solver.step(&mut state, narrow_hand(&present.hand));
     Ok((state, output))
 }

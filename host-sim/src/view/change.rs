@@ -28,8 +28,8 @@ pub(super) struct Run {
     pub(super) setting: Setting,
     /// A path that the hand follows, and its name.
     pub(super) path: Option<(String, Way)>,
-    /// The scene file of a recording, which begins with the run.
-    pub(super) file: Option<String>,
+    /// A recording, which begins with the run.
+    pub(super) recording: Option<Recording>,
 }
 
 impl Change {
@@ -39,7 +39,7 @@ impl Change {
             stage,
             setting,
             path: None,
-            file: None,
+            recording: None,
         }))
     }
 
@@ -96,7 +96,10 @@ impl Engine {
     }
 
     fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
-        self.pair.change(setting)?;
+        match self.board {
+            Some(_) => self.pair.changed(setting)?,
+            None => self.pair.change(setting)?,
+        }
         self.end_recording();
         if let Some(replay) = &mut self.replay {
             replay.forget();
@@ -111,7 +114,7 @@ impl Engine {
             stage,
             setting,
             path,
-            file,
+            recording,
         } = run;
         let (pair, replay) = match path {
             Some((name, way)) => {
@@ -119,13 +122,6 @@ impl Engine {
                 (pair, Some(replay))
             }
             None => (Pair::start(&setting, 0.0, &stage.home)?, None),
-        };
-        let recording = match file {
-            Some(file) => {
-                let is_heard = self.board.is_some();
-                Some(Recording::begin(file, setting, stage.clone(), is_heard)?)
-            }
-            None => None,
         };
         self.end_recording();
         self.guide = Guide::at(HandPose::of(&stage.home));

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
 use futures_util::stream::{SplitSink, SplitStream};
-use futures_util::{SinkExt, StreamExt};
+use futures_util::{FutureExt, SinkExt, StreamExt};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{Instant as Tick, sleep_until, timeout};
 
@@ -150,7 +150,7 @@ impl Mouth<'_> {
             tokio::select! {
                 biased;
                 () = ended(&mut stop) => return self.close().await,
-                Some(answer) = inbox.recv() => self.send(answer).await?,
+                Some(answer) = inbox.recv() => self.skipped += self.send(answer).await?,
                 Ok(()) = rate.changed() => {
                     self.period = Duration::from_secs_f64(1.0 / *rate.borrow_and_update());
                     due = Tick::now();
@@ -174,19 +174,25 @@ impl Mouth<'_> {
         }
         if let Some(news) = news {
             let message = news.message(self.client, self.skipped);
-            let begun = Instant::now();
-            self.send(message).await?;
-            let waited = begun.elapsed().as_secs_f64() / self.period.as_secs_f64();
-            self.skipped += waited as u64;
+            self.skipped += self.send(message).await?;
         }
         Ok(())
     }
 
-    async fn send(&mut self, text: String) -> Result<(), Gone> {
-        match timeout(PATIENCE, self.sink.send(Wire::Text(text.into()))).await {
-            Ok(Ok(())) => Ok(()),
-            _ => Err(Gone),
-        }
+    /// Sends a message. How many frames were lost because the client did not take it.
+    async fn send(&mut self, text: String) -> Result<u64, Gone> {
+        let mut sending = self.sink.send(Wire::Text(text.into()));
+        // Where there is room it is done at once, whatever else this computer does.
+        let (sent, lost) = match (&mut sending).now_or_never() {
+            Some(sent) => (sent, 0),
+            None => {
+                let begun = Instant::now();
+                let sent = timeout(PATIENCE, sending).await.map_err(|_| Gone)?;
+                let waited = begun.elapsed().as_secs_f64() / self.period.as_secs_f64();
+                (sent, waited as u64)
+            }
+        };
+        sent.map(|()| lost).map_err(|_| Gone)
     }
 
     async fn close(&mut self) -> Result<(), Gone> {

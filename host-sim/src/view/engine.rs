@@ -1,6 +1,7 @@
 //! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. Where a
 //! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and for nothing else.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -31,10 +32,19 @@ const PERIOD: Duration = Duration::from_millis(1);
 const PATIENCE: Duration = Duration::from_millis(100);
 /// Time in a tick for a seek.
 const SEEKING: Duration = Duration::from_micros(500);
-/// Orders that are taken between two ticks.
-const MOST_ORDERS: usize = 256;
+/// Time between two ticks for orders.
+const ORDERING: Duration = Duration::from_micros(500);
+/// Others get so much time, however late a tick is.
+const BREATH: Duration = Duration::from_micros(50);
+/// A board answers the last sample of a recording within this, or not at all.
+const LAST_ANSWER: Duration = Duration::from_millis(500);
+/// Samples that a board has not answered.
+const MOST_MOVED: usize = 64;
 /// While it records, the state tells so every so many ticks.
 const RECORDING_EVERY: usize = 100;
+
+/// A client, and what it sent with a sample.
+type Echo = (u32, JsonNumber);
 
 /// The solver with its hand.
 pub(super) struct Engine {
@@ -64,7 +74,13 @@ pub(super) struct Engine {
     /// Parts of a tick that have passed.
     phase: f64,
     pub(super) clients: usize,
-    pub(super) echo: Option<(u32, JsonNumber)>,
+    /// What a client sent with the newest sample, before and after the hand moved on it, with the time of that tick; a board
+    /// has not answered these yet.
+    pub(super) coming: Option<Echo>,
+    moved: VecDeque<(Echo, f64)>,
+    echo: Option<Echo>,
+    /// A recording of a board that waits for the answer to its last sample, not longer than this.
+    closing: Option<(Recording, Instant)>,
     /// The state is another one.
     pub(super) changed: bool,
 }
@@ -100,7 +116,10 @@ impl Engine {
             speed: 1.0,
             phase: 0.0,
             clients: 0,
+            coming: None,
+            moved: VecDeque::new(),
             echo: None,
+            closing: None,
             changed: true,
         };
         engine.pending.record(&engine.pair.frame);
@@ -121,21 +140,20 @@ impl Engine {
         while !stop.load(Ordering::Relaxed) {
             let now = Instant::now();
             due = self.late(due, now);
-            for _ in 0..MOST_ORDERS {
-                match orders.try_recv() {
-                    Ok(order) => self.obey(order, now),
-                    Err(_) => break,
-                }
+            while now.elapsed() < ORDERING
+                && let Ok(order) = orders.try_recv()
+            {
+                self.obey(order, now);
             }
             self.changed |= self.holder.expire(now);
-            self.listen()?;
-            self.pass();
+            self.listen(now)?;
             if let Some(board) = &mut self.board {
                 board.send(self.sample);
             }
+            self.pass();
             self.publish();
             due += PERIOD;
-            thread::sleep(due.saturating_duration_since(Instant::now()));
+            thread::sleep(due.saturating_duration_since(Instant::now()).max(BREATH));
         }
         Ok(())
     }
@@ -160,13 +178,18 @@ impl Engine {
     }
 
     /// What the board said.
-    fn listen(&mut self) -> Result<(), String> {
+    fn listen(&mut self, now: Instant) -> Result<(), String> {
         while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
             match word {
                 Word::Frame(frame) => self.answered(*frame),
                 Word::Answer(result) => {
                     if let Some((change, reply)) = self.board.as_mut().and_then(Remote::answered) {
                         reply.send(result.and_then(|()| self.apply(change)));
+                    }
+                    while let Some((client, message, reply)) =
+                        self.board.as_mut().and_then(Remote::waited)
+                    {
+                        self.take(client, message, reply, now);
                     }
                 }
                 // What it is told anew is what it was told before: there is nothing to refuse.
@@ -180,12 +203,26 @@ impl Engine {
                 Word::End(why) => return Err(why),
             }
         }
+        if self.closing.as_ref().is_some_and(|(_, until)| now > *until) {
+            self.end_recording();
+        }
         Ok(())
     }
 
     fn answered(&mut self, frame: Frame) {
-        if let Some(recording) = &mut self.recording {
+        let closing = self.closing.as_mut().map(|(recording, _)| recording);
+        if let Some(recording) = self.recording.as_mut().or(closing) {
             recording.hear(&frame);
+        }
+        if let Some((recording, _)) = &self.closing
+            && frame.t >= recording.seconds()
+        {
+            self.end_recording();
+        }
+        while let Some((_, t)) = self.moved.front()
+            && *t <= frame.t
+        {
+            self.echo = self.moved.pop_front().map(|(echo, _)| echo);
         }
         self.pair.answered(frame);
         self.pending.record(&self.pair.frame);
@@ -193,7 +230,9 @@ impl Engine {
 
     /// A period passes.
     fn pass(&mut self) {
-        if self.replay.as_ref().is_some_and(Replay::is_seeking) {
+        if self.board.as_ref().is_some_and(Remote::is_ending) {
+            // What the hand does now, nobody follows.
+        } else if self.replay.as_ref().is_some_and(Replay::is_seeking) {
             self.approach();
         } else if self.steps > 0 {
             // As many as there is time for.
@@ -201,6 +240,10 @@ impl Engine {
             while self.steps > 0 && begun.elapsed() < SEEKING {
                 self.steps -= 1;
                 self.advance();
+                if self.board.is_some() {
+                    // It gets every sample.
+                    break;
+                }
             }
         } else if !self.paused {
             self.phase += self.speed;
@@ -247,6 +290,7 @@ impl Engine {
             t: self.tick as f64 / 1000.0,
             hand: hand.hand(),
         };
+        self.say_moved();
         if self.board.is_none() {
             let Sample { t, hand } = self.sample;
             self.pair.step(t, &hand, &mut self.times);
@@ -257,6 +301,32 @@ impl Engine {
             let count = recording.len();
             self.changed |= count.is_multiple_of(RECORDING_EVERY);
             if count > recording::LONGEST {
+                self.close_recording(Instant::now());
+            }
+        }
+    }
+
+    /// The hand has moved on the newest sample: a frame shows it at once, or when the board has answered.
+    fn say_moved(&mut self) {
+        let Some(echo) = self.coming.take() else {
+            return;
+        };
+        if self.board.is_none() {
+            self.echo = Some(echo);
+        } else if self.moved.len() < MOST_MOVED {
+            self.moved.push_back((echo, self.sample.t));
+        }
+    }
+
+    /// No more ticks are recorded; of a board, what it answers to the last one still is.
+    pub(super) fn close_recording(&mut self, now: Instant) {
+        match self.recording.take() {
+            Some(recording) if self.board.is_some() => {
+                self.closing = Some((recording, now + LAST_ANSWER));
+                self.changed = true;
+            }
+            recording => {
+                self.recording = recording;
                 self.end_recording();
             }
         }
@@ -264,11 +334,12 @@ impl Engine {
 
     /// What was recorded can be downloaded.
     pub(super) fn end_recording(&mut self) {
-        if let Some(mut recording) = self.recording.take() {
+        let closing = self.closing.take().map(|(recording, _)| recording);
+        if let Some(mut recording) = self.recording.take().or(closing) {
             recording.finish();
             let recording = Arc::new(recording);
             self.recorded = Some(Arc::clone(&recording));
-            self.pending.recorded(Some(recording));
+            self.pending.recorded(recording);
             self.changed = true;
         }
     }
@@ -283,7 +354,12 @@ impl Engine {
         });
         self.phase = 0.0;
         self.steps = 0;
+        self.coming = None;
+        self.moved.clear();
         self.echo = None;
+        if let Some(board) = &mut self.board {
+            board.begin();
+        }
         self.pending.clear();
         self.pending.record(&self.pair.frame);
         self.changed = true;
@@ -302,7 +378,7 @@ impl Engine {
             scene: Arc::clone(&pair.setting.scene),
             single: pair.setting.number.is_single(),
             echo: self.echo.clone(),
-            reference: Some(pair.comparison),
+            reference: pair.comparison,
             counts: pair.counts,
             slips: Arc::clone(&pair.slips),
             step: self.board.is_none().then(|| self.times.summary()),

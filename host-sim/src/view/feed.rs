@@ -26,7 +26,7 @@ pub(super) struct Latest {
     pub(super) single: bool,
     /// A client, and what it sent with the newest sample that is in the record.
     pub(super) echo: Option<(u32, JsonNumber)>,
-    pub(super) reference: Option<Comparison>,
+    pub(super) reference: Comparison,
     pub(super) counts: Counts,
     pub(super) slips: Arc<[SlipMark]>,
     /// Median and worst time of a step (s), on this computer.
@@ -42,8 +42,8 @@ pub(super) struct Shown {
     /// Of the newest publication.
     pub(super) serial: u64,
     pub(super) latest: Option<Latest>,
-    /// Records with their running numbers, the oldest first; of one scene and one run.
-    records: VecDeque<(u64, Arc<Frame>)>,
+    /// The last records, the oldest first, of one scene and one run; the running number of the next one.
+    records: VecDeque<Arc<Frame>>,
     next_record: u64,
     /// The state as a message, and its running number.
     pub(super) state: Arc<str>,
@@ -57,8 +57,7 @@ impl Shown {
     pub(super) fn since(&self, next: u64) -> (impl ExactSizeIterator<Item = &Arc<Frame>>, u64) {
         let first = self.next_record - self.records.len() as u64;
         let skip = next.saturating_sub(first).min(self.records.len() as u64) as usize;
-        let records = self.records.range(skip..).map(|(_, frame)| frame);
-        (records, self.next_record)
+        (self.records.range(skip..), self.next_record)
     }
 }
 
@@ -69,7 +68,7 @@ pub(super) struct Pending {
     /// What was shown before is of another run.
     clear: bool,
     state: Option<Arc<str>>,
-    recorded: Option<Option<Arc<Recording>>>,
+    recorded: Option<Arc<Recording>>,
     /// There is something new.
     any: bool,
 }
@@ -97,7 +96,7 @@ impl Pending {
         self.any = true;
     }
 
-    pub(super) fn recorded(&mut self, recording: Option<Arc<Recording>>) {
+    pub(super) fn recorded(&mut self, recording: Arc<Recording>) {
         self.recorded = Some(recording);
         self.any = true;
     }
@@ -137,16 +136,15 @@ impl Feed {
             if shown.records.len() == KEPT {
                 shown.records.pop_front();
             }
-            let number = shown.next_record;
-            shown.records.push_back((number, frame));
+            shown.records.push_back(frame);
             shown.next_record += 1;
         }
         if let Some(state) = pending.state.take() {
             shown.state = state;
             shown.state_serial += 1;
         }
-        if let Some(recorded) = pending.recorded.take() {
-            shown.recorded = recorded;
+        if pending.recorded.is_some() {
+            shown.recorded = pending.recorded.take();
         }
         pending.clear = false;
         pending.any = false;

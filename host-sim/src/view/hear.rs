@@ -9,7 +9,7 @@ use crate::number::Number;
 /// The longest message that is read.
 pub(super) const LONGEST: usize = 4096;
 /// The farthest hand (m), and the most that it is turned (rad).
-const FARTHEST: f64 = 1e6;
+pub(super) const FARTHEST: f64 = 1e6;
 
 /// A message of a client.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -55,6 +55,21 @@ pub(super) enum Message {
     Rate {
         value: f64,
     },
+}
+
+impl Message {
+    /// It concerns the body, and waits where a change of it is under way.
+    pub(super) const fn is_of_body(&self) -> bool {
+        !matches!(
+            self,
+            Self::Hand { .. }
+                | Self::LetGo {}
+                | Self::Pause { .. }
+                | Self::Step { .. }
+                | Self::Speed { .. }
+                | Self::Rate { .. }
+        )
+    }
 }
 
 /// The parameters that are to change.

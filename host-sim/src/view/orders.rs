@@ -14,12 +14,16 @@ use super::engine::Engine;
 use super::guide::{Guide, HandPose};
 use super::hear::{Message, Parameters, Path};
 use super::holder::Source;
+use super::recording::Recording;
 use super::replay::{self, Way};
 use super::stage::{Stage, reread};
 use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::scene_file::SceneFile;
 use crate::scenes;
+
+/// Steps that wait at most.
+const MOST_STEPS: u32 = 100_000;
 
 /// What the solver is told.
 #[derive(Debug)]
@@ -68,12 +72,22 @@ impl Engine {
                 answers,
             } => {
                 let reply = Reply { id, answers };
-                match self.carry_out(client, message, now) {
-                    Ok(Some(change)) => self.change(change, reply),
-                    Ok(None) => reply.send(Ok(())),
-                    Err(problem) => reply.send(Err(problem)),
+                match &mut self.board {
+                    Some(board) if board.is_busy() && message.is_of_body() => {
+                        board.keep(client, message, reply);
+                    }
+                    _ => self.take(client, message, reply, now),
                 }
             }
+        }
+    }
+
+    /// Does what a client says, and answers.
+    pub(super) fn take(&mut self, client: u32, message: Message, reply: Reply, now: Instant) {
+        match self.carry_out(client, message, now) {
+            Ok(Some(change)) => self.change(change, reply),
+            Ok(None) => reply.send(Ok(())),
+            Err(problem) => reply.send(Err(problem)),
         }
     }
 
@@ -121,7 +135,9 @@ impl Engine {
                 self.steps = 0;
                 self.changed = true;
             }
-            Message::Step { ticks } if self.paused => self.steps = ticks,
+            Message::Step { ticks } if self.paused => {
+                self.steps = self.steps.saturating_add(ticks).min(MOST_STEPS);
+            }
             Message::Step { .. } => {
                 return Err("it is not paused, allowed: a step while paused".to_owned());
             }
@@ -131,7 +147,7 @@ impl Engine {
             }
             Message::Reset {} => return Ok(Some(self.anew())),
             Message::Record { value: true } => return self.record().map(Some),
-            Message::Record { value: false } => self.end_recording(),
+            Message::Record { value: false } => self.close_recording(now),
             Message::Replay { what: None } => self.live(),
             Message::Replay { what: Some(what) } => return self.replay(what).map(Some),
             Message::Seek { seconds } => self.seek(seconds)?,
@@ -154,7 +170,7 @@ impl Engine {
         let before = self.holder.source();
         let since = self.holder.sample(source, now)?;
         self.guide.lead(pose, since);
-        self.echo = source.client().zip(sent);
+        self.coming = source.client().zip(sent);
         self.changed |= before != Some(source);
         Ok(())
     }
@@ -189,7 +205,7 @@ impl Engine {
                 .replay
                 .as_ref()
                 .map(|replay| (replay.what.clone(), replay.way.clone())),
-            file: None,
+            recording: None,
         }))
     }
 
@@ -229,11 +245,13 @@ impl Engine {
             home: home.hand(),
             ..self.stage.clone()
         };
+        let is_heard = self.board.is_some();
+        let recording = Recording::begin(text, setting.clone(), stage.clone(), is_heard)?;
         Ok(Change::Run(Box::new(Run {
             stage,
             setting,
             path: None,
-            file: Some(text),
+            recording: Some(recording),
         })))
     }
 
@@ -270,7 +288,7 @@ impl Engine {
             stage,
             setting,
             path: Some(path),
-            file: None,
+            recording: None,
         })))
     }
 

@@ -12,6 +12,7 @@ use tokio::time::{MissedTickBehavior, interval};
 
 use super::feed::Feed;
 use super::guide::HandPose;
+use super::hear::FARTHEST;
 use super::holder::Source;
 use super::orders::Order;
 use crate::record::Frame;
@@ -19,8 +20,6 @@ use crate::scene_file::SceneFile;
 
 /// The longest packet that is read: short enough for what is nested in it.
 const PACKET: usize = 2048;
-/// The farthest hand (m), and the most that it is turned (rad).
-const FARTHEST: f64 = 1e6;
 /// Centimetres in a metre.
 const CENTIMETRES: f64 = 100.0;
 

@@ -99,6 +99,18 @@ impl Pair {
         self.look(true);
     }
 
+    /// A board works under another setting: it says itself where the body is. The comparison begins anew from there.
+    ///
+    /// # Errors
+    /// The reference cannot follow; it stays as it was.
+    pub(super) fn changed(&mut self, setting: &Setting) -> Result<(), String> {
+        self.setting = setting.clone();
+        self.reference = setting.reference().carry(&self.body.present())?;
+        self.comparison = Comparison::default();
+        self.look(false);
+        Ok(())
+    }
+
     /// Other parameters, another number type or evolution. The comparison begins anew, with both bodies where this one is.
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 use std::fmt::Write as _;
 use std::fs::File;
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 use std::{fs, io};
 
 use tempfile::TempDir;
@@ -31,6 +32,8 @@ pub(super) struct Recording {
     chunks: Vec<Vec<HandPose>>,
     /// What a board said.
     heard: Option<Heard>,
+    /// The folder of the trace, once somebody has asked for it.
+    computed: Mutex<Option<TempDir>>,
 }
 
 impl Recording {
@@ -55,6 +58,7 @@ impl Recording {
             stage,
             chunks: Vec::with_capacity(LONGEST / CHUNK + 1),
             heard,
+            computed: Mutex::default(),
         };
         recording.add(home);
         Ok(recording)
@@ -113,14 +117,26 @@ impl Recording {
         text
     }
 
-    /// The trace, as `stiction run` writes it: a file, and the folder that goes with it.
+    /// The trace, as `stiction run` writes it. It is computed once, while others who ask for it wait.
     ///
     /// # Errors
     /// There is no room for its files.
-    pub(super) fn trace(&self) -> Result<(File, Option<TempDir>), String> {
+    pub(super) fn trace(&self) -> Result<File, String> {
         if let Some(heard) = &self.heard {
-            return Ok((heard.trace()?, None));
+            return heard.trace();
         }
+        let mut computed = self.computed.lock().unwrap_or_else(PoisonError::into_inner);
+        let folder = match computed.take() {
+            Some(folder) => folder,
+            None => self.compute()?,
+        };
+        let file = File::open(folder.path().join("trace.jsonl"));
+        *computed = Some(folder);
+        file.map_err(|error| error.to_string())
+    }
+
+    /// A folder with the trace.
+    fn compute(&self) -> Result<TempDir, String> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let file = |name| folder.path().join(name);
         let (scene, hand, trace) = (file("scene.toml"), file("hand.csv"), file("trace.jsonl"));
@@ -132,13 +148,12 @@ impl Recording {
             number: self.setting.number,
             evolution: self.setting.evolution,
             rate: None,
-            out: Some((trace.clone(), Format::JsonLines)),
+            out: Some((trace, Format::JsonLines)),
             plot: None,
             quiet: true,
         };
         run(&args).map_err(|error| error.to_string())?;
-        let file = File::open(&trace).map_err(|error| error.to_string())?;
-        Ok((file, Some(folder)))
+        Ok(folder)
     }
 }
 

@@ -3,17 +3,24 @@
 use std::collections::VecDeque;
 
 use super::change::{Change, Reply};
+use super::hear::Message;
 use crate::board::{Fares, Identity, LiveBoard, Word};
 use crate::hand_path::Sample;
 
 /// Periods of the engine in a second.
 const PERIODS: u32 = 1000;
 
+/// Messages that wait for the answer to a change.
+const MOST_WAITING: usize = 64;
+
 /// A board, with what it owes.
 #[derive(Debug)]
 pub(super) struct Remote {
     board: LiveBoard,
-    asked: VecDeque<(Change, Reply)>,
+    /// A change that the board was asked for.
+    asked: Option<(Change, Reply)>,
+    /// What clients said meanwhile: it is of the body as it will be then.
+    waiting: VecDeque<(u32, Message, Reply)>,
     pub(super) fares: Fares,
     /// Periods until the next sample: a board slower than the engine gets one with each of its ticks.
     left: u32,
@@ -24,7 +31,8 @@ impl Remote {
     pub(super) const fn new(board: LiveBoard) -> Self {
         Self {
             board,
-            asked: VecDeque::new(),
+            asked: None,
+            waiting: VecDeque::new(),
             fares: Fares {
                 connected: true,
                 ..Fares::NONE
@@ -38,17 +46,46 @@ impl Remote {
         &self.board.identity
     }
 
-    /// Asks for a change.
+    /// A change is under way.
+    pub(super) const fn is_busy(&self) -> bool {
+        self.asked.is_some()
+    }
+
+    /// Another run is about to begin, which must not see the hand of this one.
+    pub(super) fn is_ending(&self) -> bool {
+        self.asked
+            .as_ref()
+            .is_some_and(|(change, _)| change.is_run())
+    }
+
+    /// Asks for a change; one at a time.
     pub(super) fn ask(&mut self, change: Change, reply: Reply) {
         let setting = change.setting();
         self.board
             .wish(&setting.scene, setting.evolution, change.is_run());
-        self.asked.push_back((change, reply));
+        self.asked = Some((change, reply));
     }
 
-    /// What it was asked first.
+    /// What it was asked, which is answered now.
     pub(super) fn answered(&mut self) -> Option<(Change, Reply)> {
-        self.asked.pop_front()
+        self.asked.take()
+    }
+
+    /// Keeps a message until the change is made.
+    pub(super) fn keep(&mut self, client: u32, message: Message, reply: Reply) {
+        if self.waiting.len() < MOST_WAITING {
+            self.waiting.push_back((client, message, reply));
+        } else {
+            reply.send(Err("too much to do, allowed: to send it again".to_owned()));
+        }
+    }
+
+    /// A message that waits no longer.
+    pub(super) fn waited(&mut self) -> Option<(u32, Message, Reply)> {
+        match self.asked {
+            Some(_) => None,
+            None => self.waiting.pop_front(),
+        }
     }
 
     /// What it said, if it said something.
@@ -56,12 +93,16 @@ impl Remote {
         self.board.hear()
     }
 
-    /// A period passes: a sample, where one is due. None while another run is to begin, which must not see this one's hand.
+    /// The next sample is the first of a run.
+    pub(super) const fn begin(&mut self) {
+        self.left = 0;
+    }
+
+    /// A period passes: a sample, where one is due.
     pub(super) fn send(&mut self, sample: Sample) {
         self.left = self.left.saturating_sub(1);
-        let is_ending = self.asked.iter().any(|(change, _)| change.is_run());
-        if self.left == 0 && !is_ending {
-            self.left = PERIODS / u32::from(self.board.identity.tick_rate).max(1);
+        if self.left == 0 && !self.is_ending() {
+            self.left = PERIODS.div_ceil(u32::from(self.board.identity.tick_rate).max(1));
             self.board.send(sample);
         }
     }

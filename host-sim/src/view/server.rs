@@ -6,13 +6,12 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use axum::Router;
 use axum::body::{Body, Bytes};
-use axum::extract::rejection::BytesRejection;
+use axum::extract::rejection::{BytesRejection, QueryRejection};
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
-use futures_util::StreamExt;
 use serde::Deserialize;
 use serde_json::json;
 use stiction_scene::Source;
@@ -110,8 +109,14 @@ fn is_own(headers: &HeaderMap) -> bool {
         Some(Ok(origin)) => origin.strip_prefix("http://") == Some(host),
         Some(Err(_)) => false,
     };
-    is_here && of_page
+    // What another page has its browser fetch has no origin; but a link to this page may stand anywhere.
+    let is_fetched = !matches!(text(FETCH_MODE), Some(Ok("navigate")))
+        && matches!(text(FETCH_SITE), Some(Ok("cross-site" | "same-site")));
+    is_here && of_page && !is_fetched
 }
+
+const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
+const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
 async fn socket(State(hub): State<Arc<Hub>>, upgrade: WebSocketUpgrade) -> Response {
     upgrade
@@ -164,11 +169,10 @@ fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
     let text = match file {
         "trace.jsonl" => {
             // The trace of ten minutes is hundreds of megabytes: it is read as it is sent.
-            let (trace, folder) = recorded.trace()?;
+            let trace = recorded.trace()?;
             let length = trace.metadata().map_err(|error| error.to_string())?.len();
             let bytes = ReaderStream::new(tokio::fs::File::from_std(trace));
-            let body = Body::from_stream(bytes.inspect(move |_| _ = &folder));
-            return Ok((body, length));
+            return Ok((Body::from_stream(bytes), length));
         }
         "scene.toml" => recorded.scene.clone(),
         _ => recorded.hand_csv(),
@@ -184,12 +188,18 @@ struct Name {
 
 async fn upload(
     State(hub): State<Arc<Hub>>,
-    Query(Name { name }): Query<Name>,
+    name: Result<Query<Name>, QueryRejection>,
     body: Result<Bytes, BytesRejection>,
 ) -> Response {
     let bytes = match body {
         Ok(bytes) => bytes,
         Err(rejection) => return problem(rejection.status(), &rejection.body_text()),
+    };
+    let Ok(Query(Name { name })) = name else {
+        return problem(
+            StatusCode::BAD_REQUEST,
+            "`name` is missing, allowed: the name of the file",
+        );
     };
     // The name of a file, whatever stands before it.
     let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
@@ -271,6 +281,16 @@ mod tests {
         assert!(!own("127.0.0.1:8405", Some("http://example.org")));
         assert!(!own("127.0.0.1:8405", Some("https://127.0.0.1:8405")));
         assert!(!own("127.0.0.1:8405", Some("null")));
+        let fetched = |site, mode| {
+            let mut headers = HeaderMap::new();
+            headers.insert(header::HOST, HeaderValue::from_static("127.0.0.1:8405"));
+            headers.insert(FETCH_SITE, HeaderValue::from_static(site));
+            headers.insert(FETCH_MODE, HeaderValue::from_static(mode));
+            is_own(&headers)
+        };
+        // A picture or a script of another page, and a link in it.
+        assert!(!fetched("cross-site", "no-cors") && !fetched("same-site", "no-cors"));
+        assert!(fetched("cross-site", "navigate") && fetched("same-origin", "cors"));
         // A name that was made to mean this computer.
         assert!(!own("example.org:8405", Some("http://example.org:8405")));
         assert!(!own("example.org", None));

@@ -1,6 +1,5 @@
 //! A scene that is shown: its file, the hand's path in it, and where the hand is at the beginning.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use stiction_core::{Angle, Hand};
@@ -110,7 +109,7 @@ fn quoted(text: &str) -> String {
 /// The parameters are not those of a scene.
 pub(super) fn reread(scene: &SceneFile, number: Number) -> Result<(SceneFile, String), InputError> {
     let text = written(scene);
-    let name = Path::new(&scene.title).with_extension("toml");
+    let name = format!("{}.toml", scene.title);
     let scene = SceneFile::parse(Source::new(name, text.clone()), number)?;
     Ok((scene, text))
 }

@@ -1,6 +1,5 @@
 //! A board that has the solver: what it answers is what clients see, with the reference beside it.
 
-#[cfg(target_os = "linux")]
 use std::fs;
 #[cfg(target_os = "linux")]
 use std::path::PathBuf;
@@ -207,6 +206,7 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
     lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
     let last = lead(&mut client, [0.0, 0.04, 0.0], [0.03, 0.04, 0.0]);
     client.done(json!({"type": "record", "value": false}));
+    client.state(|state| !state["recorded"].is_null());
     let trace = text(&view.get("/recording/trace.jsonl"));
     let records: Vec<Value> = trace
         .lines()
@@ -215,8 +215,7 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
     assert!(records.iter().any(|record| *record == last["frame"]));
     let times: Vec<f64> = records.iter().filter_map(|r| r["t"].as_f64()).collect();
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
-    let hand = text(&view.get("/recording/hand.csv"));
-    assert!(hand.lines().count() > records.len());
+    assert_eq!(times.first(), Some(&0.0));
     client.done(json!({"type": "replay", "what": "recording"}));
     let replayed = with_hand(&mut client, [0.03, 0.04, 0.0]);
     // The same hand; where samples were overtaken it slips elsewhere, by less than friction holds it back.
@@ -227,15 +226,166 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
 }
 
 #[test]
+fn what_a_board_said_is_what_this_computer_runs_where_no_sample_was_overtaken() {
+    // A slow machine gets more time for every sample.
+    let compared = [0.5, 0.1, 0.02].into_iter().any(|speed| {
+        let (_board, view) = with_board("box-flat");
+        let mut client = view.client();
+        client.done(json!({"type": "speed", "value": speed}));
+        client.done(json!({"type": "record", "value": true}));
+        for (pose, ticks) in [([0.0, 0.04, 0.0], 60), ([0.03, 0.04, 0.1], 120)] {
+            client.say(&json!({"type": "hand", "pose": pose, "held": true}));
+            client.frame(|frame| frame["tick"].as_u64() > Some(ticks));
+        }
+        client.done(json!({"type": "record", "value": false}));
+        client.state(|state| !state["recorded"].is_null());
+        let folder = Folder::new();
+        for name in ["scene.toml", "hand.csv", "trace.jsonl"] {
+            folder.write(name, text(&view.get(&format!("/recording/{name}"))));
+        }
+        let lines = |name| {
+            fs::read_to_string(folder.file(name))
+                .expect("it is there")
+                .lines()
+                .count()
+        };
+        if lines("trace.jsonl") + 1 != lines("hand.csv") {
+            return false;
+        }
+        let run = folder.stiction(&[
+            "run",
+            "scene.toml",
+            "--hand",
+            "hand.csv",
+            "--out",
+            "run.jsonl",
+            "--quiet",
+        ]);
+        assert!(run.status.success());
+        let read = |name| fs::read(folder.file(name)).expect("it is there");
+        assert!(
+            read("trace.jsonl") == read("run.jsonl"),
+            "not the same bytes"
+        );
+        true
+    });
+    assert!(compared, "samples were overtaken even in slow motion");
+}
+
+#[test]
+fn changes_that_nobody_waits_for_are_made_one_after_the_other() {
+    let (_board, view) = with_board("box-flat");
+    let mut client = view.client();
+    for (id, message) in [
+        json!({"type": "scene", "name": "vertex-stick-slip"}),
+        json!({"type": "set", "parameters": {"stiffness_translation": 321.0}}),
+        json!({"type": "set", "parameters": {"static": 0.75}}),
+        json!({"type": "evolution", "value": "frame"}),
+        json!({"type": "record", "value": true}),
+        json!({"type": "record", "value": false}),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let mut message = message;
+        message["id"] = json!(100 + id);
+        client.say(&message);
+    }
+    for id in 100..106 {
+        let answer = client.until(|message| message["id"] == json!(id));
+        assert_eq!(answer["type"], "done", "{answer}");
+    }
+    let state = client.state(|state| !state["recorded"].is_null());
+    assert_eq!(state["scene"]["title"], "vertex-stick-slip");
+    assert_eq!(state["parameters"]["stiffness_translation"], 321.0);
+    assert_eq!(state["parameters"]["static"], 0.75);
+    assert_eq!(state["evolution"], "frame");
+    assert!(state["recording"].is_null());
+}
+
+#[test]
+fn a_change_that_makes_the_body_slip_counts_the_slip_once() {
+    let slips_of = |view: &View| {
+        let mut client = view.client();
+        lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
+        // T = 0.5 N of mu_s N = 2.5 N.
+        let stuck = lead(&mut client, [0.0, 0.04, 0.0], [0.001, 0.04, 0.0]);
+        assert_eq!(stuck["counts"]["slips"], 0);
+        client.done(json!({"type": "set", "parameters": {"static": 0.05, "dynamic": 0.04}}));
+        let slipped = client.frame(|frame| frame["frame"]["pose"][0].as_f64() > Some(1e-4));
+        // What comes later would be counted by now.
+        let tick = slipped["tick"].as_u64().expect("a tick");
+        let later = client.frame(|frame| frame["tick"].as_u64() > Some(tick + 50));
+        later["counts"]["slips"].as_u64()
+    };
+    let (_board, view) = with_board("box-flat");
+    let on_board = slips_of(&view);
+    assert_eq!(on_board, slips_of(&View::start(&["box-flat"])));
+    assert!(on_board > Some(0));
+}
+
+#[test]
+fn steps_of_a_path_are_samples_each() {
+    let (_board, view) = with_board("box-flat");
+    let mut client = view.client();
+    client.done(json!({"type": "pause", "value": true}));
+    client.done(json!({"type": "replay", "what": "scene"}));
+    client.done(json!({"type": "step", "ticks": 50}));
+    client.done(json!({"type": "step", "ticks": 50}));
+    let mut times = Vec::new();
+    client.frame(|frame| {
+        let rows = frame["strip"].as_array().expect("rows").iter();
+        times.extend(rows.filter_map(|row| row[0].as_f64()));
+        frame["frame"]["t"] == 0.1
+    });
+    times.dedup();
+    // Some may have been overtaken.
+    assert!(times.len() > 20, "{times:?}");
+    assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
+}
+
+#[test]
+fn an_echo_is_of_the_answered_hand() {
+    let (_board, view) = with_board("box-flat");
+    let mut client = view.client();
+    let home = client.frame(|_| true)["frame"]["hand"].clone();
+    for k in 1..50 {
+        let pose = [0.0, 0.07 + 1e-4 * f64::from(k), 0.0];
+        client.say(&json!({"type": "hand", "pose": pose, "held": true, "sent": k}));
+        let frame = client.frame(|frame| frame["echo"] == json!(k));
+        let y = numbers(&frame["frame"]["hand"])[1];
+        assert!(y > numbers(&home)[1] + 1e-4 * f64::from(k - 1), "{k}: {y}");
+    }
+}
+
+#[test]
 fn a_board_that_was_pulled_out_comes_back_at_the_start() {
     let (board, view) = with_board("box-flat");
     let mut client = view.client();
+    client.done(json!({"type": "set", "parameters": {"stiffness_translation": 1000.0}}));
     lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
+    client.done(json!({"type": "record", "value": true}));
     board.is_pulled.store(true, Ordering::Relaxed);
     client.frame(|frame| frame["board"]["connected"] == false);
     client.frame(|frame| frame["board"]["connected"] == true);
     with_hand(&mut client, [0.0, 0.07, 0.0]);
-    lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
+    client.state(|state| !state["recorded"].is_null());
+    let pressed = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
+    // The parameters are those of before: 1000 N/m times 10 mm.
+    let force = numbers(&pressed["frame"]["wrench"])[1];
+    assert!((force + 10.0).abs() < 1e-3, "{force}");
+}
+
+#[test]
+fn a_board_that_is_away_changes_nothing_and_ctrl_c_ends_the_view() {
+    let (board, mut view) = with_board("box-flat");
+    let mut client = view.client();
+    drop(board);
+    client.frame(|frame| frame["board"]["connected"] == false);
+    let error = client.ask(json!({"type": "set", "parameters": {"static": 0.6}}));
+    assert!(error.is_err_and(|error| error.contains("not connected")));
+    view.interrupt();
+    assert!(view.child.wait().expect("it ends").success());
 }
 
 #[test]
