@@ -65,7 +65,7 @@ export class Diagram {
     if (known) return known;
     const { d, x, y, anchor } = route(from, to);
     const path = svg("path", { d, class: "link", "marker-end": "url(#head)" });
-    const label = svg("text", { x, y, "text-anchor": anchor });
+    const label = svg("text", { x, y, "text-anchor": anchor, "data-pair": key });
     this.links.append(path);
     this.labels.append(label);
     /** @type {Lane} */

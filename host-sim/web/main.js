@@ -116,9 +116,9 @@ stage.also.push(() => {
   const { message } = stage;
   if (!message) return;
   diagram.show(message);
-  readout.update();
   transport.take(message);
-  if (charts.draw(message)) stage.ask();
+  const words = readout.update(), lines = charts.draw(message);
+  if (words || lines) stage.ask();
 });
 
 /** Connects to a board or leaves it. */
@@ -214,6 +214,8 @@ Object.defineProperty(window, "stiction", {
     get framesReceived() { return framesReceived; },
     get latencies() { return stage.latencies.list(); },
     get drawTimes() { return stage.drawTimes.list(); },
+    /** @param {number} x @param {number} y */
+    pixelOf(x, y) { return stage.pixelOf(x, y); },
   }),
 });
 

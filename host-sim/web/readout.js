@@ -21,6 +21,8 @@ export class Readout {
     /** @type {StateMessage | null} */
     this.state = null;
     this.last = 0;
+    /** What the texts say. @type {FrameMessage | null} */
+    this.shown = null;
     this.spoken = "";
     this.spokenAt = 0;
     this.events = new Map(EVENTS.map((name) => [name, eventChip(name)]));
@@ -45,12 +47,17 @@ export class Readout {
     setText(byId("trade-what"), `${state.number}, ${state.evolution} against f64, path`);
   }
 
-  /** The newest frame, in words; called with every drawing, works ten times a second. */
+  /**
+   * The newest frame, in words; called with every drawing, works ten times a second. True if it has to be called again to say the
+   * newest one.
+   */
   update() {
     const { message } = this.stage;
     const now = performance.now();
-    if (!message || now - this.last < PAUSE) return;
+    if (!message || message === this.shown) return false;
+    if (now - this.last < PAUSE) return true;
     this.last = now;
+    this.shown = message;
     this.showFrame(message);
     this.showTrade(message.reference);
     this.showHealth(message);
@@ -60,6 +67,7 @@ export class Readout {
       this.spoken = message.frame.state;
       setText(byId("aloud"), `Contact state: ${message.frame.state}`);
     }
+    return false;
   }
 
   /** State, poses and wrench, over the scene. @param {FrameMessage} message */

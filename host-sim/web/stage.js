@@ -73,6 +73,12 @@ export class Stage {
     return { x: event.offsetX / this.magnify, y: event.offsetY / this.magnify };
   }
 
+  /** Where a point of the world is in the window of the browser (CSS px). @param {number} x @param {number} y */
+  pixelOf(x, y) {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return { x: left + this.view.px(x) * this.magnify, y: top + this.view.py(y) * this.magnify };
+  }
+
   /** What holds until it is told anew. @param {StateMessage} state */
   setState(state) {
     const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces]);

@@ -23,8 +23,10 @@ export class Transport {
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
-    /** The scrubber is being moved; since the last place that was asked for. */
+    /** The scrubber is being moved, to this place; how many answers about a place are still to come. */
     this.scrubbing = false;
+    this.target = 0;
+    this.seeking = 0;
     this.seekAt = 0;
     this.seekTimer = 0;
     this.scrubber.max = String(PLACES);
@@ -43,6 +45,7 @@ export class Transport {
     });
     this.scrubber.addEventListener("input", () => {
       this.scrubbing = true;
+      this.target = Number(this.scrubber.value) / PLACES;
       this.seek();
     });
     this.scrubber.addEventListener("change", () => { this.scrubbing = false; });
@@ -78,15 +81,18 @@ export class Transport {
     }
   }
 
-  /** Goes to the scrubber's place, not too often. */
+  /** Goes to the place that was last chosen, not too often; until it is there, the scrubber stays where the reader put it. */
   seek() {
     if (this.seekTimer) return;
     const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
-    this.seekTimer = window.setTimeout(() => {
+    this.seekTimer = window.setTimeout(async () => {
       this.seekTimer = 0;
       this.seekAt = performance.now();
       const length = this.state?.replay?.seconds;
-      if (length) this.ask({ type: "seek", seconds: (Number(this.scrubber.value) / PLACES) * length });
+      if (!length) return;
+      this.seeking++;
+      await this.ask({ type: "seek", seconds: this.target * length });
+      this.seeking--;
     }, wait);
   }
 
@@ -122,7 +128,8 @@ export class Transport {
     const { state } = this;
     if (!state) return;
     if (state.replay && position != null) {
-      if (!this.scrubbing) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
+      const chosen = this.scrubbing || this.seekTimer || this.seeking;
+      if (!chosen) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
       const text = `${fixed(position, 1)} of ${fixed(state.replay.seconds, 1)} s`;
       setText(this.place, text);
       this.scrubber.setAttribute("aria-valuetext", text);

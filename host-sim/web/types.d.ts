@@ -176,6 +176,8 @@ interface Probe {
   readonly framesReceived: number;
   readonly latencies: readonly number[];
   readonly drawTimes: readonly number[];
+  /** Where a point of the world (m) is in the window of the browser (CSS px). */
+  pixelOf(x: number, y: number): Spot;
 }
 
 interface Window {
