@@ -92,7 +92,7 @@ export class Controls {
       this.set(name, value);
     } else {
       this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
-      if (this.state) this.show(this.state);
+      if (this.state) this.showParameters(this.state.parameters, null, true);
     }
   }
 
