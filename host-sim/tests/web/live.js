@@ -43,10 +43,14 @@ const missing = !browserFile ? "no Chromium: set CHROMIUM, or install it"
   : !existsSync(programFile) ? `no ${programFile}: set STICTION, or type cargo build` : false;
 if (missing && process.env.CI === "true") throw new Error(missing);
 
+/** Folders that go with the process. @type {string[]} */
+const folders = [];
+process.on("exit", () => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
+
 /** A folder that goes with the process. */
 export function newFolder() {
   const folder = mkdtempSync(join(tmpdir(), "stiction-page-"));
-  process.on("exit", () => rmSync(folder, { recursive: true, force: true }));
+  folders.push(folder);
   return folder;
 }
 
@@ -216,6 +220,23 @@ export class Live {
     await this.until((count) => window.stiction.framesReceived >= count + 2, from);
   }
 
+  /** Waits until no other tick has come for a while: while paused, that is the last one. */
+  async settled() {
+    await this.until(() => {
+      const { stiction } = window;
+      const seen = /** @type {any} */ (window).settling ??= { tick: -1, since: 0 };
+      if (seen.tick !== stiction.frame?.tick) Object.assign(seen, { tick: stiction.frame?.tick, since: performance.now() });
+      return performance.now() - seen.since > 200;
+    });
+  }
+
+  /** Pauses; the newest frame is then the last one. */
+  async pause() {
+    await this.page.click("#pause");
+    await this.until(() => window.stiction.state?.paused);
+    await this.settled();
+  }
+
   /** Another scene, from its beginning. @param {string} name */
   async scene(name) {
     await this.page.selectOption("#scene", name);
@@ -268,6 +289,29 @@ export class Live {
   /** Size of a pixel in the world (m). */
   async metresPerPixel() {
     return this.page.evaluate(() => 1 / Math.abs(window.stiction.pixelOf(1, 0).x - window.stiction.pixelOf(0, 0).x));
+  }
+
+  /**
+   * How many pixels of the scene have the colour of a role.
+   * @param {string} role as in style.css
+   */
+  painted(role) {
+    return this.page.evaluate((name) => {
+      const stage = /** @type {HTMLCanvasElement} */ (document.querySelector("#stage"));
+      const copy = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(stage.width, stage.height)
+        .getContext("2d", { willReadFrequently: true }));
+      copy.drawImage(stage, 0, 0);
+      const { data } = copy.getImageData(0, 0, stage.width, stage.height);
+      const probe = document.body.appendChild(document.createElement("i"));
+      probe.style.color = `var(--${name})`;
+      const [r, g, b] = getComputedStyle(probe).color.match(/\d+/g)?.map(Number) ?? [];
+      probe.remove();
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 9) count++;
+      }
+      return count;
+    }, role);
   }
 
   /** Downloads a file of the recording by its link. @param {string} name */
