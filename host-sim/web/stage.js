@@ -1,5 +1,5 @@
-// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and measures
-// what drawing costs and how old a sample of the hand is when its pose appears.
+// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and
+// measures what drawing costs and how old a sample of the hand is when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, ForceScale, labelContact } from "./forces.js";
@@ -177,12 +177,15 @@ export class Stage {
       drawCoil(ctx, view, holding, frame.hand);
       drawHolding(ctx, view, holding);
     }
-    if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, this.force.perNewton);
+    const { perNewton } = this.force;
+    if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
-      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, this.force.perNewton);
+      /** @type {import("./forces.js").Label[]} */
+      const labels = [];
+      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
     }
-    drawScales(ctx, view, this.force.perNewton);
+    drawScales(ctx, view, perNewton);
   }
 
   /**
