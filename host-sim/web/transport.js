@@ -1,4 +1,5 @@
-// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place in it.
+// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place
+// in it.
 
 import { byId, fixed, setText, whole } from "./dom.js";
 
@@ -81,7 +82,10 @@ export class Transport {
     }
   }
 
-  /** Goes to the place that was last chosen, not too often; until it is there, the scrubber stays where the reader put it. */
+  /**
+   * Goes to the place that was last chosen, not too often; until it is there, the scrubber stays where the reader put
+   * it.
+   */
   seek() {
     if (this.seekTimer) return;
     const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
@@ -104,7 +108,8 @@ export class Transport {
     setText(byId("record-text"), recording === null ? "Record" : "End recording");
     const what = replay === null ? "live" : ["scene", "recording"].includes(replay.what) ? replay.what : "upload";
     if (what === "upload" && replay) this.uploaded ??= replay.what;
-    const option = (/** @type {string} */ value) => /** @type {HTMLOptionElement} */ (this.replay.querySelector(`[value=${value}]`));
+    const option = (/** @type {string} */ value) =>
+      /** @type {HTMLOptionElement} */ (this.replay.querySelector(`[value=${value}]`));
     option("recording").disabled = recorded === null;
     option("upload").disabled = this.uploaded === null;
     option("upload").textContent = this.uploaded ? `uploaded: ${this.uploaded}` : "uploaded path";
@@ -120,7 +125,8 @@ export class Transport {
       if (recorded === null) link.removeAttribute("href");
       else link.href = `recording/${name}`;
     }
-    setText(byId("recorded"), recorded === null ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+    setText(byId("recorded"), recorded === null
+      ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
   }
 
   /** Shows the place in the replay, or how long the recording is. @param {FrameMessage} message */

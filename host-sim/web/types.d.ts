@@ -193,7 +193,9 @@ interface UPlotSeries {
   fill?: string | (() => string);
   width?: number;
   dash?: number[];
-  points?: { show?: boolean; size?: number; fill?: string | (() => string); stroke?: string | (() => string); width?: number };
+  points?: {
+    show?: boolean; size?: number; fill?: string | (() => string); stroke?: string | (() => string); width?: number;
+  };
   paths?: (u: UPlot, series: number, from: number, to: number) => { stroke: Path2D; fill: null } | null;
 }
 

@@ -1,5 +1,5 @@
-// The window on the scene: from metres to pixels and back. It fits the scene, follows what would leave it, and is zoomed and
-// moved by the reader.
+// The window on the scene: from metres to pixels and back. It fits the scene, follows what would leave it, and is
+// zoomed and moved by the reader.
 
 import { reducedMotion } from "./dom.js";
 
@@ -73,7 +73,8 @@ export class View {
   }
 
   /**
-   * Follows body and hand: moves, and if they are too far apart zooms out, as far as it must. True while it is on its way.
+   * Follows body and hand: moves, and if they are too far apart zooms out, as far as it must. True while it is on its
+   * way.
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   follow(scene, pose, hand) {
