@@ -64,11 +64,18 @@ for (const name of PARAMETERS) {
     assert.equal(await changed(live, name, middle), typed);
     assert.ok(Number(await page.inputValue(`#slide-${name}`)) < place);
     // What cannot be is refused in words, and the field says again what holds.
-    for (const [text, words] of [["much", /must be a number/], ["", /must be a number/], ["-1", /allowed/]]) {
+    for (const [text, words] of [
+      ["much", /must be a number/],
+      ["", /must be a number/],
+      ["-1", /allowed/],
+    ]) {
       await type(live, name, /** @type {string} */ (text));
       await live.reads("#note", /** @type {RegExp} */ (words));
-      await live.until(([key, value]) => Number(/** @type {HTMLInputElement} */ (document.getElementById(`type-${key}`)).value) === value,
-        [name, typed]);
+      await live.until(
+        ([key, value]) =>
+          Number(/** @type {HTMLInputElement} */ (document.getElementById(`type-${key}`)).value) === value,
+        [name, typed],
+      );
       assert.equal((await live.state()).parameters[name], typed);
     }
   });
@@ -102,7 +109,9 @@ liveTest("the spring and the friction that are set are those that act; the hand 
   }
   // Less friction than holds: it slips, and is within the cone again.
   await type(live, "static", "0.2");
-  await live.until(() => window.stiction.state?.parameters.static === 0.2 && (window.stiction.frame?.counts.slips ?? 0) > 0);
+  await live.until(
+    () => window.stiction.state?.parameters.static === 0.2 && (window.stiction.frame?.counts.slips ?? 0) > 0,
+  );
   assert.equal((await live.state()).parameters.dynamic, 0.2);
   await live.fresh();
   const { contacts } = (await live.frame()).frame;
@@ -119,9 +128,34 @@ liveTest("the spring and the friction that are set are those that act; the hand 
   await live.reads("#hand-pose", /open/);
 });
 
+liveTest("after a reset the hand is at the beginning, also for a press that follows at once", async (bench) => {
+  const live = await bench.open();
+  await live.page.check("#keep");
+  for (let round = 0; round < 3; round++) {
+    await press(live, 0.01);
+    await live.page.mouse.up();
+    const { home } = (await live.state()).scene;
+    const { x, y } = await live.pixel(home[0], home[1]);
+    await live.page.mouse.move(x, y);
+    await live.page.keyboard.press("r");
+    await live.until(
+      ([hx, hy]) => window.stiction.frame?.frame.hand[0] === hx && window.stiction.frame.frame.hand[1] === hy,
+      home,
+    );
+    await live.page.mouse.down();
+    await live.page.mouse.up();
+    await live.fresh();
+    const { frame, holding } = await live.frame();
+    assert.deepEqual(frame.hand.slice(0, 2), home.slice(0, 2));
+    assert.ok(holding);
+  }
+});
+
 liveTest("every scene loads and is drawn", async (bench) => {
   const live = await bench.open();
-  const bundled = readdirSync(new URL("../../scenes", import.meta.url)).map((file) => file.replace(/\.toml$/, "")).sort();
+  const bundled = readdirSync(new URL("../../scenes", import.meta.url))
+    .map((file) => file.replace(/\.toml$/, ""))
+    .sort();
   const offered = await live.page.locator("#scene option").allTextContents();
   assert.deepEqual(offered.sort(), bundled);
   for (const name of bundled) {
@@ -133,7 +167,10 @@ liveTest("every scene loads and is drawn", async (bench) => {
     for (const role of ["body", "ink", "solid"]) assert.ok((await live.painted(role)) > 50, `${role} of ${name}`);
     const place = await live.pixel(frame.pose[0], frame.pose[1]);
     const box = await live.page.locator("#stage").boundingBox();
-    assert.ok(box && place.x > box.x && place.x < box.x + box.width && place.y > box.y && place.y < box.y + box.height, name);
+    assert.ok(
+      box && place.x > box.x && place.x < box.x + box.width && place.y > box.y && place.y < box.y + box.height,
+      name,
+    );
   }
 });
 
@@ -144,18 +181,31 @@ liveTest("the number type and the evolution", async (bench) => {
     for (const evolution of ["frame", "path"]) {
       await page.selectOption("#number", number);
       await page.selectOption("#evolution", evolution);
-      await live.until(([n, e]) => window.stiction.state?.number === n && window.stiction.state.evolution === e, [number, evolution]);
+      await live.until(
+        ([n, e]) => window.stiction.state?.number === n && window.stiction.state.evolution === e,
+        [number, evolution],
+      );
       await live.reads("#trade-what", new RegExp(`^${number}, ${evolution} against`));
     }
   }
   // With f64 and path there is nothing between the solver and its reference; with f32 there is.
   await page.selectOption("#replay", "scene");
-  for (const [number, exact] of /** @type {const} */ ([["f64", true], ["f32", false]])) {
+  for (const [number, exact] of /** @type {const} */ ([
+    ["f64", true],
+    ["f32", false],
+  ])) {
     await page.selectOption("#number", number);
     await page.click("#reset");
-    await live.until((n) => window.stiction.state?.number === n && (window.stiction.frame?.counts.slips ?? 0) > 1, number);
+    await live.until(
+      (n) => window.stiction.state?.number === n && (window.stiction.frame?.counts.slips ?? 0) > 1,
+      number,
+    );
     const worst = (await live.frame()).reference?.worst ?? [];
-    assert.equal(worst.every((error) => error === 0), exact, `${number}: ${worst}`);
+    assert.equal(
+      worst.every((error) => error === 0),
+      exact,
+      `${number}: ${worst}`,
+    );
   }
 });
 
@@ -175,13 +225,20 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
     assert.equal(after.tick, before.tick + 1);
     assert.ok(Math.abs(after.frame.t - before.frame.t - 0.001) < 1e-9);
     // The words follow at once, as long as they take.
-    await live.until((text) => document.querySelector("#body-pose")?.textContent?.startsWith(text),
-      (1e3 * after.frame.pose[0]).toFixed(2).replace(/^-?0\.00$/, "0.00").replace("-", "−"));
+    await live.until(
+      (text) => document.querySelector("#body-pose")?.textContent?.startsWith(text),
+      (1e3 * after.frame.pose[0])
+        .toFixed(2)
+        .replace(/^-?0\.00$/, "0.00")
+        .replace("-", "−"),
+    );
   }
   // A step while it runs pauses it.
   await page.click("#pause");
-  await live.until((tick) => !window.stiction.state?.paused && window.stiction.frame && window.stiction.frame.tick > tick,
-    (await live.frame()).tick);
+  await live.until(
+    (tick) => !window.stiction.state?.paused && window.stiction.frame && window.stiction.frame.tick > tick,
+    (await live.frame()).tick,
+  );
   await page.click("#step");
   await live.until(() => window.stiction.state?.paused);
   await page.click("#pause");
@@ -190,11 +247,16 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
     await page.selectOption("#speed", String(speed));
     await live.until((value) => window.stiction.state?.speed === value, speed);
     await live.fresh();
-    const [ticks, time] = /** @type {[number, number]} */ (await live.until((need) => {
-      const now = [window.stiction.frame?.tick ?? 0, performance.now()];
-      const [tick, since] = /** @type {any} */ (window)[`from${need}`] ??= now;
-      return now[0] - tick >= need && [now[0] - tick, now[1] - since];
-    }, Math.round(500 * speed)));
+    const [ticks, time] = /** @type {[number, number]} */ (
+      await live.until(
+        (need) => {
+          const now = [window.stiction.frame?.tick ?? 0, performance.now()];
+          const [tick, since] = /** @type {any} */ (window[`from${need}`] ??= now);
+          return now[0] - tick >= need && [now[0] - tick, now[1] - since];
+        },
+        Math.round(500 * speed),
+      )
+    );
     // A slow computer makes fewer, none makes more.
     assert.ok(ticks <= 1.3 * speed * time, `${ticks} ticks in ${time} ms at ${speed}`);
   }
@@ -203,10 +265,16 @@ liveTest("pause, step, slow motion, reset", async (bench) => {
   await live.until(() => window.stiction.state?.replay === null);
   await page.click("#reset");
   const { start, home } = (await live.state()).scene;
-  await live.until(([x, y]) => window.stiction.frame && window.stiction.frame.frame.hand[0] === x && window.stiction.frame.frame.hand[1] === y,
-    home);
+  await live.until(
+    ([x, y]) =>
+      window.stiction.frame && window.stiction.frame.frame.hand[0] === x && window.stiction.frame.frame.hand[1] === y,
+    home,
+  );
   const { frame, counts } = await live.frame();
-  assert.ok(frame.pose.every((value, k) => Math.abs(value - start[k]) < 1e-6), String(frame.pose));
+  assert.ok(
+    frame.pose.every((value, k) => Math.abs(value - start[k]) < 1e-6),
+    String(frame.pose),
+  );
   assert.equal(counts.slips, 0);
   assert.ok(Math.abs(counts.ticks / 1000 - frame.t) < 0.0015);
 });
@@ -222,7 +290,13 @@ liveTest("zoom in, out, fit", async (bench) => {
   }
   const [once, twice, back, none, out, fit] = ratios;
   assert.ok(once > 1.1 && twice > once && out < 0.9, String(ratios));
-  for (const [a, b] of [[twice, once * once], [back, once], [none, 1], [out, 1 / once], [fit, 1]]) {
+  for (const [a, b] of [
+    [twice, once * once],
+    [back, once],
+    [none, 1],
+    [out, 1 / once],
+    [fit, 1],
+  ]) {
     assert.ok(Math.abs(a / b - 1) < 0.01, String(ratios));
   }
 });
@@ -233,8 +307,17 @@ liveTest("every layer of the drawing can be left out", async (bench) => {
   await page.selectOption("#replay", "scene");
   await live.until(() => (window.stiction.frame?.counts.slips ?? 0) > 1);
   await live.pause();
-  const picture = () => page.evaluate(() => new Promise((take) => requestAnimationFrame(() => requestAnimationFrame(() =>
-    take(/** @type {HTMLCanvasElement} */ (document.querySelector("#stage")).toDataURL())))));
+  const picture = () =>
+    page.evaluate(
+      () =>
+        new Promise((take) =>
+          requestAnimationFrame(() =>
+            requestAnimationFrame(() =>
+              take(/** @type {HTMLCanvasElement} */ (document.querySelector("#stage")).toDataURL()),
+            ),
+          ),
+        ),
+    );
   const whole = await picture();
   const layers = page.locator("input[data-layer]");
   assert.equal(await layers.count(), 5);
@@ -249,10 +332,12 @@ liveTest("every layer of the drawing can be left out", async (bench) => {
 liveTest("the theme is changed and remembered", async (bench) => {
   const live = await bench.open();
   const { page } = live;
-  const look = () => page.evaluate(() => ({
-    theme: document.documentElement.dataset.theme, page: getComputedStyle(document.body).backgroundColor,
-    paper: getComputedStyle(/** @type {Element} */ (document.querySelector("#stage"))).backgroundColor,
-  }));
+  const look = () =>
+    page.evaluate(() => ({
+      theme: document.documentElement.dataset.theme,
+      page: getComputedStyle(document.body).backgroundColor,
+      paper: getComputedStyle(/** @type {Element} */ (document.querySelector("#stage"))).backgroundColor,
+    }));
   const light = await look();
   assert.equal(light.theme, "light");
   await page.click("#theme");
@@ -312,7 +397,9 @@ liveTest("the chart shows the surface that is picked", async (bench) => {
     const { tick } = await live.frame();
     await page.click("#step");
     await live.until((old) => window.stiction.frame && window.stiction.frame.tick > old, tick);
-    const forces = (await live.frame()).frame.contacts.filter(({ surface }) => surface === name).map(({ normal }) => normal);
+    const forces = (await live.frame()).frame.contacts
+      .filter(({ surface }) => surface === name)
+      .map(({ normal }) => normal);
     const normal = forces.reduce((total, force) => total + force, 0);
     assert.ok(normal > 0);
     await live.until((value) => {
@@ -329,7 +416,9 @@ liveTest("the hand follows the scene's path, an uploaded one, or nobody", async 
   const { home } = (await live.state()).scene;
   assert.deepEqual(await page.locator("#replay option:disabled").allTextContents(), ["the recording", "uploaded path"]);
   await page.selectOption("#replay", "scene");
-  await live.until(() => window.stiction.state?.replay?.what === "scene" && (window.stiction.frame?.position ?? 0) > 0.2);
+  await live.until(
+    () => window.stiction.state?.replay?.what === "scene" && (window.stiction.frame?.position ?? 0) > 0.2,
+  );
   await live.reads("#place", /^0\.\d of \d+\.\d s$/);
   await live.until((y) => window.stiction.frame && window.stiction.frame.frame.hand[1] < y - 0.005, home[1]);
   // Nobody holds what a replay moves.
@@ -354,7 +443,10 @@ liveTest("the hand follows the scene's path, an uploaded one, or nobody", async 
 
   // A malformed one is refused: the line and what is allowed are named, and nothing changes.
   live.expects(/status of 400|status 400: .*upload/);
-  for (const [row, line] of [["1.01,wide,0.09,0", 103], ["0.5,0,0.09,0", 103]]) {
+  for (const [row, line] of [
+    ["1.01,wide,0.09,0", 103],
+    ["0.5,0,0.09,0", 103],
+  ]) {
     const bad = join(folder, "bad.csv");
     writeFileSync(bad, `t,x,y,phi\n${rows.join("\n")}\n${row}\n`);
     const answer = page.waitForResponse(/upload/);

@@ -1,5 +1,5 @@
-// The box is dragged with the mouse, recorded, downloaded and replayed: what the page shows, what `stiction run` computes of the
-// same path, and what the replay shows are one and the same.
+// The box is dragged with the mouse, recorded, downloaded and replayed: what the page shows, what `stiction run`
+// computes of the same path, and what the replay shows are one and the same.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
@@ -12,7 +12,12 @@ const SLIPS = 6;
 const DEPTH = 0.01;
 
 /** The records of a trace. @param {string} text @returns {TraceFrame[]} */
-const recordsOf = (text) => text.trim().split("\n").map((line) => JSON.parse(line)).filter((record) => "t" in record);
+const recordsOf = (text) =>
+  text
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line))
+    .filter((record) => "t" in record);
 
 /** How often each state follows another one. @param {TraceFrame[]} records */
 function transitionsOf(records) {
@@ -27,9 +32,13 @@ function transitionsOf(records) {
 
 /** The transitions that the diagram shows. @param {import("./live.js").Live} live */
 function transitionsShown(live) {
-  return live.page.evaluate(() => Object.fromEntries([...document.querySelectorAll("[data-pair]")]
-    .filter((label) => label.textContent !== "")
-    .map((label) => [label.getAttribute("data-pair"), Number(label.textContent?.replace(/\s/g, ""))])));
+  return live.page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll("[data-pair]")]
+        .filter((label) => label.textContent !== "")
+        .map((label) => [label.getAttribute("data-pair"), Number(label.textContent?.replace(/\s/g, ""))]),
+    ),
+  );
 }
 
 /** Notes every state that the page names. @param {import("./live.js").Live} live */
@@ -38,7 +47,11 @@ function watchStates(live) {
     const name = /** @type {Element} */ (document.querySelector("#state-name"));
     const seen = [name.textContent];
     Object.assign(window, { seen });
-    new MutationObserver(() => seen.push(name.textContent)).observe(name, { childList: true, characterData: true, subtree: true });
+    new MutationObserver(() => seen.push(name.textContent)).observe(name, {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
   });
 }
 
@@ -55,7 +68,10 @@ function poseText([x, y, angle]) {
   return `${text(1e3 * x)}, ${text(1e3 * y)} mm, ${text((180 * angle) / Math.PI)}°`;
 }
 
-/** Records a drag down to the floor and along it until it has stuck and slipped. @param {import("./live.js").Live} live */
+/**
+ * Records a drag down to the floor and along it until it has stuck and slipped.
+ * @param {import("./live.js").Live} live
+ */
 async function recordDrag(live) {
   const { page } = live;
   await page.click("#record");
@@ -85,7 +101,10 @@ async function recordDrag(live) {
   live.received.keep = false;
 }
 
-/** The frames of the newest run among messages: their time only grows. @param {any[]} messages @returns {TraceFrame[]} */
+/**
+ * The frames of the newest run among messages: their time only grows.
+ * @param {any[]} messages @returns {TraceFrame[]}
+ */
 function newestRun(messages) {
   const frames = messages.filter(({ type }) => type === "frame").map(({ frame }) => frame);
   let first = frames.length - 1;
@@ -96,13 +115,20 @@ function newestRun(messages) {
 /** The slips that the chart's title counts. @param {import("./live.js").Live} live */
 const slipsShown = async (live) => Number((await live.reads("#now-slip", /in all/)).match(/(\d+) in all/)?.[1]);
 
-for (const [number, evolution] of [["f32", "path"], ["f64", "path"], ["fixed", "frame"]]) {
+for (const [number, evolution] of [
+  ["f32", "path"],
+  ["f64", "path"],
+  ["fixed", "frame"],
+]) {
   liveTest(`a drag with ${number}, ${evolution} is what run makes of its recording`, async (bench) => {
     const live = await bench.open();
     const { page } = live;
     await page.selectOption("#number", number);
     await page.selectOption("#evolution", evolution);
-    await live.until(([n, e]) => window.stiction.state?.number === n && window.stiction.state.evolution === e, [number, evolution]);
+    await live.until(
+      ([n, e]) => window.stiction.state?.number === n && window.stiction.state.evolution === e,
+      [number, evolution],
+    );
     await recordDrag(live);
 
     const folder = newFolder();
@@ -112,8 +138,22 @@ for (const [number, evolution] of [["f32", "path"], ["f64", "path"], ["fixed", "
       files[name] = await live.download(name);
       writeFileSync(join(folder, name === "trace.jsonl" ? "downloaded.jsonl" : name), files[name]);
     }
-    await runProgram(["run", "scene.toml", "--hand", "hand.csv", "--number", number, "--evolution", evolution,
-      "--out", "trace.jsonl", "--quiet"], folder);
+    await runProgram(
+      [
+        "run",
+        "scene.toml",
+        "--hand",
+        "hand.csv",
+        "--number",
+        number,
+        "--evolution",
+        evolution,
+        "--out",
+        "trace.jsonl",
+        "--quiet",
+      ],
+      folder,
+    );
     assert.ok(readFileSync(join(folder, "trace.jsonl")).equals(readFileSync(join(folder, "downloaded.jsonl"))));
 
     const records = recordsOf(files["trace.jsonl"]);
@@ -152,10 +192,15 @@ liveTest("a recording, its download and its replay are the same", async (bench) 
   await page.selectOption("#replay", "recording");
   await live.until((end) => window.stiction.state?.replay && (window.stiction.frame?.position ?? 0) >= end, last.t);
   live.received.keep = false;
-  const run = newestRun(live.received.messages.filter(({ position }) => position !== null)).filter(({ t }) => byTime.has(t));
+  const run = newestRun(live.received.messages.filter(({ position }) => position !== null)).filter(({ t }) =>
+    byTime.has(t),
+  );
   assert.ok(run.length > 20, `${run.length} frames`);
   for (const frame of run) assert.deepEqual(frame, byTime.get(frame.t));
-  assert.equal(await slipsShown(live), trace.reduce((sum, { slips }) => sum + slips, 0));
+  assert.equal(
+    await slipsShown(live),
+    trace.reduce((sum, { slips }) => sum + slips, 0),
+  );
   assert.deepEqual(await transitionsShown(live), transitionsOf(trace));
 
   // The scrubber goes to any place, forward and back, running or paused, and shows the record of it.
@@ -183,6 +228,9 @@ liveTest("a recording, its download and its replay are the same", async (bench) 
   await page.selectOption("#replay", "live");
   await live.until(() => window.stiction.state?.replay === null);
   await page.click("#pause");
-  await live.until((t) => !window.stiction.state?.paused && window.stiction.frame && window.stiction.frame.frame.t > t, there.t);
+  await live.until(
+    (t) => !window.stiction.state?.paused && window.stiction.frame && window.stiction.frame.frame.t > t,
+    there.t,
+  );
   assert.deepEqual((await live.frame()).frame.hand, there.hand);
 });

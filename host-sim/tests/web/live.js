@@ -1,11 +1,12 @@
-// A browser, the program and its pages, for the tests of the live page. All that a page reports as wrong is collected, and a
-// test fails on what it did not expect: messages on the console, errors, failed requests, requests to anywhere else.
+// A browser, the program and its pages, for the tests of the live page. All that a page reports as wrong is collected,
+// and a test fails on what it did not expect: messages on the console, errors, failed requests, requests to anywhere
+// else.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { delimiter, join } from "node:path";
+import { delimiter, join, resolve } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
 import { fileURLToPath } from "node:url";
@@ -18,14 +19,17 @@ const WINDOW = { width: 1280, height: 800 };
 
 /** The first file of a name in PATH that can be run. @param {string} name */
 function inPath(name) {
-  return (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, name)).find((file) => {
-    try {
-      accessSync(file, constants.X_OK);
-      return true;
-    } catch {
-      return false;
-    }
-  });
+  return (process.env.PATH ?? "")
+    .split(delimiter)
+    .map((folder) => join(folder, name))
+    .find((file) => {
+      try {
+        accessSync(file, constants.X_OK);
+        return true;
+      } catch {
+        return false;
+      }
+    });
 }
 
 /** Chromium: of the environment, in PATH, or that which playwright installs; undefined where there is none. */
@@ -36,11 +40,15 @@ function findChromium() {
 
 const workspace = fileURLToPath(new URL("../../../", import.meta.url));
 const browserFile = findChromium();
-const programFile = process.env.STICTION ?? join(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"), "debug", "stiction");
+const target = process.env.CARGO_TARGET_DIR ?? join(workspace, "target");
+const programFile = resolve(process.env.STICTION ?? join(target, "debug", "stiction"));
 
 /** Why the tests cannot run here, or false. */
-const missing = !browserFile ? "no Chromium: set CHROMIUM, or install it"
-  : !existsSync(programFile) ? `no ${programFile}: set STICTION, or type cargo build` : false;
+const missing = !browserFile
+  ? "no Chromium: set CHROMIUM, or install it"
+  : !existsSync(programFile)
+    ? `no ${programFile}: set STICTION, or type cargo build`
+    : false;
 if (missing && process.env.CI === "true") throw new Error(missing);
 
 /** Folders that go with the process. @type {string[]} */
@@ -63,12 +71,16 @@ export function startBrowser() {
 export class Program {
   /** @param {string[]} args @param {number} port */
   constructor(args, port) {
-    this.child = spawn(programFile, ["view", "--listen", `127.0.0.1:${port}`, ...args],
-      { cwd: newFolder(), stdio: ["ignore", "pipe", "pipe"] });
+    this.child = spawn(programFile, ["view", "--listen", `127.0.0.1:${port}`, ...args], {
+      cwd: newFolder(),
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     this.gone = new Promise((done) => this.child.once("exit", done));
     /** What it complains of. */
     this.said = "";
-    this.child.stderr.on("data", (text) => { this.said += text; });
+    this.child.stderr.on("data", (text) => {
+      this.said += text;
+    });
     this.origin = "";
     this.port = port;
   }
@@ -77,7 +89,10 @@ export class Program {
   static async start(args = [], port = 0) {
     const program = new Program(args, port);
     const lines = createInterface(program.child.stdout);
-    const line = await Promise.race([new Promise((take) => lines.once("line", take)), program.gone.then(() => program.said)]);
+    const line = await Promise.race([
+      new Promise((take) => lines.once("line", take)),
+      program.gone.then(() => program.said),
+    ]);
     const [url] = /** @type {string} */ (line).match(/^http:\/\/\S+/) ?? [];
     assert.ok(url, line);
     program.origin = new URL(url).origin;
@@ -109,8 +124,12 @@ export class Program {
 export async function runProgram(args, folder) {
   const child = spawn(programFile, args, { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
   let output = "";
-  child.stdout.on("data", (text) => { output += text; });
-  child.stderr.on("data", (text) => { output += text; });
+  child.stdout.on("data", (text) => {
+    output += text;
+  });
+  child.stderr.on("data", (text) => {
+    output += text;
+  });
   const code = await new Promise((done) => child.once("close", done));
   assert.equal(code, 0, output);
   return output;
@@ -158,7 +177,9 @@ export class Live {
     });
     page.on("pageerror", (error) => this.faults.push(`error: ${error.stack ?? error.message}`));
     page.on("crash", () => this.faults.push("the page crashed"));
-    page.on("requestfailed", (request) => this.faults.push(`failed: ${request.url()}: ${request.failure()?.errorText}`));
+    page.on("requestfailed", (request) =>
+      this.faults.push(`failed: ${request.url()}: ${request.failure()?.errorText}`),
+    );
     page.on("response", (response) => {
       if (response.status() >= 400) this.faults.push(`status ${response.status()}: ${response.url()}`);
     });
@@ -181,7 +202,10 @@ export class Live {
 
   /** Fails on what was not expected. */
   check() {
-    assert.deepEqual(this.faults.filter((fault) => !this.expected.some((known) => known.test(fault))), []);
+    assert.deepEqual(
+      this.faults.filter((fault) => !this.expected.some((known) => known.test(fault))),
+      [],
+    );
   }
 
   /**
@@ -194,8 +218,10 @@ export class Live {
 
   /** Waits for a text. @param {string} selector @param {RegExp} pattern */
   async reads(selector, pattern) {
-    await this.until(([place, source]) => new RegExp(source).test(document.querySelector(place)?.textContent ?? ""),
-      [selector, pattern.source]);
+    await this.until(
+      ([place, source]) => new RegExp(source).test(document.querySelector(place)?.textContent ?? ""),
+      [selector, pattern.source],
+    );
     return this.text(selector);
   }
 
@@ -223,10 +249,20 @@ export class Live {
   /** Waits until no other tick has come for a while: while paused, that is the last one. */
   async settled() {
     await this.until(() => {
-      const { stiction } = window;
-      const seen = /** @type {any} */ (window).settling ??= { tick: -1, since: 0 };
-      if (seen.tick !== stiction.frame?.tick) Object.assign(seen, { tick: stiction.frame?.tick, since: performance.now() });
-      return performance.now() - seen.since > 200;
+      const page = /** @type {any} */ (window);
+      const tick = window.stiction.frame?.tick;
+      if (page.settling?.tick !== tick) page.settling = { tick, since: performance.now() };
+      return performance.now() - page.settling.since > 200;
+    });
+  }
+
+  /** Waits until the window on the scene rests: it follows the object softly. */
+  async steady() {
+    await this.until(() => {
+      const page = /** @type {any} */ (window);
+      const { x, y } = window.stiction.pixelOf(0, 0);
+      if (page.steadying?.x !== x || page.steadying.y !== y) page.steadying = { x, y, since: performance.now() };
+      return performance.now() - page.steadying.since > 100;
     });
   }
 
@@ -254,14 +290,23 @@ export class Live {
    * @param {Vec} [point]
    */
   async grab(point) {
+    await this.steady();
     const [x, y] = point ?? (await this.frame()).frame.hand;
     this.pointer = await this.pixel(x, y);
     await this.page.mouse.move(this.pointer.x, this.pointer.y);
     await this.page.mouse.down();
-    await this.until(([wx, wy, near]) => {
-      const { holding, frame } = window.stiction.frame ?? {};
-      return window.stiction.state?.hand.by === "page" && holding && frame && Math.hypot(frame.hand[0] - wx, frame.hand[1] - wy) < near;
-    }, [x, y, 2 * (await this.metresPerPixel())]);
+    await this.until(
+      ([wx, wy, near]) => {
+        const { holding, frame } = window.stiction.frame ?? {};
+        return (
+          window.stiction.state?.hand.by === "page" &&
+          holding &&
+          frame &&
+          Math.hypot(frame.hand[0] - wx, frame.hand[1] - wy) < near
+        );
+      },
+      [x, y, 2 * (await this.metresPerPixel())],
+    );
   }
 
   /** Drags the hand to a point of the world, as near as pixels are. @param {number} x @param {number} y */
@@ -298,8 +343,9 @@ export class Live {
   painted(role) {
     return this.page.evaluate((name) => {
       const stage = /** @type {HTMLCanvasElement} */ (document.querySelector("#stage"));
-      const copy = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(stage.width, stage.height)
-        .getContext("2d", { willReadFrequently: true }));
+      const copy = /** @type {OffscreenCanvasRenderingContext2D} */ (
+        new OffscreenCanvas(stage.width, stage.height).getContext("2d", { willReadFrequently: true })
+      );
       copy.drawImage(stage, 0, 0);
       const { data } = copy.getImageData(0, 0, stage.width, stage.height);
       const probe = document.body.appendChild(document.createElement("i"));
@@ -363,7 +409,9 @@ export class Bench {
 /** @type {import("playwright-core").Browser} */
 let browser;
 if (!missing) {
-  before(async () => { browser = await startBrowser(); });
+  before(async () => {
+    browser = await startBrowser();
+  });
   after(() => browser?.close());
 }
 

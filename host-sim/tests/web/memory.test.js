@@ -1,5 +1,5 @@
-// A long session does not take more and more memory, neither in the page nor in the program: it is dragged, recorded, replayed
-// and looked at, over and over. STICTION_SOAK: for so many seconds.
+// A long session does not take more and more memory, neither in the page nor in the program: it is dragged, recorded,
+// replayed and looked at, over and over. STICTION_SOAK: for so many seconds.
 
 import assert from "node:assert/strict";
 import { liveTest } from "./live.js";
@@ -35,8 +35,10 @@ async function round(live, round) {
   await live.until(() => window.stiction.state?.replay && window.stiction.frame?.position);
   await page.focus("#scrubber");
   await page.keyboard.press("End");
-  await live.until(() => (window.stiction.frame?.position ?? 0) > 0.95 * (window.stiction.state?.replay?.seconds ?? Infinity));
-  if (round % 2) await page.selectOption("#chart-surface", String(round % 4 >> 1));
+  await live.until(
+    () => (window.stiction.frame?.position ?? 0) > 0.95 * (window.stiction.state?.replay?.seconds ?? Infinity),
+  );
+  if (round % 2) await page.selectOption("#chart-surface", String((round % 4) >> 1));
   await page.click("#theme");
   await page.selectOption("#replay", "live");
   await live.until(() => window.stiction.state?.replay === null);
@@ -50,8 +52,11 @@ liveTest(`in ${SECONDS} s of dragging, recording and replaying memory does not g
     const { usedSize, backingStorageSize = 0 } = /** @type {any} */ (await devtools.send("Runtime.getHeapUsage"));
     const nodes = await live.page.evaluate(() => document.querySelectorAll("*").length);
     return {
-      page: usedSize + backingStorageSize, program: bench.program.memory, nodes,
-      bytes: live.received.bytes, ticks: (await live.frame()).tick,
+      page: usedSize + backingStorageSize,
+      program: bench.program.memory,
+      nodes,
+      bytes: live.received.bytes,
+      ticks: (await live.frame()).tick,
     };
   };
   const begin = performance.now();
@@ -63,10 +68,12 @@ liveTest(`in ${SECONDS} s of dragging, recording and replaying memory does not g
     await round(live, k);
     last = await sample();
     if (k === FIRST || (k > FIRST && elapsed() < WARM * SECONDS)) warm = last;
-    if (process.env.STICTION_SOAK) console.log(`${elapsed().toFixed(0)} s: page ${last.page}, program ${last.program}, ${last.nodes} nodes`);
+    if (process.env.STICTION_SOAK)
+      console.log(`${elapsed().toFixed(0)} s: page ${last.page}, program ${last.program}, ${last.nodes} nodes`);
   }
   assert.ok(warm);
-  const bytes = last.bytes - warm.bytes, ticks = last.ticks - warm.ticks;
+  const bytes = last.bytes - warm.bytes,
+    ticks = last.ticks - warm.ticks;
   const page = last.page - warm.page;
   assert.ok(page < SLACK.page + KEPT * bytes, `the page grew by ${page} bytes while it got ${bytes}`);
   assert.ok(last.nodes <= warm.nodes + 50, `${last.nodes} elements after ${warm.nodes}`);

@@ -6,8 +6,12 @@ import { connect } from "node:net";
 import { liveTest, PATIENCE, Program } from "./live.js";
 
 /** What a page says of a frame. @param {import("./live.js").Live} live */
-const words = (live) => live.page.evaluate(() => ["#state-name", "#hand-pose", "#body-pose", "#wrench", "#place", "#differ", "#ticks"]
-  .map((selector) => document.querySelector(selector)?.textContent));
+const words = (live) =>
+  live.page.evaluate(() =>
+    ["#state-name", "#hand-pose", "#body-pose", "#wrench", "#place", "#differ", "#ticks"].map(
+      (selector) => document.querySelector(selector)?.textContent,
+    ),
+  );
 
 liveTest("two pages show the same; one holds the hand, and the other says who", async (bench) => {
   const first = await bench.open();
@@ -44,8 +48,16 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
   assert.equal(one.tick, other.tick);
   assert.deepEqual(one.frame, other.frame);
   assert.equal(one.frame.state, "edge");
-  await second.until((said) => JSON.stringify(said) === JSON.stringify(["#state-name", "#hand-pose", "#body-pose", "#wrench", "#place",
-    "#differ", "#ticks"].map((selector) => document.querySelector(selector)?.textContent)), await words(first));
+  await second.until(
+    (said) =>
+      JSON.stringify(said) ===
+      JSON.stringify(
+        ["#state-name", "#hand-pose", "#body-pose", "#wrench", "#place", "#differ", "#ticks"].map(
+          (selector) => document.querySelector(selector)?.textContent,
+        ),
+      ),
+    await words(first),
+  );
   await first.page.click("#pause");
 
   // After letting go, the other one takes it; and when a page goes, its hand is free.
@@ -57,8 +69,10 @@ liveTest("two pages show the same; one holds the hand, and the other says who", 
   assert.notEqual(now, number);
   await first.reads("#holder", new RegExp(`^Hand: page ${now}$`));
   await second.handTo(hand[0] + 0.01, hand[1]);
-  await first.until(([x, near]) => Math.abs((window.stiction.frame?.frame.hand[0] ?? NaN) - x) < near,
-    [hand[0] + 0.01, 2 * (await first.metresPerPixel())]);
+  await first.until(
+    ([x, near]) => Math.abs((window.stiction.frame?.frame.hand[0] ?? NaN) - x) < near,
+    [hand[0] + 0.01, 2 * (await first.metresPerPixel())],
+  );
   await second.page.close();
   await first.reads("#holder", /^Hand: nobody$/);
   await first.reads("#clients", /^1 page$/);
@@ -108,18 +122,25 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
 async function stalled(program) {
   const socket = connect(program.port, "127.0.0.1");
   const key = randomBytes(16).toString("base64");
-  socket.write(`GET /ws HTTP/1.1\r\nHost: 127.0.0.1:${program.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n`
-    + `Sec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n\r\n`);
+  socket.write(
+    `GET /ws HTTP/1.1\r\nHost: 127.0.0.1:${program.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n` +
+      `Sec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n\r\n`,
+  );
   const head = String(await new Promise((take) => socket.once("data", take)));
   assert.match(head, /^HTTP\/1\.1 101/);
   socket.pause();
   const text = Buffer.from('{"type":"rate","value":1000}');
   const mask = randomBytes(4);
-  socket.write(Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]));
+  socket.write(
+    Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]),
+  );
   return socket;
 }
 
-/** The greatest number of skipped frames that a client is told of, once it is so great. @param {import("node:net").Socket} socket */
+/**
+ * The greatest number of skipped frames that a client is told of, once it is so great.
+ * @param {import("node:net").Socket} socket
+ */
 function skippedOf(socket) {
   return new Promise((take, fail) => {
     let tail = "";
@@ -143,11 +164,16 @@ liveTest("a client that never reads and a page that is busy stop nobody else", a
   await live.reads("#clients", /^3 pages$/);
   const begin = await live.frame();
   // The page's main thread is busy until the others are through, while the hand goes on.
-  const blocked = busy.page.evaluate(() => new Promise((done) => setTimeout(() => {
-    const end = performance.now() + 8000;
-    while (performance.now() < end);
-    done(window.stiction.frame?.tick);
-  })));
+  const blocked = busy.page.evaluate(
+    () =>
+      new Promise((done) =>
+        setTimeout(() => {
+          const end = performance.now() + 8000;
+          while (performance.now() < end);
+          done(window.stiction.frame?.tick);
+        }),
+      ),
+  );
   await live.grab();
   for (let k = 0; (await live.frame()).tick < begin.tick + 9000; k++) {
     await live.handTo(begin.frame.hand[0], begin.frame.hand[1] - (k % 2 ? 0.03 : 0));
