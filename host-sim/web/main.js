@@ -88,6 +88,7 @@ function showState(message) {
 function showFrame(message) {
   framesReceived++;
   charts.take(message);
+  transport.count();
   stage.setFrame(message);
   grip.take(message);
 }

@@ -7,6 +7,8 @@ import { byId, fixed, setText, whole } from "./dom.js";
 const FILES = ["trace.jsonl", "scene.toml", "hand.csv"];
 /** Places on the scrubber. */
 const PLACES = 1000;
+/** So many frames after the answer to a place, they are surely of that place. */
+const LATER = 2;
 /** Time between two places that are asked for while the scrubber is moved (ms). */
 const PAUSE = 60;
 
@@ -24,10 +26,12 @@ export class Transport {
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
-    /** The scrubber is being moved, to this place; how many answers about a place are still to come. */
+    /** The scrubber is being moved, to this place. */
     this.scrubbing = false;
     this.target = 0;
+    /** How many answers about a place are still to come, and the frames since the last one. */
     this.seeking = 0;
+    this.since = LATER;
     this.seekAt = 0;
     this.seekTimer = 0;
     this.scrubber.max = String(PLACES);
@@ -97,6 +101,7 @@ export class Transport {
       this.seeking++;
       await this.ask({ type: "seek", seconds: this.target * length });
       this.seeking--;
+      this.since = 0;
     }, wait);
   }
 
@@ -129,12 +134,17 @@ export class Transport {
       ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
   }
 
+  /** A frame came. */
+  count() {
+    if (this.since < LATER) this.since++;
+  }
+
   /** Shows the place in the replay, or how long the recording is. @param {FrameMessage} message */
   take({ position, frame }) {
     const { state } = this;
     if (!state) return;
     if (state.replay && position != null) {
-      const chosen = this.scrubbing || this.seekTimer || this.seeking;
+      const chosen = this.scrubbing || this.seekTimer || this.seeking || this.since < LATER;
       if (!chosen) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
       const text = `${fixed(position, 1)} of ${fixed(state.replay.seconds, 1)} s`;
       setText(this.place, text);
