@@ -1,5 +1,5 @@
-// A board over Web Serial, without the program between: a port of the browser behind which a board answers as core/FRAME.md
-// says. It lets the box slide on the floor without friction.
+// A board over Web Serial, without the program between: a port of the browser behind which a board answers as
+// core/FRAME.md says. It lets the box slide on the floor without friction.
 
 import assert from "node:assert/strict";
 import { liveTest } from "./live.js";

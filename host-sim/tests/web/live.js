@@ -406,21 +406,28 @@ export class Bench {
   }
 }
 
-/** @type {import("playwright-core").Browser} */
-let browser;
-if (!missing) {
+/** The browser of a file's tests. @type {import("playwright-core").Browser | null} */
+let browser = null;
+
+/** Before the first test of a file the browser starts, after the last one it ends. */
+function shareBrowser() {
+  if (missing || shared) return;
+  shared = true;
   before(async () => {
     browser = await startBrowser();
   });
   after(() => browser?.close());
 }
+let shared = false;
 
 /**
  * A test in the browser, with a program of its own.
  * @param {string} name @param {(bench: Bench) => Promise<void>} work @param {string[]} [args] of `stiction view`
  */
 export function liveTest(name, work, args = []) {
+  shareBrowser();
   test(name, { skip: missing }, async () => {
+    assert.ok(browser);
     const bench = new Bench(browser, await Program.start(args));
     try {
       await work(bench);

@@ -1,5 +1,5 @@
-// How the page looks, in small and large windows, light and dark: nothing is cut, nothing overlaps, all can be read and has a
-// name. STICTION_SCREENSHOTS: a folder that pictures are written to.
+// How the page looks, in small and large windows, light and dark: nothing is cut, nothing overlaps, all can be read and
+// has a name. STICTION_SCREENSHOTS: a folder that pictures are written to.
 
 import assert from "node:assert/strict";
 import { mkdirSync } from "node:fs";
@@ -37,7 +37,10 @@ const ROLES = [
   "dialog",
 ];
 
-/** The box in a corner, replayed until it has slipped a few times on both surfaces, and paused there. @param {Live} live */
+/**
+ * The box in a corner, replayed until it has slipped a few times on both surfaces, and paused there.
+ * @param {Live} live
+ */
 async function inCorner(live) {
   await live.scene("corner-stick-slip");
   await live.page.selectOption("#replay", "scene");

@@ -1,5 +1,5 @@
-// Figures of the page on this computer: how late a drawn pose is after its pointer event, how often and how quickly it draws, and
-// what it weighs. node measure.js
+// Figures of the page on this computer: how late a drawn pose is after its pointer event, how often and how quickly it
+// draws, and what it weighs. node measure.js
 
 import { Bench, Program, startBrowser } from "./live.js";
 
