@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Everything that must hold: format, lints, tests, documentation, bare-metal builds, oldest compiler, dependencies.
+# Everything that must hold: format, lints, tests, the live page in a browser, documentation, bare-metal builds, oldest
+# compiler, dependencies.
 # Where an optional tool is missing and cannot be installed, the stage is skipped with the command to type;
 # with CI=true that is a failure.
 set -euo pipefail
@@ -78,6 +79,27 @@ stage 'images of emulated boards'
 
 stage 'tests'
 cargo test --workspace --exclude stiction-bench --locked
+
+stage 'the live page'
+# In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
+has_node() { command -v npm && [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ]; } >/dev/null 2>&1
+has_browser() {
+  [ -n "${CHROMIUM:-}" ] || command -v chromium || command -v chromium-browser || command -v google-chrome
+}
+node='apt-get install -y --no-install-recommends nodejs npm'
+browser='apt-get install -y --no-install-recommends chromium fonts-dejavu-core'
+has_node || { apt-get update && $node; } || true
+has_browser || { apt-get update && $browser; } || true
+if ! has_node; then
+  missing 'Node.js 20 or newer with npm' "$node, or from https://nodejs.org where that is older"
+elif ! has_browser; then
+  missing 'Chromium' "$browser"
+elif ! npm ci --prefix host-sim/tests/web --no-audit --no-fund; then
+  missing 'the packages of the tests of the page' 'npm ci --prefix host-sim/tests/web'
+else
+  npm run --prefix host-sim/tests/web check
+  node --test --test-concurrency=1 host-sim/tests/web/*.test.js
+fi
 
 stage 'tests, release'
 cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests

@@ -1,4 +1,5 @@
-// What a board says, put together: poses, forces, events and health become the frame and state messages that the page shows.
+// What a board says, put together: poses, forces, events and health become the frame and state messages that the page
+// shows.
 
 import { EVENTS, STATES, STATUS } from "./frame.js";
 
@@ -81,14 +82,15 @@ export class BoardModel {
   }
 
   /**
-   * What the board says about itself. A scene that it has no room for is left, and the box taken instead; throws where that
-   * does not fit either.
+   * What the board says about itself. A scene that it has no room for is left, and the box taken instead; throws where
+   * that does not fit either.
    * @param {Message} info
    */
   setInfo(info) {
     this.info = info;
     if (fits(this.scene, info)) return;
-    if (!fits(BOX, info)) throw new Error(`The board has too little room: vertices ${info.vertices}, surfaces ${info.surfaces}.`);
+    const { vertices, surfaces } = info;
+    if (!fits(BOX, info)) throw new Error(`The board has too little room: vertices ${vertices}, surfaces ${surfaces}.`);
     this.scene = BOX;
     this.parameters = BOX_PARAMETERS;
   }
@@ -96,8 +98,12 @@ export class BoardModel {
   /** As the server says hello. @param {Message} info @param {number} baud @returns {HelloMessage} */
   hello(info, baud) {
     return {
-      type: "hello", version: 1, you: 1, program: `firmware ${info.major}.${info.minor}.${info.patch}`, scenes: [this.scene.title],
-      source: { kind: "board", name: info.name, number: NUMBERS[info.number], where: `Web Serial, ${baud} baud`, emulated: false },
+      type: "hello", version: 1, you: 1, program: `firmware ${info.major}.${info.minor}.${info.patch}`,
+      scenes: [this.scene.title],
+      source: {
+        kind: "board", name: info.name, number: NUMBERS[info.number], where: `Web Serial, ${baud} baud`,
+        emulated: false,
+      },
     };
   }
 
@@ -116,8 +122,9 @@ export class BoardModel {
     const [start_x, start_y, start_theta] = scene.start;
     const [point_x, point_y] = scene.grasp ?? [0, 0];
     return {
-      type: "scene", has_point: scene.grasp ? 1 : 0, start_x, start_y, start_theta, weight: scene.weight, point_x, point_y,
-      reach: scene.reach, k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body,
+      type: "scene", has_point: scene.grasp ? 1 : 0, start_x, start_y, start_theta, weight: scene.weight,
+      point_x, point_y, reach: scene.reach,
+      k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body,
       surface: scene.surfaces.map(({ normal, offset, static: mus, dynamic: mud }) =>
         [...normal, offset, mus ?? parameters.static, mud ?? parameters.dynamic]),
     };
@@ -170,7 +177,9 @@ export class BoardModel {
     this.slipped += message.slips;
     const [contact] = this.forces?.contact ?? [];
     if (message.slips === 0 || !contact) return;
-    this.slips.push({ n: ++this.slipCount, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip });
+    this.slips.push({
+      n: ++this.slipCount, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip,
+    });
     if (this.slips.length > SLIPS) this.slips.shift();
   }
 
@@ -181,6 +190,14 @@ export class BoardModel {
     this.time += step * 1e-6;
     this.clock = time;
     return this.time;
+  }
+
+  /**
+   * A contact: vertex, surface, point, reaction.
+   * @param {number[]} contact @returns {Contact}
+   */
+  contact([vertex, surface, x, y, normal, friction]) {
+    return { vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: [x, y], normal, friction };
   }
 
   /**
@@ -199,11 +216,12 @@ export class BoardModel {
     this.transition(state);
     const { holding, ghost } = this.springs(at, hand, pose.held === 1);
     const forces = this.forces;
-    const contacts = state === "non-contact" ? [] : (forces?.contact ?? []).map((/** @type {number[]} */ [vertex, surface, x, y, n, f]) =>
-      ({ vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: /** @type {Vec} */ ([x, y]), normal: n, friction: f }));
+    const touching = state === "non-contact" ? [] : forces?.contact ?? [];
+    const contacts = touching.map((/** @type {number[]} */ contact) => this.contact(contact));
     /** @type {FrameMessage} */
     const message = {
-      type: "frame", tick: this.health?.ticks ?? 0, skipped: 0, holding, ghost, echo: sample && sample.sent >= 0 ? sample.sent : null,
+      type: "frame", tick: this.health?.ticks ?? 0, skipped: 0, holding, ghost,
+      echo: sample && sample.sent >= 0 ? sample.sent : null,
       frame: {
         t, hand, held: pose.held === 1, pose: at, depth: pose.depth, state, contacts,
         wrench: forces ? [forces.wrench_x, forces.wrench_y, forces.wrench_m] : [0, 0, 0],
@@ -261,12 +279,14 @@ export class BoardModel {
   healthMessage(faults) {
     const health = this.health;
     const garbled = Object.values(faults).reduce((sum, count) => sum + count, 0);
-    const refused = health ? health.too_long + health.cobs + health.crc + health.version + health.unknown_type + health.length + health.value : 0;
+    const kinds = ["too_long", "cobs", "crc", "version", "unknown_type", "length", "value"];
+    const refused = health ? kinds.reduce((sum, kind) => sum + health[kind], 0) : 0;
     this.counts.ticks = health?.ticks ?? 0;
     this.counts.missed = health?.missed_ticks ?? 0;
     return {
-      rate: this.rate, latency: Number.isNaN(this.latency) ? null : this.latency * 1e-3, late: health?.late_samples ?? 0,
-      lost: this.lost + (health?.lost_frames ?? 0), missed: health?.missed_ticks ?? 0, faults: garbled + refused, connected: true,
+      rate: this.rate, latency: Number.isNaN(this.latency) ? null : this.latency * 1e-3,
+      late: health?.late_samples ?? 0, lost: this.lost + (health?.lost_frames ?? 0),
+      missed: health?.missed_ticks ?? 0, faults: garbled + refused, connected: true,
     };
   }
 }

@@ -1,5 +1,5 @@
-// A board over Web Serial, without any program between: opens the port, asks who is there, gives it the scene and a mode, sends
-// the hand, and hands on what the board says as the messages that the server would send.
+// A board over Web Serial, without any program between: opens the port, asks who is there, gives it the scene and a
+// mode, sends the hand, and hands on what the board says as the messages that the server would send.
 
 import { BoardModel, BOX, BOX_PARAMETERS } from "./board-model.js";
 import { Decoder, encode, REASONS } from "./frame.js";
@@ -103,7 +103,8 @@ export class Board {
     const sequence = this.sequence;
     this.sequence = (sequence + 1) & 0xff;
     const time = Math.round(performance.now() * 1000) % 2 ** 32;
-    this.writer?.write(encode({ ...message, sequence, time })).catch((why) => this.stop(`The board cannot be written to: ${why.message}`));
+    const bytes = encode({ ...message, sequence, time });
+    this.writer?.write(bytes).catch((why) => this.stop(`The board cannot be written to: ${why.message}`));
     return sequence;
   }
 
@@ -122,7 +123,8 @@ export class Board {
       this.asked = null;
       if (!reply) continue;
       if (reply.type !== "reply" || reply.reason === 0) return reply;
-      throw new Error(`The board refuses the ${message.type}: ${REASONS[reply.reason]}${reply.allowed ? `; allowed: ${reply.allowed}` : ""}.`);
+      const why = reply.allowed ? `${REASONS[reply.reason]}; allowed: ${reply.allowed}` : REASONS[reply.reason];
+      throw new Error(`The board refuses the ${message.type}: ${why}.`);
     }
     throw new Error(`The board does not answer (${message.type}, ${this.baud} baud).`);
   }
@@ -142,7 +144,8 @@ export class Board {
     const every = Math.max(1, Math.round(rate / (this.baud >= FAST ? POSES.fast : POSES.slow)));
     return {
       type: "mode", evolution: this.evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
-      pose_every: every, forces_every: every, health_every: 500, tolerance: info.tolerance, event_limit: info.event_limit,
+      pose_every: every, forces_every: every, health_every: 500, tolerance: info.tolerance,
+      event_limit: info.event_limit,
     };
   }
 
@@ -173,8 +176,10 @@ export class Board {
     switch (message.type) {
       case "set": {
         const parameters = { ...this.model.parameters, ...message.parameters };
-        await this.command({ type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,
-          mu_s: parameters.static, mu_d: parameters.dynamic });
+        await this.command({
+          type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,
+          mu_s: parameters.static, mu_d: parameters.dynamic,
+        });
         this.model.parameters = parameters;
         break;
       }

@@ -137,7 +137,8 @@ export class Charts {
       setText(byId("now-n"), `N ${digits(this.forces.last(1) || 0)} N`);
       setText(byId("now-t"), `T ${digits(this.forces.last(2) || 0)} N`);
     } else if (i === 1) {
-      setText(byId("now-slip"), this.slips.length ? `last ${digits(this.slips.last(1))}, ${counts.slips} in all` : "none yet");
+      const last = digits(this.slips.last(1));
+      setText(byId("now-slip"), this.slips.length ? `last ${last}, ${counts.slips} in all` : "none yet");
     } else if (step) {
       setText(byId("now-median"), step.median === null ? "no median" : `median ${duration(step.median)}`);
       setText(byId("now-worst"), `worst ${duration(step.worst)}`);
@@ -190,7 +191,8 @@ function plotIn(id, columns, series, y = {}, yAxis = {}) {
     series: [{}, ...series],
   }, Array.from({ length: columns }, () => []), target);
   new ResizeObserver(() => {
-    if (target.clientWidth > 0 && target.clientHeight > 0) plot.setSize({ width: target.clientWidth, height: target.clientHeight });
+    const { clientWidth: width, clientHeight: height } = target;
+    if (width > 0 && height > 0) plot.setSize({ width, height });
   }).observe(target);
   return plot;
 }
@@ -237,7 +239,11 @@ function stepPlot() {
 const onlyDecades = (_plot, ticks) => ticks.map((value) => (isDecade(value) ? value : null));
 
 /** Labels at the powers of ten alone. @param {UPlot} _plot @param {(number | null)[]} ticks */
-const decades = (_plot, ticks) => ticks.map((value) => (value && isDecade(value) ? String(Number(value.toPrecision(1))) : null));
+const decades = (_plot, ticks) =>
+  ticks.map((value) => (value && isDecade(value) ? thousands(Number(value.toPrecision(1))) : null));
+
+/** A round number, short enough for its axis. @param {number} value */
+const thousands = (value) => (value >= 1000 ? `${value / 1000}k` : String(value));
 
 /** True for a power of ten. @param {number} value */
 const isDecade = (value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;

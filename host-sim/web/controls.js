@@ -48,8 +48,9 @@ export class Controls {
     byId("step").addEventListener("click", () => this.step());
     byId("reset").addEventListener("click", () => this.reset());
     for (const name of NAMES) {
-      this.sliders[name].max = String(STEPS);
-      this.sliders[name].addEventListener("input", () => this.set(name, fromSlider(name, Number(this.sliders[name].value))));
+      const slider = this.sliders[name];
+      slider.max = String(STEPS);
+      slider.addEventListener("input", () => this.set(name, fromSlider(name, Number(slider.value))));
       this.typed[name].addEventListener("change", () => this.type(name));
     }
   }
@@ -92,7 +93,7 @@ export class Controls {
       this.set(name, value);
     } else {
       this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
-      if (this.state) this.show(this.state);
+      if (this.state) this.showParameters(this.state.parameters, null, true);
     }
   }
 
@@ -136,11 +137,8 @@ export class Controls {
   /** Shows what holds. @param {StateMessage} state */
   show(state) {
     this.state = state;
-    const { title } = state.scene;
-    if (![...this.scene.options].some(({ value }) => value === title)) this.scene.add(new Option(title, title));
-    this.scene.value = title;
-    if (![...this.number.options].some(({ value }) => value === state.number)) this.number.add(new Option(state.number, state.number));
-    this.number.value = state.number;
+    choose(this.scene, state.scene.title);
+    choose(this.number, state.number);
     this.evolution.value = state.evolution;
     if (![...this.speed.options].some(({ value }) => Number(value) === state.speed)) {
       this.speed.add(new Option(`${digits(state.speed)}×`, String(state.speed)));
@@ -163,9 +161,19 @@ export class Controls {
       this.typed[name].disabled = parameters[name] === null;
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
       this.sliders[name].setAttribute("aria-valuetext", digits(value));
-      if (document.activeElement !== this.typed[name] || moved || all) this.typed[name].value = String(Number(value.toPrecision(4)));
+      const typing = document.activeElement === this.typed[name] && !moved && !all;
+      if (!typing) this.typed[name].value = String(Number(value.toPrecision(4)));
     }
   }
+}
+
+/**
+ * Chooses a value of a list, which gets it where it is not there yet.
+ * @param {HTMLSelectElement} list @param {string} value
+ */
+function choose(list, value) {
+  if (![...list.options].some((option) => option.value === value)) list.add(new Option(value, value));
+  list.value = value;
 }
 
 /**
@@ -173,7 +181,8 @@ export class Controls {
  * @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>}
  */
 function inputs(kind) {
-  return /** @type {any} */ (Object.fromEntries(NAMES.map((name) => [name, byId(`${kind}-${name}`, HTMLInputElement)])));
+  const all = NAMES.map((name) => [name, byId(`${kind}-${name}`, HTMLInputElement)]);
+  return /** @type {any} */ (Object.fromEntries(all));
 }
 
 /** The value at a place of a slider, rounded to three digits. @param {ParameterName} name @param {number} place */
@@ -187,5 +196,6 @@ function fromSlider(name, place) {
 function toSlider(name, value) {
   const { least, most, log } = RANGES[name];
   if (value <= least) return 0;
-  return Math.round(STEPS * Math.min(1, log ? Math.log(value / least) / Math.log(most / least) : (value - least) / (most - least)));
+  const part = log ? Math.log(value / least) / Math.log(most / least) : (value - least) / (most - least);
+  return Math.round(STEPS * Math.min(1, part));
 }

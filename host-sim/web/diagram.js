@@ -1,16 +1,19 @@
-// The diagram of contact states: the four of the paper and the two beyond it. The current one is lit, transitions flash and are
-// counted.
+// The diagram of contact states: the four of the paper and the two beyond it. The current one is lit, transitions flash
+// and are counted.
 
 import { reducedMotion, setText, svg, whole } from "./dom.js";
 
-/** Where a state is, what it is called and a small picture of it: surfaces and body as SVG paths in a box of 36 by 24. */
-const STATES = /** @type {Record<StateName, {x: number, y: number, label: string, ground: string, body: string, dots: Vec[]}>} */ ({
-  "non-contact": { x: 54, y: 34, label: "non-contact", ground: "M3 22H33", body: "M9 10 24 5 27 12 12 17Z", dots: [] },
-  "corner": { x: 306, y: 34, label: "corner", ground: "M5 2V22H33", body: "M5 22 12 7 27 14 20 29Z", dots: [[5, 22]] },
-  "single-vertex": { x: 180, y: 124, label: "single-vertex", ground: "M3 22H33", body: "M13 22 6 8 20 3 27 17Z", dots: [[13, 22]] },
-  "edge": { x: 54, y: 214, label: "edge", ground: "M3 22H33", body: "M8 22V10H28V22Z", dots: [[8, 22], [28, 22]] },
-  "two-vertex": { x: 306, y: 214, label: "two-vertex", ground: "M5 2V22H33", body: "M5 12 18 3 28 9 15 22Z", dots: [[5, 12], [15, 22]] },
-  "locked": { x: 180, y: 258, label: "locked", ground: "M7 2V22H33", body: "M7 22V9H27V22Z", dots: [[7, 9], [7, 22], [27, 22]] },
+/**
+ * Where a state is, and a small picture of it: surfaces and body as SVG paths in a box of 36 by 24.
+ * @typedef {{x: number, y: number, ground: string, body: string, dots: Vec[]}} Place
+ */
+const STATES = /** @type {Record<StateName, Place>} */ ({
+  "non-contact": { x: 54, y: 34, ground: "M3 22H33", body: "M9 10 24 5 27 12 12 17Z", dots: [] },
+  "corner": { x: 306, y: 34, ground: "M5 2V22H33", body: "M5 22 12 7 27 14 20 29Z", dots: [[5, 22]] },
+  "single-vertex": { x: 180, y: 124, ground: "M3 22H33", body: "M13 22 6 8 20 3 27 17Z", dots: [[13, 22]] },
+  "edge": { x: 54, y: 214, ground: "M3 22H33", body: "M8 22V10H28V22Z", dots: [[8, 22], [28, 22]] },
+  "two-vertex": { x: 306, y: 214, ground: "M5 2V22H33", body: "M5 12 18 3 28 9 15 22Z", dots: [[5, 12], [15, 22]] },
+  "locked": { x: 180, y: 258, ground: "M7 2V22H33", body: "M7 22V9H27V22Z", dots: [[7, 9], [7, 22], [27, 22]] },
 });
 
 /** The two that the paper does not have. */
@@ -40,10 +43,10 @@ export class Diagram {
   constructor(parent) {
     this.links = svg("g", { class: "links" });
     this.labels = svg("g", { class: "counts" });
+    const box = { viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 6, markerHeight: 6, orient: "auto" };
+    const head = svg("marker", { id: "head", ...box }, svg("path", { d: "M0 0 8 4 0 8Z", class: "head" }));
     this.root = svg("svg", { viewBox: "0 0 360 290", role: "img", "aria-label": "Contact states" },
-      svg("defs", {}, svg("marker", { id: "head", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 6, markerHeight: 6, orient: "auto" },
-        svg("path", { d: "M0 0 8 4 0 8Z", class: "head" }))),
-      this.links);
+      svg("defs", {}, head), this.links);
     /** @type {Map<string, SVGElement>} */
     this.nodes = new Map(Object.entries(STATES).map(([name, state]) => [name, node(name, state)]));
     this.root.append(...this.nodes.values(), this.labels);
@@ -65,7 +68,7 @@ export class Diagram {
     if (known) return known;
     const { d, x, y, anchor } = route(from, to);
     const path = svg("path", { d, class: "link", "marker-end": "url(#head)" });
-    const label = svg("text", { x, y, "text-anchor": anchor });
+    const label = svg("text", { x, y, "text-anchor": anchor, "data-pair": key });
     this.links.append(path);
     this.labels.append(label);
     /** @type {Lane} */
@@ -104,18 +107,20 @@ export class Diagram {
   }
 }
 
-/** A state's box. @param {string} name @param {typeof STATES[StateName]} state */
-function node(name, { x, y, label, ground, body, dots }) {
+/** A state's box. @param {string} name @param {Place} state */
+function node(name, { x, y, ground, body, dots }) {
   const picture = svg("g", { transform: `translate(${x - 18} ${y - 24})`, class: "picture" },
     svg("path", { d: body, class: "shape" }), svg("path", { d: ground, class: "ground" }),
     ...dots.map(([cx, cy]) => svg("circle", { cx, cy, r: 2.2 })));
-  const box = svg("rect", { x: x - HALF_WIDTH, y: y - HALF_HEIGHT, width: 2 * HALF_WIDTH, height: 2 * HALF_HEIGHT, rx: 9 });
+  const [width, height] = [2 * HALF_WIDTH, 2 * HALF_HEIGHT];
+  const box = svg("rect", { x: x - HALF_WIDTH, y: y - HALF_HEIGHT, width, height, rx: 9 });
   return svg("g", { class: BEYOND.includes(name) ? "node beyond" : "node" }, box, picture,
-    svg("text", { x, y: y + 19, "text-anchor": "middle" }, label));
+    svg("text", { x, y: y + 19, "text-anchor": "middle" }, name));
 }
 
 /**
- * The way of a transition: a line beside that of the other direction, from border to border, and the place of its count.
+ * The way of a transition: a line beside that of the other direction, from border to border, and the place of its
+ * count.
  * @param {string} from @param {string} to
  */
 function route(from, to) {
@@ -123,7 +128,8 @@ function route(from, to) {
   if (detour) {
     const [begin, bend, end] = detour;
     const [x, y] = begin.split(" ").map(Number);
-    return { d: `M${begin}Q${bend} ${end}`, x: x + (x < 180 ? 22 : -22), y: to > from ? y - 4 : y + 14, anchor: "middle" };
+    const aside = x < 180 ? 22 : -22;
+    return { d: `M${begin}Q${bend} ${end}`, x: x + aside, y: to > from ? y - 4 : y + 14, anchor: "middle" };
   }
   const a = STATES[/** @type {StateName} */ (from)], b = STATES[/** @type {StateName} */ (to)];
   const length = Math.hypot(b.x - a.x, b.y - a.y);
@@ -134,7 +140,8 @@ function route(from, to) {
   const x1 = a.x + end * ux + ox, y1 = a.y + end * uy + oy;
   const x = (x0 + x1) / 2 + 1.6 * ox, y = (y0 + y1) / 2 + 2.2 * oy + 4;
   const anchor = ox > 1 ? "start" : ox < -1 ? "end" : "middle";
-  return { d: `M${x0.toFixed(1)} ${y0.toFixed(1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`, x: x.toFixed(1), y: y.toFixed(1), anchor };
+  const d = `M${x0.toFixed(1)} ${y0.toFixed(1)}L${x1.toFixed(1)} ${y1.toFixed(1)}`;
+  return { d, x: x.toFixed(1), y: y.toFixed(1), anchor };
 }
 
 /**

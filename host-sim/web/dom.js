@@ -54,7 +54,8 @@ export function digits(value) {
 }
 
 /** A number with so many decimals. @param {number} value @param {number} decimals */
-export const fixed = (value, decimals) => minus((Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals));
+export const fixed = (value, decimals) =>
+  minus((Math.abs(value) < 0.5 * 10 ** -decimals ? 0 : value).toFixed(decimals));
 
 /** A proper minus sign. @param {string} text */
 const minus = (text) => text.replace("-", "−");

@@ -1,4 +1,5 @@
-// Contacts: the friction cones with the reaction in them, and the bars of N along the normal and of T along the tangent.
+// Contacts: the friction cones with the reaction in them, and the bars of N along the normal and of T along the
+// tangent.
 
 import { digits } from "./dom.js";
 import { colors } from "./theme.js";
@@ -9,8 +10,12 @@ const LONGEST = 110;
 const WIDTH = 7;
 /** Length of the cones' sides (px). */
 const CONE = 92;
+/** Height of a line of text (px). */
+const LINE = 14;
 /** Part of the greatest force that is forgotten in a drawing. */
 const FORGET = 0.003;
+
+/** Where a text is (px). @typedef {{left: number, width: number, y: number}} Label */
 
 /** The scale of the bars: so that the greatest force lately fits, in steps of 1, 2, 5, and not to and fro. */
 export class ForceScale {
@@ -86,34 +91,47 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
 /**
  * The values of a contact's bars beside their ends.
  * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ * @param {Label[]} labels those that are there already
  */
-export function labelContact(ctx, view, contact, surface, perNewton) {
+export function labelContact(ctx, view, contact, surface, perNewton, labels) {
   const { tx, ty, nx, ny } = frameOf(surface);
   const x = view.px(contact.point[0]), y = view.py(contact.point[1]);
   const n = contact.normal * perNewton, t = contact.friction * perNewton;
   const side = contact.friction > 0 ? -1 : 1;
   const away = 14;
-  ctx.textBaseline = "middle";
-  label(ctx, `N ${digits(contact.normal)}`, x + nx * n + side * away * tx, y + ny * n + side * away * ty, side * tx, colors.normal);
+  const [right, down] = [nx * n + side * away * tx, ny * n + side * away * ty];
+  label(ctx, { text: `N ${digits(contact.normal)}`, x: x + right, y: y + down }, side * tx, colors.normal, labels);
   if (Math.abs(t) < 1) return;
   const sense = Math.sign(t);
-  label(ctx, `T ${digits(contact.friction)}`, x + tx * (t + sense * 8) - 16 * nx, y + ty * (t + sense * 8) - 16 * ny, sense * tx, colors.friction);
+  const along = t + 8 * sense;
+  const place = { text: `T ${digits(contact.friction)}`, x: x + along * tx - 16 * nx, y: y + along * ty - 16 * ny };
+  label(ctx, place, sense * tx, colors.friction, labels);
 }
 
 /**
- * A text with a halo of paper, to the right or left of a place.
- * @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {number} toward
- * @param {string} color
+ * A text with a halo of paper, to the right or left of a place; where another one is, above or below that.
+ * @param {Ink} ctx @param {{text: string, x: number, y: number}} place @param {number} toward
+ * @param {string} color @param {Label[]} labels
  */
-function label(ctx, text, x, y, toward, color) {
-  ctx.textAlign = toward > 0.5 ? "left" : toward < -0.5 ? "right" : "center";
+function label(ctx, { text, x, y }, toward, color, labels) {
+  const { width } = ctx.measureText(text);
+  const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
+  const down = labels.every((other) => y >= other.y) ? 1 : -1;
+  while (labels.some((other) => covers(other, { left, width, y }))) y += down;
+  labels.push({ left, width, y });
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
   ctx.lineJoin = "round";
   ctx.lineWidth = 4;
   ctx.strokeStyle = colors.paper;
-  ctx.strokeText(text, x, y);
+  ctx.strokeText(text, left, y);
   ctx.fillStyle = color;
-  ctx.fillText(text, x, y);
+  ctx.fillText(text, left, y);
 }
+
+/** True if two labels are over one another. @param {Label} a @param {Label} b */
+const covers = (a, b) =>
+  a.left < b.left + b.width && b.left < a.left + a.width && Math.abs(a.y - b.y) < LINE;
 
 /**
  * A bar from a point; that of T is hollow with strokes across, so that it is told from N without its colour.

@@ -1,5 +1,5 @@
-// The wire between a board and its client, as core/FRAME.md says it: messages to bytes and back. A message is an object with
-// the field names of that document; lists are arrays of numbers or of arrays. No state, no hardware.
+// The wire between a board and its client, as core/FRAME.md says it: messages to bytes and back. A message is an object
+// with the field names of that document; lists are arrays of numbers or of arrays. No state, no hardware.
 
 /** @typedef {{count: string, item: string, shape: string}} List */
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
@@ -13,7 +13,9 @@ export const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "g
 /** What limited an answer, in the order of its codes. */
 export const STATUS = ["ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last"];
 /** Why a command is refused, in the order of its codes. */
-export const REASONS = ["done", "version", "unknown-type", "length", "code", "number", "not-passive", "unsupported", "not-now"];
+export const REASONS = [
+  "done", "version", "unknown-type", "length", "code", "number", "not-passive", "unsupported", "not-now",
+];
 
 /** Bytes before the payload: version, type, sequence, time. */
 const HEAD = 7;
@@ -27,7 +29,8 @@ const SIZES = /** @type {{[letter: string]: number}} */ ({ B: 1, F: 1, H: 2, I: 
 
 const SPRINGS = "k_h k_theta mu_s mu_d";
 const MODE_SHAPE = "BBBBFHHHHfB";
-const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance event_limit";
+const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance "
+  + "event_limit";
 const FAULTS = "too_long cobs crc version unknown_type length value";
 
 /**
@@ -56,7 +59,8 @@ const LAYOUTS = {
   events: layout(0x91, "IfB", "slips longest_slip events", [{ count: "events", item: "event", shape: "B" }]),
   reply: layout(0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", [], "allowed"),
   info: layout(0x93, "BBBBBBBHHffffff" + MODE_SHAPE,
-    `major minor patch number vertices surfaces has longest_frame fastest_tick stiffest_k_h stiffest_k_theta ${SPRINGS} ${MODE}`,
+    "major minor patch number vertices surfaces has longest_frame fastest_tick stiffest_k_h stiffest_k_theta "
+      + `${SPRINGS} ${MODE}`,
     [], "name"),
   health: layout(0x94, "B" + "I".repeat(15),
     `drive ticks missed_ticks samples late_samples lost_frames unsent worst_step worst_tick ${FAULTS}`),

@@ -1,5 +1,5 @@
-// The hand: where it is, whether it holds, and the samples that say so. Nothing jumps: it goes to the place of a hold open, is
-// seen there, and only then closes.
+// The hand: where it is, whether it holds, and the samples that say so. Nothing jumps: it goes to the place of a hold
+// open, is seen there, and only then closes.
 
 /** A hand that is still under way says so again after so long (ms), so that it stays this page's. */
 const KEEP_ALIVE = 2000;
@@ -13,7 +13,8 @@ const NEAR = 1e-6;
 
 export class Grip {
   /**
-   * @param {() => Feed} feed @param {(text: string) => void} tell @param {() => string | null} refusal why the hand cannot be had now
+   * @param {() => Feed} feed @param {(text: string) => void} tell @param {() => string | null} refusal why the hand
+   * cannot be had now
    * @param {() => void} tried called when the reader takes the hand
    */
   constructor(feed, tell, refusal, tried) {
@@ -52,7 +53,9 @@ export class Grip {
 
   /** A new frame: the hand is where it says, unless it is this page that moves it. @param {FrameMessage} message */
   take(message) {
+    const back = this.frame !== null && message.frame.t < this.frame.frame.t;
     this.frame = message;
+    if (back) this.startAnew();
     if (this.phase === "releasing" && !this.holding) this.reach(performance.now());
     else if (this.phase === "reaching" && this.isThere(message.frame.hand)) this.close(performance.now());
     if (this.holding) {
@@ -64,9 +67,22 @@ export class Grip {
     this.adopt();
   }
 
+  /** After a reset or in another scene the hand is where the newest frame says, whatever this page wanted before. */
+  startAnew() {
+    this.phase = null;
+    this.closedAt = Infinity;
+    this.lastSent = -Infinity;
+    this.follow();
+  }
+
   /** The hand is as the newest frame has it, if this page has not moved it lately. */
   adopt() {
-    if (!this.frame || this.active || this.phase || performance.now() - this.lastSent < SETTLED) return;
+    if (!this.active && !this.phase && performance.now() - this.lastSent >= SETTLED) this.follow();
+  }
+
+  /** The hand is as the newest frame has it. */
+  follow() {
+    if (!this.frame) return;
     const [x, y, phi] = this.frame.frame.hand;
     this.pose = [x, y, phi];
     this.held = this.holding;

@@ -144,7 +144,8 @@ const round = (value) => String(Number(value.toPrecision(1)));
  */
 export function drawScales(ctx, view, perNewton) {
   const length = step125(110 / view.scale);
-  const text = length >= 1 ? `${round(length)} m` : length >= 1e-3 ? `${round(length * 1e3)} mm` : `${round(length * 1e6)} µm`;
+  const [unit, name] = length >= 1 ? [1, "m"] : length >= 1e-3 ? [1e3, "mm"] : [1e6, "µm"];
+  const text = `${round(length * unit)} ${name}`;
   drawScale(ctx, view, 16, length * view.scale, text);
   const force = step125(80 / perNewton);
   drawScale(ctx, view, 34 + length * view.scale, force * perNewton, `${round(force)} N`);

@@ -110,13 +110,15 @@ export class Link {
         failed(new Error("There is no connection."));
         return;
       }
-      const timer = window.setTimeout(() => this.answered(id)?.failed(new Error("The server did not answer.")), PATIENCE);
+      const tooLate = () => this.answered(id)?.failed(new Error("The server did not answer."));
+      const timer = window.setTimeout(tooLate, PATIENCE);
       this.open.set(id, { done, failed, timer });
     });
   }
 
   /**
-   * A sample of the hand. One that comes too early waits for its turn or for the next one, but a change of `held` never waits.
+   * A sample of the hand. One that comes too early waits for its turn or for the next one, but a change of `held` never
+   * waits.
    * @param {Pose} pose @param {boolean} held @param {number} sent
    */
   hand(pose, held, sent) {

@@ -88,6 +88,7 @@ function showState(message) {
 function showFrame(message) {
   framesReceived++;
   charts.take(message);
+  transport.count();
   stage.setFrame(message);
   grip.take(message);
 }
@@ -99,7 +100,8 @@ function handRefusal() {
   if (state?.replay) return "A replay moves the hand. Choose “live” to move it yourself.";
   const other = state?.hand.by != null && state.hand.client !== hello?.you;
   if (!other) return null;
-  return state.hand.client === null ? `The hand comes by ${state.hand.by}.` : `Page ${state.hand.client} holds the hand.`;
+  const { by, client } = state.hand;
+  return client === null ? `The hand comes by ${by}.` : `Page ${client} holds the hand.`;
 }
 
 /** Tells something for a while. @param {string} text */
@@ -116,9 +118,9 @@ stage.also.push(() => {
   const { message } = stage;
   if (!message) return;
   diagram.show(message);
-  readout.update();
   transport.take(message);
-  if (charts.draw(message)) stage.ask();
+  const words = readout.update(), lines = charts.draw(message);
+  if (words || lines) stage.ask();
 });
 
 /** Connects to a board or leaves it. */
@@ -182,14 +184,15 @@ function setKeep(keep) {
 }
 
 const help = byId("help", HTMLDialogElement);
+const toggleHelp = () => (help.open ? help.close() : help.showModal());
 new Pointers(stage, grip);
 new Keys(stage, grip, {
   "p": () => controls.pause(), ".": () => controls.step(), "r": () => controls.reset(), "c": () => transport.record(),
-  "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(), "+": () => zoom(ZOOM), "=": () => zoom(ZOOM),
-  "-": () => zoom(1 / ZOOM), "t": () => byId("theme").click(), "?": () => (help.open ? help.close() : help.showModal()),
-  "h": () => (help.open ? help.close() : help.showModal()),
+  "k": () => setKeep(!grip.keep), "f": () => stage.fit(), "0": () => stage.fit(),
+  "+": () => zoom(ZOOM), "=": () => zoom(ZOOM), "-": () => zoom(1 / ZOOM),
+  "t": () => byId("theme").click(), "?": toggleHelp, "h": toggleHelp,
 });
-byId("keep", HTMLInputElement).addEventListener("change", (event) => setKeep(/** @type {HTMLInputElement} */ (event.target).checked));
+byId("keep").addEventListener("change", () => setKeep(byId("keep", HTMLInputElement).checked));
 byId("zoom-in").addEventListener("click", () => zoom(ZOOM));
 byId("zoom-out").addEventListener("click", () => zoom(1 / ZOOM));
 byId("zoom-fit").addEventListener("click", () => stage.fit());
@@ -214,6 +217,8 @@ Object.defineProperty(window, "stiction", {
     get framesReceived() { return framesReceived; },
     get latencies() { return stage.latencies.list(); },
     get drawTimes() { return stage.drawTimes.list(); },
+    /** @param {number} x @param {number} y */
+    pixelOf(x, y) { return stage.pixelOf(x, y); },
   }),
 });
 

@@ -18,7 +18,8 @@ function traceBody(ctx, view, body, pose) {
   const c = Math.cos(pose[2]), s = Math.sin(pose[2]);
   ctx.beginPath();
   if (body.length === 1) {
-    ctx.arc(view.px(pose[0] + c * body[0][0] - s * body[0][1]), view.py(pose[1] + s * body[0][0] + c * body[0][1]), 7, 0, 2 * Math.PI);
+    const [x, y] = body[0];
+    ctx.arc(view.px(pose[0] + c * x - s * y), view.py(pose[1] + s * x + c * y), 7, 0, 2 * Math.PI);
     return;
   }
   for (const [x, y] of body) ctx.lineTo(view.px(pose[0] + c * x - s * y), view.py(pose[1] + s * x + c * y));
@@ -93,8 +94,8 @@ export function drawCoil(ctx, view, holding, hand) {
 }
 
 /**
- * The rotational spring: a spiral about the holding point that winds up with the twist. It begins with a stroke in the body's
- * direction and ends with a dot in that of the hand.
+ * The rotational spring: a spiral about the holding point that winds up with the twist. It begins with a stroke in the
+ * body's direction and ends with a dot in that of the hand.
  * @param {Ink} ctx @param {View} view @param {Vec} holding @param {number} theta @param {number} twist
  */
 export function drawSpiral(ctx, view, holding, theta, twist) {

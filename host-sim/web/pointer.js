@@ -1,5 +1,5 @@
-// Mouse, pen and fingers: press to hold, drag to move, wheel or second finger to turn, let go to release. Off the object the
-// window is moved; two fingers or ctrl and wheel zoom it.
+// Mouse, pen and fingers: press to hold, drag to move, wheel or second finger to turn, let go to release. Off the
+// object the window is moved; two fingers or ctrl and wheel zoom it.
 
 import { HAND_RADIUS } from "./object.js";
 
@@ -13,7 +13,10 @@ const LINE = 33;
 const PAGE = 400;
 /** Zoom for a pixel of the wheel. */
 const WHEEL_ZOOM = 0.0025;
-/** A hold is put so far inside the border, as a part of the way to the body's middle, so that rounding leaves it in reach. */
+/**
+ * A hold is put so far inside the border, as a part of the way to the body's middle, so that rounding leaves it in
+ * reach.
+ */
 const INSIDE = 1e-4;
 
 export class Pointers {
@@ -80,12 +83,14 @@ export class Pointers {
     const { body, reach } = state.scene;
     const [x, y, theta] = message.frame.pose;
     const c = Math.cos(theta), s = Math.sin(theta);
-    const local = /** @type {Vec} */ ([c * (point[0] - x) + s * (point[1] - y), c * (point[1] - y) - s * (point[0] - x)]);
+    const [dx, dy] = [point[0] - x, point[1] - y];
+    const local = /** @type {Vec} */ ([c * dx + s * dy, c * dy - s * dx]);
     const near = nearestOf(body, local);
     const distance = Math.hypot(local[0] - near[0], local[1] - near[1]);
     if (distance <= 0.999 * reach || distance === 0) return point;
     if (distance > reach + slack / view.scale) return null;
-    const middle = body.reduce((sum, vertex) => [sum[0] + vertex[0] / body.length, sum[1] + vertex[1] / body.length], [0, 0]);
+    const share = 1 / body.length;
+    const middle = body.reduce((sum, vertex) => [sum[0] + share * vertex[0], sum[1] + share * vertex[1]], [0, 0]);
     const inside = [near[0] + INSIDE * (middle[0] - near[0]), near[1] + INSIDE * (middle[1] - near[1])];
     return [x + c * inside[0] - s * inside[1], y + s * inside[0] + c * inside[1]];
   }

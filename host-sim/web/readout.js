@@ -1,5 +1,5 @@
-// What the page says in words and numbers: the state over the scene, the trade, where the poses come from and how well, who holds
-// the hand, and the connection.
+// What the page says in words and numbers: the state over the scene, the trade, where the poses come from and how well,
+// who holds the hand, and the connection.
 
 import { byId, digits, duration, fixed, quantile, setText, whole } from "./dom.js";
 
@@ -21,6 +21,8 @@ export class Readout {
     /** @type {StateMessage | null} */
     this.state = null;
     this.last = 0;
+    /** What the texts say. @type {FrameMessage | null} */
+    this.shown = null;
     this.spoken = "";
     this.spokenAt = 0;
     this.events = new Map(EVENTS.map((name) => [name, eventChip(name)]));
@@ -38,19 +40,25 @@ export class Readout {
     this.state = state;
     const { by, client } = state.hand;
     const mine = client !== null && client === this.hello?.you;
-    const holder = { page: mine ? "this page" : `page ${client}`, osc: "OSC", opentrack: "OpenTrack", replay: "replay" }[by ?? ""] ?? by ?? "nobody";
-    setText(byId("holder"), `Hand: ${holder}`);
+    const page = mine ? "this page" : `page ${client}`;
+    const holders = /** @type {{[by: string]: string}} */ ({ page, osc: "OSC", opentrack: "OpenTrack" });
+    setText(byId("holder"), `Hand: ${by === null ? "nobody" : holders[by] ?? by}`);
     byId("holder").dataset.mine = String(mine);
     setText(byId("clients"), state.clients === 1 ? "1 page" : `${state.clients} pages`);
     setText(byId("trade-what"), `${state.number}, ${state.evolution} against f64, path`);
   }
 
-  /** The newest frame, in words; called with every drawing, works ten times a second. */
+  /**
+   * The newest frame, in words; called with every drawing, works ten times a second. True if it has to be called again
+   * to say the newest one.
+   */
   update() {
     const { message } = this.stage;
     const now = performance.now();
-    if (!message || now - this.last < PAUSE) return;
+    if (!message || message === this.shown) return false;
+    if (now - this.last < PAUSE) return true;
     this.last = now;
+    this.shown = message;
     this.showFrame(message);
     this.showTrade(message.reference);
     this.showHealth(message);
@@ -60,6 +68,7 @@ export class Readout {
       this.spoken = message.frame.state;
       setText(byId("aloud"), `Contact state: ${message.frame.state}`);
     }
+    return false;
   }
 
   /** State, poses and wrench, over the scene. @param {FrameMessage} message */
@@ -84,7 +93,8 @@ export class Readout {
     const now = this.stage.message?.frame.state === state;
     setText(byId("differ-now"), now ? "the same" : `reference: ${state}`);
     byId("differ-now").dataset.differs = String(!now);
-    setText(byId("differ"), `${whole(differ)} of ${whole(since)} ticks (${fixed(since ? (100 * differ) / since : 0, 2)} %)`);
+    const part = fixed(since ? (100 * differ) / since : 0, 2);
+    setText(byId("differ"), `${whole(differ)} of ${whole(since)} ticks (${part} %)`);
   }
 
   /** Time per step, ticks, frames lost, latency; of a board also its health. @param {FrameMessage} message */
@@ -92,8 +102,8 @@ export class Readout {
     setText(byId("ticks"), `${whole(counts.ticks)}, ${whole(counts.missed)} missed`);
     setText(byId("skipped"), whole(skipped));
     const latencies = this.stage.latencies.list().slice(-300);
-    setText(byId("latency"), latencies.length
-      ? `${fixed(quantile(latencies, 0.5), 0)} ms, 99 %: ${fixed(quantile(latencies, 0.99), 0)} ms` : "move the hand to measure");
+    const [median, most] = [0.5, 0.99].map((part) => fixed(quantile(latencies, part), 0));
+    setText(byId("latency"), latencies.length ? `${median} ms, 99 %: ${most} ms` : "move the hand to measure");
     setText(byId("drawing"), `${fixed(quantile(this.stage.drawTimes.list().slice(-300), 0.5), 1)} ms`);
     byId("board-health").hidden = board === null;
     if (!board) return;
@@ -145,10 +155,12 @@ function showError(name, now, worst, unit) {
 }
 
 /** A pose: millimetres and degrees. @param {Pose} pose */
-const poseText = ([x, y, angle]) => `${fixed(x * 1e3, 2)}, ${fixed(y * 1e3, 2)} mm, ${fixed((angle * 180) / Math.PI, 2)}°`;
+const poseText = ([x, y, angle]) =>
+  `${fixed(x * 1e3, 2)}, ${fixed(y * 1e3, 2)} mm, ${fixed((angle * 180) / Math.PI, 2)}°`;
 
 /** Where the poses come from. @param {Source} source */
 function sourceText({ kind, name, number, where, emulated }) {
   if (kind === "core") return "core, in process";
-  return [`${emulated ? "emulated board" : "board"}${name ? ` ${name}` : ""}`, number, where].filter(Boolean).join(", ");
+  const board = [emulated ? "emulated board" : "board", name].filter(Boolean).join(" ");
+  return [board, number, where].filter(Boolean).join(", ");
 }

@@ -1,5 +1,5 @@
-// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and measures
-// what drawing costs and how old a sample of the hand is when its pose appears.
+// The canvas with the scene: keeps it as sharp as the screen, draws when something has changed and not otherwise, and
+// measures what drawing costs and how old a sample of the hand is when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, ForceScale, labelContact } from "./forces.js";
@@ -71,6 +71,12 @@ export class Stage {
   /** Place of a pointer or wheel in the drawing. @param {MouseEvent} event */
   place(event) {
     return { x: event.offsetX / this.magnify, y: event.offsetY / this.magnify };
+  }
+
+  /** Where a point of the world is in the window of the browser (CSS px). @param {number} x @param {number} y */
+  pixelOf(x, y) {
+    const { left, top } = this.canvas.getBoundingClientRect();
+    return { x: left + this.view.px(x) * this.magnify, y: top + this.view.py(y) * this.magnify };
   }
 
   /** What holds until it is told anew. @param {StateMessage} state */
@@ -171,12 +177,15 @@ export class Stage {
       drawCoil(ctx, view, holding, frame.hand);
       drawHolding(ctx, view, holding);
     }
-    if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, this.force.perNewton);
+    const { perNewton } = this.force;
+    if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
-      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, this.force.perNewton);
+      /** @type {import("./forces.js").Label[]} */
+      const labels = [];
+      for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
     }
-    drawScales(ctx, view, this.force.perNewton);
+    drawScales(ctx, view, perNewton);
   }
 
   /**

@@ -1,4 +1,5 @@
-// Light and dark: follows the system until the reader chooses; gives the colours of the style sheet to what draws by script.
+// Light and dark: follows the system until the reader chooses; gives the colours of the style sheet to what draws by
+// script.
 
 import { byId, setText } from "./dom.js";
 
@@ -7,8 +8,9 @@ const dark = window.matchMedia("(prefers-color-scheme: dark)");
 
 /** Names of the colours that are drawn with, as in style.css. */
 const NAMES = /** @type {const} */ ([
-  "paper", "ink", "muted", "grid", "solid", "hatch", "body", "body-fill", "ghost", "hand", "spring", "normal", "friction",
-  "reaction", "cone-static", "cone-dynamic", "slip", "trail-hand", "trail-body", "limit-static", "limit-dynamic", "accent",
+  "paper", "ink", "muted", "grid", "solid", "hatch", "body", "body-fill", "ghost", "hand", "spring", "normal",
+  "friction", "reaction", "cone-static", "cone-dynamic", "slip", "trail-hand", "trail-body", "limit-static",
+  "limit-dynamic", "accent",
 ]);
 
 /** Colours by name, read anew when the theme changes. @type {Record<typeof NAMES[number], string>} */

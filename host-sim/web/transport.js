@@ -1,4 +1,5 @@
-// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place in it.
+// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place
+// in it.
 
 import { byId, fixed, setText, whole } from "./dom.js";
 
@@ -6,6 +7,8 @@ import { byId, fixed, setText, whole } from "./dom.js";
 const FILES = ["trace.jsonl", "scene.toml", "hand.csv"];
 /** Places on the scrubber. */
 const PLACES = 1000;
+/** So many frames after the answer to a place, they are surely of that place. */
+const LATER = 2;
 /** Time between two places that are asked for while the scrubber is moved (ms). */
 const PAUSE = 60;
 
@@ -23,8 +26,12 @@ export class Transport {
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
-    /** The scrubber is being moved; since the last place that was asked for. */
+    /** The scrubber is being moved, to this place. */
     this.scrubbing = false;
+    this.target = 0;
+    /** How many answers about a place are still to come, and the frames since the last one. */
+    this.seeking = 0;
+    this.since = LATER;
     this.seekAt = 0;
     this.seekTimer = 0;
     this.scrubber.max = String(PLACES);
@@ -43,6 +50,7 @@ export class Transport {
     });
     this.scrubber.addEventListener("input", () => {
       this.scrubbing = true;
+      this.target = Number(this.scrubber.value) / PLACES;
       this.seek();
     });
     this.scrubber.addEventListener("change", () => { this.scrubbing = false; });
@@ -78,15 +86,22 @@ export class Transport {
     }
   }
 
-  /** Goes to the scrubber's place, not too often. */
+  /**
+   * Goes to the place that was last chosen, not too often; until it is there, the scrubber stays where the reader put
+   * it.
+   */
   seek() {
     if (this.seekTimer) return;
     const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
-    this.seekTimer = window.setTimeout(() => {
+    this.seekTimer = window.setTimeout(async () => {
       this.seekTimer = 0;
       this.seekAt = performance.now();
       const length = this.state?.replay?.seconds;
-      if (length) this.ask({ type: "seek", seconds: (Number(this.scrubber.value) / PLACES) * length });
+      if (!length) return;
+      this.seeking++;
+      await this.ask({ type: "seek", seconds: this.target * length });
+      this.seeking--;
+      this.since = 0;
     }, wait);
   }
 
@@ -98,7 +113,8 @@ export class Transport {
     setText(byId("record-text"), recording === null ? "Record" : "End recording");
     const what = replay === null ? "live" : ["scene", "recording"].includes(replay.what) ? replay.what : "upload";
     if (what === "upload" && replay) this.uploaded ??= replay.what;
-    const option = (/** @type {string} */ value) => /** @type {HTMLOptionElement} */ (this.replay.querySelector(`[value=${value}]`));
+    const option = (/** @type {string} */ value) =>
+      /** @type {HTMLOptionElement} */ (this.replay.querySelector(`[value=${value}]`));
     option("recording").disabled = recorded === null;
     option("upload").disabled = this.uploaded === null;
     option("upload").textContent = this.uploaded ? `uploaded: ${this.uploaded}` : "uploaded path";
@@ -114,7 +130,13 @@ export class Transport {
       if (recorded === null) link.removeAttribute("href");
       else link.href = `recording/${name}`;
     }
-    setText(byId("recorded"), recorded === null ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+    setText(byId("recorded"), recorded === null
+      ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+  }
+
+  /** A frame came. */
+  count() {
+    if (this.since < LATER) this.since++;
   }
 
   /** Shows the place in the replay, or how long the recording is. @param {FrameMessage} message */
@@ -122,7 +144,8 @@ export class Transport {
     const { state } = this;
     if (!state) return;
     if (state.replay && position != null) {
-      if (!this.scrubbing) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
+      const chosen = this.scrubbing || this.seekTimer || this.seeking || this.since < LATER;
+      if (!chosen) this.scrubber.value = String(Math.round((PLACES * position) / (state.replay.seconds || 1)));
       const text = `${fixed(position, 1)} of ${fixed(state.replay.seconds, 1)} s`;
       setText(this.place, text);
       this.scrubber.setAttribute("aria-valuetext", text);

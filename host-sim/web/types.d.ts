@@ -176,6 +176,8 @@ interface Probe {
   readonly framesReceived: number;
   readonly latencies: readonly number[];
   readonly drawTimes: readonly number[];
+  /** Where a point of the world (m) is in the window of the browser (CSS px). */
+  pixelOf(x: number, y: number): Spot;
 }
 
 interface Window {
@@ -191,7 +193,9 @@ interface UPlotSeries {
   fill?: string | (() => string);
   width?: number;
   dash?: number[];
-  points?: { show?: boolean; size?: number; fill?: string | (() => string); stroke?: string | (() => string); width?: number };
+  points?: {
+    show?: boolean; size?: number; fill?: string | (() => string); stroke?: string | (() => string); width?: number;
+  };
   paths?: (u: UPlot, series: number, from: number, to: number) => { stroke: Path2D; fill: null } | null;
 }
 

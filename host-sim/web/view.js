@@ -1,5 +1,5 @@
-// The window on the scene: from metres to pixels and back. It fits the scene, follows what would leave it, and is zoomed and
-// moved by the reader.
+// The window on the scene: from metres to pixels and back. It fits the scene, follows what would leave it, and is
+// zoomed and moved by the reader.
 
 import { reducedMotion } from "./dom.js";
 
@@ -73,11 +73,12 @@ export class View {
   }
 
   /**
-   * Follows body and hand: moves, and if they are too far apart zooms out, as far as it must. True while it is on its way.
+   * Follows body and hand: moves, and if they are too far apart zooms out, as far as it must. True while it is on its
+   * way.
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   follow(scene, pose, hand) {
-    const r = Math.min(bodySize(scene), 0.3 * this.width / this.scale);
+    const r = Math.min(bodySize(scene), 0.3 * Math.min(this.width, this.height - this.top) / this.scale);
     const left = Math.min(pose[0] - r, hand[0]), right = Math.max(pose[0] + r, hand[0]);
     const low = Math.min(pose[1] - r, hand[1]), high = Math.max(pose[1] + r, hand[1]);
     const [wide, tall] = [(1 - 2 * BORDER) * this.width, (1 - 2 * BORDER) * (this.height - this.top)];

@@ -1,5 +1,5 @@
-// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against bytes captured from the
-// emulated board, with what examples/board_client.py says that they are.
+// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against bytes captured from
+// the emulated board, with what examples/board_client.py says that they are.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,7 +7,9 @@ import { test } from "node:test";
 import { crc32, decode, Decoder, encode, Fault, stuff, unstuff } from "../../web/frame.js";
 
 const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
-const examples = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) => read(text));
+const examples = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) =>
+  read(text),
+);
 
 const captured = JSON.parse(readFileSync(new URL("captured.json", import.meta.url), "utf8"));
 
@@ -16,8 +18,13 @@ function read(text) {
   const lines = text.trim().split("\n");
   const first = lines.findIndex((line) => line.includes("="));
   const bytes = Uint8Array.from(lines.slice(0, first).join(" ").split(" "), (hex) => parseInt(hex, 16));
-  const fields = lines.slice(first).map((line) => line.split(" = ")).map(([name, value]) =>
-    [name, value.startsWith('"') ? JSON.parse(value) : value.includes(",") ? value.split(", ").map(Number) : number(value)]);
+  const fields = lines
+    .slice(first)
+    .map((line) => line.split(" = "))
+    .map(([name, value]) => [
+      name,
+      value.startsWith('"') ? JSON.parse(value) : value.includes(",") ? value.split(", ").map(Number) : number(value),
+    ]);
   const message = collect(fields);
   return { bytes, message };
 }
@@ -35,7 +42,10 @@ function collect(fields) {
 
 /** A number that may be a text; other things stay. */
 function number(value) {
-  return { nan: NaN, inf: Infinity, "-inf": -Infinity }[value] ?? (value === "" || Number.isNaN(Number(value)) ? value : Number(value));
+  return (
+    { nan: NaN, inf: Infinity, "-inf": -Infinity }[value] ??
+    (value === "" || Number.isNaN(Number(value)) ? value : Number(value))
+  );
 }
 
 /** The same with every number that is not whole as the nearest f32, as the wire carries it. */
@@ -73,7 +83,10 @@ test("a stream in pieces, with noise before it, is every message of it", () => {
     const types = [];
     const decoder = new Decoder((message) => types.push(message.type));
     for (let at = 0; at < stream.length; at += size) decoder.push(Uint8Array.from(stream.slice(at, at + size)));
-    assert.deepEqual(types, examples.map(({ message }) => message.type));
+    assert.deepEqual(
+      types,
+      examples.map(({ message }) => message.type),
+    );
     assert.deepEqual(decoder.faults, { cobs: 1 });
   }
 });

@@ -1,0 +1,223 @@
+// A board over Web Serial, without the program between: a port of the browser behind which a board answers as
+// core/FRAME.md says. It lets the box slide on the floor without friction.
+
+import assert from "node:assert/strict";
+import { liveTest } from "./live.js";
+
+/** The stiffest translational spring that the board takes (N/m). */
+const STIFFEST = 9000;
+/** The hand's height above the lower edge of the box (m), half the box's height, and its spring (N/m). */
+const GRASP = 0.05;
+const HALF = 0.03;
+const STIFFNESS = 500;
+
+/** Puts the port into a page that is about to be opened. @param {import("playwright-core").Page} page */
+function plugIn(page) {
+  return page.addInitScript(
+    ([stiffest, grasp, half, stiffness]) => {
+      const port = Object.assign(new EventTarget(), {
+        open: async () => {},
+        close: async () => clearInterval(port.timer),
+        timer: 0,
+        /** @type {ReadableStream | null} */ readable: null,
+        /** @type {WritableStream | null} */ writable: null,
+      });
+      /** Every command that the board got. @type {any[]} */
+      const commands = [];
+      Object.assign(window, { commands });
+
+      const requestPort = async () => {
+        const { Decoder, encode } = await import(/** @type {any} */ ("/frame.js"));
+        /** @type {ReadableStreamDefaultController} */
+        let out;
+        let sequence = 0;
+        let hand = { x: 0, y: grasp + half, phi: 0, held: 1, sequence: 0 };
+        port.readable = new ReadableStream({ start: (controller) => void (out = controller) });
+        const say = (/** @type {object} */ message) => {
+          sequence = (sequence + 1) % 256;
+          out.enqueue(encode({ sequence, time: Math.round(performance.now() * 1000) % 2 ** 32, ...message }));
+        };
+        const decoder = new Decoder((/** @type {any} */ message) => {
+          if (message.type === "hand") {
+            hand = message;
+            return;
+          }
+          commands.push(message);
+          if (message.type === "hello") {
+            say({
+              type: "info",
+              major: 1,
+              minor: 2,
+              patch: 3,
+              number: 0,
+              vertices: 16,
+              surfaces: 8,
+              has: 3,
+              longest_frame: 338,
+              fastest_tick: 5000,
+              stiffest_k_h: stiffest,
+              stiffest_k_theta: Infinity,
+              k_h: stiffness,
+              k_theta: 0.5,
+              mu_s: 0.5,
+              mu_d: 0.3,
+              evolution: 0,
+              stepping: 0,
+              axis_x: 0,
+              axis_y: 1,
+              events: 1,
+              tick_rate: 1000,
+              pose_every: 1,
+              forces_every: 0,
+              health_every: 1000,
+              tolerance: 0,
+              event_limit: 8,
+              name: "the-board",
+            });
+            return;
+          }
+          const refused = message.type === "parameters" && message.k_h > stiffest;
+          const command = { parameters: 3, scene: 4, mode: 5, reset: 8 }[/** @type {string} */ (message.type)];
+          say({
+            type: "reply",
+            command,
+            command_sequence: message.sequence,
+            reason: refused ? 5 : 0,
+            subject: 0,
+            index: 0,
+            index2: 0,
+            value: 0,
+            limit: NaN,
+            allowed: refused ? `${stiffest} or less` : "",
+          });
+        });
+        port.writable = new WritableStream({ write: (bytes) => decoder.push(bytes) });
+        let count = 0;
+        port.timer = window.setInterval(() => {
+          const y = Math.max(half, hand.y - grasp + half);
+          const normal = stiffness * (y - hand.y + grasp - half);
+          const { x, phi } = hand;
+          say({
+            type: "pose",
+            state: normal > 0 ? 2 : 0,
+            x,
+            y,
+            theta: phi,
+            depth: 0,
+            status: 0,
+            held: hand.held,
+            force_off: 0,
+            turns: 0,
+            events: 0,
+            sample: hand.sequence,
+          });
+          const contact =
+            normal > 0
+              ? [
+                  [0, 0, x - 0.05, 0, normal / 2, 0],
+                  [1, 0, x + 0.05, 0, normal / 2, 0],
+                ]
+              : [];
+          say({
+            type: "forces",
+            wrench_x: 0,
+            wrench_y: -normal,
+            wrench_m: 0,
+            hand_x: 0,
+            hand_y: 0,
+            hand_m: 0,
+            turns: 0,
+            contact,
+          });
+          if (count++ % 60 === 0) {
+            say({
+              type: "health",
+              drive: 0,
+              ticks: 8 * count,
+              missed_ticks: 0,
+              samples: count,
+              late_samples: 0,
+              lost_frames: 0,
+              unsent: 0,
+              worst_step: 24500,
+              worst_tick: 41000,
+              too_long: 0,
+              cobs: 0,
+              crc: 0,
+              version: 0,
+              unknown_type: 0,
+              length: 0,
+              value: 0,
+            });
+          }
+        }, 8);
+        return port;
+      };
+      Object.defineProperty(navigator, "serial", { value: { requestPort }, configurable: true });
+    },
+    [STIFFEST, GRASP, HALF, STIFFNESS],
+  );
+}
+
+liveTest("a board by Web Serial gets the scene and the hand, and its poses are shown", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await plugIn(page);
+  await page.reload();
+  await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+  await page.click("#serial");
+  await live.reads("#source", /^board the-board, f32, Web Serial, 921600 baud$/);
+  await live.reads("#serial", /^Leave the board$/);
+  await live.reads("#program", /^firmware 1\.2\.3$/);
+  const commands = () => page.evaluate(() => /** @type {any} */ (window).commands);
+  assert.deepEqual(
+    (await commands()).map(({ type }) => type),
+    ["hello", "scene", "mode"],
+  );
+  const [, scene] = await commands();
+  const { body } = (await live.state()).scene;
+  assert.deepEqual(
+    scene.vertex.map((vertex) => vertex.map(Math.fround)),
+    body.map((vertex) => vertex.map(Math.fround)),
+  );
+  for (const id of ["pause", "step", "speed", "record", "replay", "upload", "scene", "number"]) {
+    assert.ok(await page.locator(`#${id}`).isDisabled(), id);
+  }
+
+  // The hand goes down by keys, and the board's box onto the floor.
+  await page.focus("#stage");
+  await page.keyboard.down("ArrowDown");
+  await live.until(
+    () => (window.stiction.frame?.frame.contacts ?? []).reduce((sum, { normal }) => sum + normal, 0) > 2,
+  );
+  await page.keyboard.up("ArrowDown");
+  await live.reads("#state-name", /^edge$/);
+  const { frame } = await live.frame();
+  assert.equal(frame.contacts.length, 2);
+  assert.equal(frame.contacts[0].surface, (await live.state()).scene.surfaces[0].name);
+  assert.ok(Math.abs(frame.pose[1] - HALF) < 1e-6);
+  await live.reads("#now-n", /^N [1-9]/);
+  await live.reads("#board-link", /^connected, \d+ poses\/s$/);
+  await live.until(() => window.stiction.latencies.length > 5);
+
+  // What the board refuses is told in its words, and what it takes holds.
+  await page.fill("#type-stiffness_translation", String(STIFFEST + 500));
+  await page.keyboard.press("Enter");
+  await live.reads("#note", new RegExp(`allowed: ${STIFFEST} or less`));
+  await live.until(
+    (value) =>
+      Number(/** @type {HTMLInputElement} */ (document.querySelector("#type-stiffness_translation")).value) === value,
+    STIFFNESS,
+  );
+  await page.fill("#type-stiffness_translation", "600");
+  await page.keyboard.press("Enter");
+  await live.until(() => window.stiction.state?.parameters.stiffness_translation === 600);
+  assert.equal((await commands()).at(-1).k_h, 600);
+
+  // Back to the program, whose hand and body have not moved meanwhile.
+  await page.click("#serial");
+  await live.reads("#source", /^core/);
+  await live.reads("#serial", /^Board by Web Serial$/);
+  await live.until(() => window.stiction.frame?.frame.state === "non-contact");
+  assert.ok(await page.locator("#pause").isEnabled());
+});

@@ -1,0 +1,236 @@
+// The box is dragged with the mouse, recorded, downloaded and replayed: what the page shows, what `stiction run`
+// computes of the same path, and what the replay shows are one and the same.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { liveTest, newFolder, runProgram } from "./live.js";
+
+/** Slips that a drag goes on for. */
+const SLIPS = 6;
+/** The box is pressed so deep below the height at which its edge touches (m). */
+const DEPTH = 0.01;
+
+/** The records of a trace. @param {string} text @returns {TraceFrame[]} */
+const recordsOf = (text) =>
+  text
+    .trim()
+    .split("\n")
+    .map((line) => JSON.parse(line))
+    .filter((record) => "t" in record);
+
+/** How often each state follows another one. @param {TraceFrame[]} records */
+function transitionsOf(records) {
+  /** @type {{[pair: string]: number}} */
+  const counts = {};
+  for (let k = 1; k < records.length; k++) {
+    const pair = `${records[k - 1].state}>${records[k].state}`;
+    if (records[k - 1].state !== records[k].state) counts[pair] = (counts[pair] ?? 0) + 1;
+  }
+  return counts;
+}
+
+/** The transitions that the diagram shows. @param {import("./live.js").Live} live */
+function transitionsShown(live) {
+  return live.page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll("[data-pair]")]
+        .filter((label) => label.textContent !== "")
+        .map((label) => [label.getAttribute("data-pair"), Number(label.textContent?.replace(/\s/g, ""))]),
+    ),
+  );
+}
+
+/** Notes every state that the page names. @param {import("./live.js").Live} live */
+function watchStates(live) {
+  return live.page.evaluate(() => {
+    const name = /** @type {Element} */ (document.querySelector("#state-name"));
+    const seen = [name.textContent];
+    Object.assign(window, { seen });
+    new MutationObserver(() => seen.push(name.textContent)).observe(name, {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
+  });
+}
+
+/** True if the items of a list come in another one, in their order. @param {unknown[]} part @param {unknown[]} all */
+function isSubsequence(part, all) {
+  let next = 0;
+  for (const item of all) if (item === part[next]) next++;
+  return next === part.length;
+}
+
+/** As the page shows a pose. @param {Pose} pose */
+function poseText([x, y, angle]) {
+  const text = (/** @type {number} */ value) => (Math.abs(value) < 0.005 ? 0 : value).toFixed(2).replace("-", "−");
+  return `${text(1e3 * x)}, ${text(1e3 * y)} mm, ${text((180 * angle) / Math.PI)}°`;
+}
+
+/**
+ * Records a drag down to the floor and along it until it has stuck and slipped.
+ * @param {import("./live.js").Live} live
+ */
+async function recordDrag(live) {
+  const { page } = live;
+  await page.click("#record");
+  await live.until(() => window.stiction.state?.recording !== null);
+  await live.fresh();
+  await watchStates(live);
+  live.received.keep = true;
+  await live.grab();
+  const { hand, contacts } = (await live.frame()).frame;
+  assert.deepEqual(contacts, []);
+  const { body, grasp } = (await live.state()).scene;
+  // The hand's height at which the lower edge touches the floor.
+  const touching = (grasp?.[1] ?? 0) - Math.min(...body.map(([, y]) => y));
+  await live.handTo(hand[0], touching - DEPTH);
+  await live.until(() => window.stiction.frame?.frame.state === "edge");
+  assert.equal((await live.frame()).counts.slips, 0);
+  for (let k = 0; (await live.frame()).counts.slips < SLIPS; k++) {
+    assert.ok(k < 1000, "it does not slip");
+    await live.drag(3, 0);
+    await live.fresh();
+  }
+  await page.mouse.up();
+  await live.until(() => window.stiction.frame?.holding === null);
+  await live.fresh();
+  await page.click("#record");
+  await live.until(() => window.stiction.state?.recording === null && window.stiction.state.recorded);
+  live.received.keep = false;
+}
+
+/**
+ * The frames of the newest run among messages: their time only grows.
+ * @param {any[]} messages @returns {TraceFrame[]}
+ */
+function newestRun(messages) {
+  const frames = messages.filter(({ type }) => type === "frame").map(({ frame }) => frame);
+  let first = frames.length - 1;
+  while (first > 0 && frames[first - 1].t <= frames[first].t) first--;
+  return frames.slice(first);
+}
+
+/** The slips that the chart's title counts. @param {import("./live.js").Live} live */
+const slipsShown = async (live) => Number((await live.reads("#now-slip", /in all/)).match(/(\d+) in all/)?.[1]);
+
+for (const [number, evolution] of [
+  ["f32", "path"],
+  ["f64", "path"],
+  ["fixed", "frame"],
+]) {
+  liveTest(`a drag with ${number}, ${evolution} is what run makes of its recording`, async (bench) => {
+    const live = await bench.open();
+    const { page } = live;
+    await page.selectOption("#number", number);
+    await page.selectOption("#evolution", evolution);
+    await live.until(
+      ([n, e]) => window.stiction.state?.number === n && window.stiction.state.evolution === e,
+      [number, evolution],
+    );
+    await recordDrag(live);
+
+    const folder = newFolder();
+    const names = ["trace.jsonl", "scene.toml", "hand.csv"];
+    const files = Object.fromEntries(await Promise.all(names.map(async (name) => [name, ""])));
+    for (const name of names) {
+      files[name] = await live.download(name);
+      writeFileSync(join(folder, name === "trace.jsonl" ? "downloaded.jsonl" : name), files[name]);
+    }
+    await runProgram(
+      [
+        "run",
+        "scene.toml",
+        "--hand",
+        "hand.csv",
+        "--number",
+        number,
+        "--evolution",
+        evolution,
+        "--out",
+        "trace.jsonl",
+        "--quiet",
+      ],
+      folder,
+    );
+    assert.ok(readFileSync(join(folder, "trace.jsonl")).equals(readFileSync(join(folder, "downloaded.jsonl"))));
+
+    const records = recordsOf(files["trace.jsonl"]);
+    assert.equal((await live.state()).recorded?.frames, records.length);
+    // Every frame that the page got is the record of its time.
+    const byTime = new Map(records.map((record) => [record.t, record]));
+    const got = newestRun(live.received.messages).filter(({ t }) => byTime.has(t));
+    assert.ok(got.length > 20, `${got.length} frames`);
+    for (const frame of got) assert.deepEqual(frame, byTime.get(frame.t));
+
+    const slips = records.reduce((sum, record) => sum + record.slips, 0);
+    assert.ok(slips >= SLIPS);
+    assert.equal(await slipsShown(live), slips);
+    assert.deepEqual(await transitionsShown(live), transitionsOf(records));
+    const passed = records.map(({ state }) => state).filter((state, k, all) => state !== all[k - 1]);
+    const shown = await page.evaluate(() => /** @type {any} */ (window).seen);
+    assert.ok(isSubsequence(shown, passed), `${shown} in ${passed}`);
+    assert.equal(shown.at(-1), passed.at(-1));
+    // It rests where it was let go, and goes on resting.
+    const last = /** @type {TraceFrame} */ (records.at(-1));
+    assert.equal(last.held, false);
+    await live.until((text) => document.querySelector("#body-pose")?.textContent === text, poseText(last.pose));
+  });
+}
+
+liveTest("a recording, its download and its replay are the same", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await recordDrag(live);
+  const trace = recordsOf(await live.download("trace.jsonl"));
+  const byTime = new Map(trace.map((record) => [record.t, record]));
+  const last = /** @type {TraceFrame} */ (trace.at(-1));
+
+  live.received.messages = [];
+  live.received.keep = true;
+  await page.selectOption("#replay", "recording");
+  await live.until((end) => window.stiction.state?.replay && (window.stiction.frame?.position ?? 0) >= end, last.t);
+  live.received.keep = false;
+  const run = newestRun(live.received.messages.filter(({ position }) => position !== null)).filter(({ t }) =>
+    byTime.has(t),
+  );
+  assert.ok(run.length > 20, `${run.length} frames`);
+  for (const frame of run) assert.deepEqual(frame, byTime.get(frame.t));
+  assert.equal(
+    await slipsShown(live),
+    trace.reduce((sum, { slips }) => sum + slips, 0),
+  );
+  assert.deepEqual(await transitionsShown(live), transitionsOf(trace));
+
+  // The scrubber goes to any place, forward and back, running or paused, and shows the record of it.
+  await page.click("#pause");
+  await live.until(() => window.stiction.state?.paused);
+  const box = await page.locator("#scrubber").boundingBox();
+  assert.ok(box);
+  for (const part of [0.5, 0.85, 0.2, 0.6]) {
+    const before = (await live.frame()).position;
+    await page.mouse.click(box.x + part * box.width, box.y + box.height / 2);
+    const wanted = (Number(await page.inputValue("#scrubber")) / 1000) * last.t;
+    assert.ok(Math.abs(wanted - part * last.t) < 0.05 * last.t, `${wanted} s for ${part} of ${last.t} s`);
+    await live.until((old) => window.stiction.frame?.position !== old, before);
+    const { frame, position } = await live.frame();
+    assert.ok(Math.abs(Number(position) - wanted) < 0.002, `${position} s instead of ${wanted} s`);
+    assert.equal(frame.t, position);
+    assert.deepEqual(frame, byTime.get(frame.t));
+    await live.reads("#state-name", new RegExp(`^${frame.state}$`));
+    await live.until((text) => document.querySelector("#body-pose")?.textContent === text, poseText(frame.pose));
+    const seconds = (/** @type {number} */ value) => (Math.abs(value) < 0.05 ? 0 : value).toFixed(1);
+    await live.reads("#place", new RegExp(`^${seconds(frame.t)} of ${seconds(last.t)} s$`));
+  }
+  // Live again: body and hand stay where they are.
+  const there = (await live.frame()).frame;
+  await page.selectOption("#replay", "live");
+  await live.until(() => window.stiction.state?.replay === null);
+  await page.click("#pause");
+  await live.until(
+    (t) => !window.stiction.state?.paused && window.stiction.frame && window.stiction.frame.frame.t > t,
+    there.t,
+  );
+  assert.deepEqual((await live.frame()).frame.hand, there.hand);
+});

@@ -1,0 +1,277 @@
+// The page without a mouse: by the keyboard alone, and by fingers.
+
+import assert from "node:assert/strict";
+import { liveTest } from "./live.js";
+
+/** @typedef {import("./live.js").Live} Live */
+
+/** What Tab has to come to: all that can be used now, in the order of the document. */
+const CONTROLS = "button, select, input, a[href], [tabindex='0']";
+
+/**
+ * The element that has the focus: its id or other mark, its region, and whether the focus is seen.
+ * @param {Live} live
+ */
+function focused(live) {
+  return live.page.evaluate(() => {
+    const element = /** @type {HTMLElement} */ (document.activeElement);
+    const style = getComputedStyle(element);
+    const { top, bottom, left, right } = element.getBoundingClientRect();
+    const region = element.closest("header, section, dialog, main, body");
+    return {
+      name: element.id || element.dataset.layer || element.tagName,
+      region: region?.getAttribute("aria-label") ?? region?.getAttribute("aria-labelledby") ?? region?.tagName,
+      seen: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 2 && element.matches(":focus-visible"),
+      inWindow: bottom > 0 && right > 0 && top < window.innerHeight && left < window.innerWidth,
+    };
+  });
+}
+
+/** Presses Tab until the focus is on an element. @param {Live} live @param {string} id */
+async function tabTo(live, id) {
+  for (let k = 0; k < 200; k++) {
+    if ((await focused(live)).name === id) return;
+    await live.page.keyboard.press("Tab");
+  }
+  assert.fail(`Tab never comes to ${id}`);
+}
+
+/** Holds a key down until something is so. @param {Live} live @param {string} key @param {() => unknown} what */
+async function hold(live, key, what) {
+  await live.page.keyboard.down(key);
+  await live.until(what);
+  await live.page.keyboard.up(key);
+}
+
+liveTest("Tab comes to every control, in order, and the focus is seen", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  // With a recording its links are there, and with a replay the scrubber.
+  await page.click("#record");
+  await live.until(() => (window.stiction.state?.recording ?? 0) > 0.1);
+  await page.click("#record");
+  await page.selectOption("#replay", "recording");
+  await live.until(() => window.stiction.state?.replay);
+  await page.reload();
+  await live.until(
+    () => window.stiction?.connected && window.stiction.state?.replay && window.stiction.framesDrawn > 0,
+  );
+
+  const wanted = await page.evaluate(
+    (selector) =>
+      [.../** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll(selector))]
+        .filter(
+          (element) =>
+            element.checkVisibility() && !element.closest("dialog:not([open])") && !element.matches(":disabled"),
+        )
+        .map((element) => element.id || element.dataset.layer || element.tagName),
+    CONTROLS,
+  );
+  assert.ok(wanted.length > 30, String(wanted));
+  /** @type {string[]} */
+  const reached = [];
+  const regions = [];
+  for (const _ of wanted) {
+    await page.keyboard.press("Tab");
+    const { name, region, seen, inWindow } = await focused(live);
+    assert.ok(seen, `the focus on ${name} is not seen`);
+    assert.ok(inWindow, `${name} is not in the window`);
+    reached.push(name);
+    if (region !== regions.at(-1)) regions.push(region);
+  }
+  assert.deepEqual(reached, wanted);
+  assert.equal(new Set(regions).size, regions.length, `a region is left and entered again: ${regions}`);
+  assert.deepEqual(regions.slice(0, 3), ["HEADER", "Scene", "Time, recording and replay"]);
+  // And back.
+  await page.keyboard.press("Shift+Tab");
+  assert.equal((await focused(live)).name, wanted.at(-2));
+});
+
+liveTest(
+  "the keyboard alone holds the object, presses it down, slides it and lets go; records, picks a scene, helps",
+  async (bench) => {
+    const live = await bench.open();
+    const { page } = live;
+    const { keyboard } = page;
+    await tabTo(live, "stage");
+    // The box is held from its beginning: let go, and take it again.
+    await keyboard.press("Space");
+    await live.until(() => window.stiction.frame?.holding === null);
+    await keyboard.press("Space");
+    await live.until(() => window.stiction.frame?.holding);
+    await live.reads("#holder", /this page/);
+
+    await keyboard.press("c");
+    await live.until(() => window.stiction.state?.recording !== null);
+    await live.reads("#record-text", /^End/);
+    await hold(live, "ArrowDown", () => {
+      const { state, contacts } = /** @type {FrameMessage} */ (window.stiction.frame).frame;
+      return state === "edge" && contacts.reduce((sum, { normal }) => sum + normal, 0) > 4;
+    });
+    await hold(live, "ArrowRight", () => (window.stiction.frame?.counts.slips ?? 0) >= 3);
+    const { frame } = await live.frame();
+    assert.ok(frame.pose[0] > 0.001, String(frame.pose));
+    await hold(live, "ArrowUp", () => window.stiction.frame?.frame.state === "non-contact");
+    // Counter-clockwise, back, and again, slowly.
+    for (const [keys, sense] of /** @type {[string[], number][]} */ ([
+      [["q"], 1],
+      [["e"], -1],
+      [["Shift", "Q"], 1],
+    ])) {
+      const before = (await live.frame()).frame.hand[2];
+      for (const key of keys) await keyboard.down(key);
+      await live.until(
+        ([angle, sign]) => sign * ((window.stiction.frame?.frame.hand[2] ?? NaN) - angle) > 0.01,
+        [before, sense],
+      );
+      for (const key of keys.reverse()) await keyboard.up(key);
+    }
+    await keyboard.press("Space");
+    await live.until(() => window.stiction.frame?.holding === null);
+    await keyboard.press("c");
+    await live.until(() => window.stiction.state?.recording === null && window.stiction.state.recorded);
+
+    // The recording is downloaded and replayed.
+    await tabTo(live, "get-trace.jsonl");
+    const coming = page.waitForEvent("download");
+    await keyboard.press("Enter");
+    assert.equal((await coming).suggestedFilename(), "trace.jsonl");
+    await tabTo(live, "replay");
+    await keyboard.type("the rec");
+    await live.until(() => window.stiction.state?.replay?.what === "recording");
+    await tabTo(live, "scrubber");
+    await keyboard.press("End");
+    await live.until(
+      () => Math.abs((window.stiction.frame?.position ?? NaN) - (window.stiction.state?.replay?.seconds ?? NaN)) < 0.01,
+    );
+    await tabTo(live, "replay");
+    await keyboard.type("live");
+    await live.until(() => window.stiction.state?.replay === null);
+
+    await tabTo(live, "scene");
+    await keyboard.type("ladder");
+    await live.until(() => window.stiction.state?.scene.title === "ladder" && window.stiction.frame);
+    // Letters in a list pick from it; they are no commands.
+    assert.equal((await live.state()).recording, null);
+
+    await keyboard.press("Escape");
+    await tabTo(live, "help-open");
+    await keyboard.press("Enter");
+    const help = page.locator("#help");
+    await help.waitFor({ state: "visible" });
+    // The focus is in the help, and returns when it closes.
+    assert.ok(await page.evaluate(() => document.activeElement?.closest("#help")));
+    await keyboard.press("Escape");
+    await help.waitFor({ state: "hidden" });
+    assert.equal((await focused(live)).name, "help-open");
+    for (const state of /** @type {const} */ (["visible", "hidden"])) {
+      await keyboard.press("?");
+      await help.waitFor({ state });
+    }
+
+    // The other letters.
+    await tabTo(live, "stage");
+    await keyboard.press("p");
+    await live.until(() => window.stiction.state?.paused);
+    await live.settled();
+    const { tick } = await live.frame();
+    await keyboard.press(".");
+    await live.until((next) => window.stiction.frame?.tick === next, tick + 1);
+    await keyboard.press("p");
+    await live.until(() => !window.stiction.state?.paused);
+    const scale = await live.metresPerPixel();
+    await keyboard.press("+");
+    assert.ok((await live.metresPerPixel()) < scale);
+    await keyboard.press("-");
+    await keyboard.press("f");
+    await live.fresh();
+    assert.ok(Math.abs((await live.metresPerPixel()) / scale - 1) < 0.01);
+    await keyboard.press("k");
+    assert.ok(await page.isChecked("#keep"));
+    await keyboard.press("t");
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    await hold(live, "d", () => {
+      const { state } = window.stiction;
+      return state && Math.abs((window.stiction.frame?.frame.hand[0] ?? NaN) - state.scene.home[0]) > 0.005;
+    });
+    await keyboard.press("r");
+    await live.until(() => {
+      const { state, frame: now } = window.stiction;
+      return state && now && now.frame.hand[0] === state.scene.home[0];
+    });
+  },
+);
+
+liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
+  const live = await bench.open({
+    viewport: { width: 412, height: 800 },
+    hasTouch: true,
+    isMobile: true,
+    deviceScaleFactor: 2,
+  });
+  const { page } = live;
+  const devtools = await page.context().newCDPSession(page);
+  /** @type {Spot[]} */
+  let fingers = [];
+  const touch = async (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {Spot[]} */ points) => {
+    fingers = points;
+    await devtools.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: points.map((point, id) => ({ ...point, id })),
+    });
+  };
+  const glide = async (/** @type {Spot[]} */ to, steps = 20) => {
+    const from = fingers;
+    for (let k = 1; k <= steps; k++) {
+      await touch(
+        "touchMove",
+        to.map(({ x, y }, i) => ({
+          x: from[i].x + ((x - from[i].x) * k) / steps,
+          y: from[i].y + ((y - from[i].y) * k) / steps,
+        })),
+      );
+    }
+  };
+  const handNear = (/** @type {Pose} */ wanted, /** @type {number} */ near) =>
+    live.until(
+      ([x, y, turn, reach]) => {
+        const hand = window.stiction.frame?.frame.hand ?? [NaN, NaN, NaN];
+        return Math.hypot(hand[0] - x, hand[1] - y) < reach && Math.abs(hand[2] - turn) < 0.01;
+      },
+      [...wanted, near],
+    );
+
+  const [hx, hy, phi] = (await live.frame()).frame.hand;
+  const pixel = await live.metresPerPixel();
+  const start = await live.pixel(hx, hy);
+  await touch("touchStart", [start]);
+  await live.until(() => window.stiction.state?.hand.by === "page" && window.stiction.frame?.holding);
+  await glide([{ x: start.x + 20, y: start.y - 12 }]);
+  await handNear([hx + 20 * pixel, hy + 12 * pixel, phi], 2 * pixel);
+  // The second finger goes a quarter of a right angle about the first one, which stays: counter-clockwise.
+  const [one] = fingers;
+  await touch("touchStart", [one, { x: one.x + 100, y: one.y }]);
+  const angle = Math.PI / 8;
+  for (let k = 1; k <= 10; k++) {
+    const part = (angle * k) / 10;
+    await touch("touchMove", [one, { x: one.x + 100 * Math.cos(part), y: one.y - 100 * Math.sin(part) }]);
+  }
+  await handNear([hx + 20 * pixel, hy + 12 * pixel, phi + angle], 2 * pixel);
+  assert.ok((await live.frame()).holding);
+  await touch("touchEnd", []);
+  await live.until(() => window.stiction.frame?.holding === null);
+
+  // Off the object two fingers zoom, and the hand stays.
+  const before = (await live.frame()).frame.hand;
+  const box = await page.locator("#stage").boundingBox();
+  assert.ok(box);
+  const corner = { x: box.x + 30, y: box.y + box.height - 25 };
+  await touch("touchStart", [corner]);
+  await touch("touchStart", [corner, { x: corner.x + 60, y: corner.y }]);
+  await glide([corner, { x: corner.x + 78, y: corner.y }]);
+  await touch("touchEnd", []);
+  await live.fresh();
+  const ratio = pixel / (await live.metresPerPixel());
+  assert.ok(ratio > 1.1 && ratio < 1.45, `zoomed by ${ratio}`);
+  assert.deepEqual((await live.frame()).frame.hand, before);
+});

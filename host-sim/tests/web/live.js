@@ -1,0 +1,439 @@
+// A browser, the program and its pages, for the tests of the live page. All that a page reports as wrong is collected,
+// and a test fails on what it did not expect: messages on the console, errors, failed requests, requests to anywhere
+// else.
+
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { delimiter, join, resolve } from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+/** Whatever is waited for comes within this, or not at all (ms). */
+export const PATIENCE = 60_000;
+/** The window of a page, unless a test asks for another one (px). */
+const WINDOW = { width: 1280, height: 800 };
+
+/** The first file of a name in PATH that can be run. @param {string} name */
+function inPath(name) {
+  return (process.env.PATH ?? "")
+    .split(delimiter)
+    .map((folder) => join(folder, name))
+    .find((file) => {
+      try {
+        accessSync(file, constants.X_OK);
+        return true;
+      } catch {
+        return false;
+      }
+    });
+}
+
+/** Chromium: of the environment, in PATH, or that which playwright installs; undefined where there is none. */
+function findChromium() {
+  const own = () => (existsSync(chromium.executablePath()) ? chromium.executablePath() : undefined);
+  return process.env.CHROMIUM ?? ["chromium", "chromium-browser", "google-chrome"].map(inPath).find(Boolean) ?? own();
+}
+
+const workspace = fileURLToPath(new URL("../../../", import.meta.url));
+const browserFile = findChromium();
+const target = process.env.CARGO_TARGET_DIR ?? join(workspace, "target");
+const programFile = resolve(process.env.STICTION ?? join(target, "debug", "stiction"));
+
+/** Why the tests cannot run here, or false. */
+const missing = !browserFile
+  ? "no Chromium: set CHROMIUM, or install it"
+  : !existsSync(programFile)
+    ? `no ${programFile}: set STICTION, or type cargo build`
+    : false;
+if (missing && process.env.CI === "true") throw new Error(missing);
+
+/** Folders that go with the process. @type {string[]} */
+const folders = [];
+process.on("exit", () => folders.forEach((folder) => rmSync(folder, { recursive: true, force: true })));
+
+/** A folder that goes with the process. */
+export function newFolder() {
+  const folder = mkdtempSync(join(tmpdir(), "stiction-page-"));
+  folders.push(folder);
+  return folder;
+}
+
+/** Starts Chromium. */
+export function startBrowser() {
+  return chromium.launch({ executablePath: browserFile, args: ["--no-sandbox"] });
+}
+
+/** A running `stiction view`. */
+export class Program {
+  /** @param {string[]} args @param {number} port */
+  constructor(args, port) {
+    this.child = spawn(programFile, ["view", "--listen", `127.0.0.1:${port}`, ...args], {
+      cwd: newFolder(),
+      stdio: ["ignore", "pipe", "pipe"],
+    });
+    this.gone = new Promise((done) => this.child.once("exit", done));
+    /** What it complains of. */
+    this.said = "";
+    this.child.stderr.on("data", (text) => {
+      this.said += text;
+    });
+    this.origin = "";
+    this.port = port;
+  }
+
+  /** @param {string[]} [args] @param {number} [port] a free one unless it is said */
+  static async start(args = [], port = 0) {
+    const program = new Program(args, port);
+    const lines = createInterface(program.child.stdout);
+    const line = await Promise.race([
+      new Promise((take) => lines.once("line", take)),
+      program.gone.then(() => program.said),
+    ]);
+    const [url] = /** @type {string} */ (line).match(/^http:\/\/\S+/) ?? [];
+    assert.ok(url, line);
+    program.origin = new URL(url).origin;
+    program.port = Number(new URL(url).port);
+    return program;
+  }
+
+  /** Ends it, as a crash would. */
+  async kill() {
+    this.child.kill("SIGKILL");
+    await this.gone;
+  }
+
+  /** Memory that it holds (bytes), or null where the system does not tell. */
+  get memory() {
+    try {
+      const [, kilobytes] = readFileSync(`/proc/${this.child.pid}/status`, "utf8").match(/^VmRSS:\s+(\d+) kB/m) ?? [];
+      return kilobytes ? 1024 * Number(kilobytes) : null;
+    } catch {
+      return null;
+    }
+  }
+}
+
+/**
+ * Runs the program to its end; its output.
+ * @param {string[]} args @param {string} folder
+ */
+export async function runProgram(args, folder) {
+  const child = spawn(programFile, args, { cwd: folder, stdio: ["ignore", "pipe", "pipe"] });
+  let output = "";
+  child.stdout.on("data", (text) => {
+    output += text;
+  });
+  child.stderr.on("data", (text) => {
+    output += text;
+  });
+  const code = await new Promise((done) => child.once("close", done));
+  assert.equal(code, 0, output);
+  return output;
+}
+
+/** The frames and states that a page got, as they came. */
+class Received {
+  constructor() {
+    /** @type {any[]} */
+    this.messages = [];
+    this.bytes = 0;
+    /** Keep the messages; else only their size is counted. */
+    this.keep = false;
+  }
+
+  /** @param {string | Buffer} payload */
+  take(payload) {
+    this.bytes += payload.length;
+    if (this.keep) this.messages.push(JSON.parse(String(payload)));
+  }
+}
+
+/** A page that is open. */
+export class Live {
+  /** @param {import("playwright-core").Page} page @param {string} origin */
+  constructor(page, origin) {
+    this.page = page;
+    this.origin = origin;
+    this.received = new Received();
+    /** @type {string[]} */
+    this.faults = [];
+    /** @type {RegExp[]} */
+    this.expected = [];
+    /** Where the mouse is while it drags (CSS px). @type {Spot | null} */
+    this.pointer = null;
+    page.setDefaultTimeout(PATIENCE);
+    this.listen();
+  }
+
+  /** Collects all that is wrong. */
+  listen() {
+    const { page } = this;
+    page.on("console", (message) => {
+      if (["error", "warning"].includes(message.type())) this.faults.push(`${message.type()}: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => this.faults.push(`error: ${error.stack ?? error.message}`));
+    page.on("crash", () => this.faults.push("the page crashed"));
+    page.on("requestfailed", (request) =>
+      this.faults.push(`failed: ${request.url()}: ${request.failure()?.errorText}`),
+    );
+    page.on("response", (response) => {
+      if (response.status() >= 400) this.faults.push(`status ${response.status()}: ${response.url()}`);
+    });
+    page.on("request", (request) => this.stays(request.url()));
+    page.on("websocket", (socket) => {
+      this.stays(socket.url().replace(/^ws/, "http"));
+      socket.on("framereceived", ({ payload }) => this.received.take(payload));
+    });
+  }
+
+  /** A request goes to the program, and nowhere else. @param {string} url */
+  stays(url) {
+    if (new URL(url).origin !== this.origin) this.faults.push(`elsewhere: ${url}`);
+  }
+
+  /** Something that this test provokes. @param {RegExp} fault */
+  expects(fault) {
+    this.expected.push(fault);
+  }
+
+  /** Fails on what was not expected. */
+  check() {
+    assert.deepEqual(
+      this.faults.filter((fault) => !this.expected.some((known) => known.test(fault))),
+      [],
+    );
+  }
+
+  /**
+   * Waits until something is so in the page.
+   * @template T @param {string | ((arg: T) => unknown)} what @param {T} [arg]
+   */
+  async until(what, arg) {
+    return (await this.page.waitForFunction(/** @type {any} */ (what), arg, { timeout: PATIENCE })).jsonValue();
+  }
+
+  /** Waits for a text. @param {string} selector @param {RegExp} pattern */
+  async reads(selector, pattern) {
+    await this.until(
+      ([place, source]) => new RegExp(source).test(document.querySelector(place)?.textContent ?? ""),
+      [selector, pattern.source],
+    );
+    return this.text(selector);
+  }
+
+  /** The text of an element. @param {string} selector */
+  async text(selector) {
+    return (await this.page.textContent(selector)) ?? "";
+  }
+
+  /** The newest frame message. @returns {Promise<FrameMessage>} */
+  frame() {
+    return this.page.evaluate(() => /** @type {FrameMessage} */ (window.stiction.frame));
+  }
+
+  /** The newest state message. @returns {Promise<StateMessage>} */
+  state() {
+    return this.page.evaluate(() => /** @type {StateMessage} */ (window.stiction.state));
+  }
+
+  /** Waits for frames that were made after now: two, as one may be under way. */
+  async fresh() {
+    const from = await this.page.evaluate(() => window.stiction.framesReceived);
+    await this.until((count) => window.stiction.framesReceived >= count + 2, from);
+  }
+
+  /** Waits until no other tick has come for a while: while paused, that is the last one. */
+  async settled() {
+    await this.until(() => {
+      const page = /** @type {any} */ (window);
+      const tick = window.stiction.frame?.tick;
+      if (page.settling?.tick !== tick) page.settling = { tick, since: performance.now() };
+      return performance.now() - page.settling.since > 200;
+    });
+  }
+
+  /** Waits until the window on the scene rests: it follows the object softly. */
+  async steady() {
+    await this.until(() => {
+      const page = /** @type {any} */ (window);
+      const { x, y } = window.stiction.pixelOf(0, 0);
+      if (page.steadying?.x !== x || page.steadying.y !== y) page.steadying = { x, y, since: performance.now() };
+      return performance.now() - page.steadying.since > 100;
+    });
+  }
+
+  /** Pauses; the newest frame is then the last one. */
+  async pause() {
+    await this.page.click("#pause");
+    await this.until(() => window.stiction.state?.paused);
+    await this.settled();
+  }
+
+  /** Another scene, from its beginning. @param {string} name */
+  async scene(name) {
+    await this.page.selectOption("#scene", name);
+    await this.until((title) => window.stiction.state?.scene.title === title && window.stiction.frame, name);
+    await this.fresh();
+  }
+
+  /** Where a point of the world is (CSS px). @param {number} x @param {number} y */
+  pixel(x, y) {
+    return this.page.evaluate(([wx, wy]) => window.stiction.pixelOf(wx, wy), [x, y]);
+  }
+
+  /**
+   * Presses on the object at a point of the world, or where the hand is, until it is held there.
+   * @param {Vec} [point]
+   */
+  async grab(point) {
+    await this.steady();
+    const [x, y] = point ?? (await this.frame()).frame.hand;
+    this.pointer = await this.pixel(x, y);
+    await this.page.mouse.move(this.pointer.x, this.pointer.y);
+    await this.page.mouse.down();
+    await this.until(
+      ([wx, wy, near]) => {
+        const { holding, frame } = window.stiction.frame ?? {};
+        return (
+          window.stiction.state?.hand.by === "page" &&
+          holding &&
+          frame &&
+          Math.hypot(frame.hand[0] - wx, frame.hand[1] - wy) < near
+        );
+      },
+      [x, y, 2 * (await this.metresPerPixel())],
+    );
+  }
+
+  /** Drags the hand to a point of the world, as near as pixels are. @param {number} x @param {number} y */
+  async handTo(x, y) {
+    const near = 1.5 * (await this.metresPerPixel());
+    for (let attempt = 0; attempt < 20; attempt++) {
+      await this.fresh();
+      const [hx, hy] = (await this.frame()).frame.hand;
+      if (Math.hypot(hx - x, hy - y) <= near) return;
+      // The window follows the object: only the way counts, not the place.
+      const [from, to] = [await this.pixel(hx, hy), await this.pixel(x, y)];
+      await this.drag(to.x - from.x, to.y - from.y);
+    }
+    assert.fail(`the hand does not come to ${x}, ${y}`);
+  }
+
+  /** Moves the mouse that is down. @param {number} dx px @param {number} dy px */
+  async drag(dx, dy) {
+    assert.ok(this.pointer);
+    this.pointer = { x: this.pointer.x + dx, y: this.pointer.y + dy };
+    const steps = Math.ceil(Math.max(1, Math.hypot(dx, dy) / 2));
+    await this.page.mouse.move(this.pointer.x, this.pointer.y, { steps });
+  }
+
+  /** Size of a pixel in the world (m). */
+  async metresPerPixel() {
+    return this.page.evaluate(() => 1 / Math.abs(window.stiction.pixelOf(1, 0).x - window.stiction.pixelOf(0, 0).x));
+  }
+
+  /**
+   * How many pixels of the scene have the colour of a role.
+   * @param {string} role as in style.css
+   */
+  painted(role) {
+    return this.page.evaluate((name) => {
+      const stage = /** @type {HTMLCanvasElement} */ (document.querySelector("#stage"));
+      const copy = /** @type {OffscreenCanvasRenderingContext2D} */ (
+        new OffscreenCanvas(stage.width, stage.height).getContext("2d", { willReadFrequently: true })
+      );
+      copy.drawImage(stage, 0, 0);
+      const { data } = copy.getImageData(0, 0, stage.width, stage.height);
+      const probe = document.body.appendChild(document.createElement("i"));
+      probe.style.color = `var(--${name})`;
+      const [r, g, b] = getComputedStyle(probe).color.match(/\d+/g)?.map(Number) ?? [];
+      probe.remove();
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        if (Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 9) count++;
+      }
+      return count;
+    }, role);
+  }
+
+  /** Downloads a file of the recording by its link. @param {string} name */
+  async download(name) {
+    const coming = this.page.waitForEvent("download");
+    await this.page.click(`[id="get-${name}"]`);
+    const download = await coming;
+    assert.equal(download.suggestedFilename(), name);
+    return readFileSync(await download.path(), "utf8");
+  }
+}
+
+/** What a test gets. */
+export class Bench {
+  /** @param {import("playwright-core").Browser} browser @param {Program} program */
+  constructor(browser, program) {
+    this.browser = browser;
+    this.program = program;
+    /** @type {Live[]} */
+    this.pages = [];
+  }
+
+  /**
+   * Opens a page of the program in a window of its own, and waits until it shows something.
+   * @param {import("playwright-core").BrowserContextOptions} [options]
+   */
+  async open(options) {
+    const context = await this.browser.newContext({ viewport: WINDOW, colorScheme: "light", ...options });
+    const live = new Live(await context.newPage(), this.program.origin);
+    this.pages.push(live);
+    await live.page.goto(`${this.program.origin}/`);
+    await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+    return live;
+  }
+
+  /** Ends all, and fails on what was wrong. */
+  async close() {
+    for (const { page } of this.pages) await page.context().close();
+    await this.program.kill();
+  }
+
+  /** Fails on what was wrong. */
+  check() {
+    for (const live of this.pages) live.check();
+    assert.equal(this.program.said, "");
+  }
+}
+
+/** The browser of a file's tests. @type {import("playwright-core").Browser | null} */
+let browser = null;
+
+/** Before the first test of a file the browser starts, after the last one it ends. */
+function shareBrowser() {
+  if (missing || shared) return;
+  shared = true;
+  before(async () => {
+    browser = await startBrowser();
+  });
+  after(() => browser?.close());
+}
+let shared = false;
+
+/**
+ * A test in the browser, with a program of its own.
+ * @param {string} name @param {(bench: Bench) => Promise<void>} work @param {string[]} [args] of `stiction view`
+ */
+export function liveTest(name, work, args = []) {
+  shareBrowser();
+  test(name, { skip: missing }, async () => {
+    assert.ok(browser);
+    const bench = new Bench(browser, await Program.start(args));
+    try {
+      await work(bench);
+      bench.check();
+    } finally {
+      await bench.close();
+    }
+  });
+}
