@@ -4,7 +4,9 @@
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
+import { randomBytes } from "node:crypto";
 import { accessSync, constants, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { delimiter, join, resolve } from "node:path";
 import { createInterface } from "node:readline";
@@ -115,6 +117,25 @@ export class Program {
       return null;
     }
   }
+}
+
+/** A client of the socket that asks for all frames and reads none. @param {Program} program */
+export async function stalled(program) {
+  const socket = connect(program.port, "127.0.0.1");
+  const key = randomBytes(16).toString("base64");
+  socket.write(
+    `GET /ws HTTP/1.1\r\nHost: 127.0.0.1:${program.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n` +
+      `Sec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n\r\n`,
+  );
+  const head = String(await new Promise((take) => socket.once("data", take)));
+  assert.match(head, /^HTTP\/1\.1 101/);
+  socket.pause();
+  const text = Buffer.from('{"type":"rate","value":1000}');
+  const mask = randomBytes(4);
+  socket.write(
+    Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]),
+  );
+  return socket;
 }
 
 /**

@@ -1,54 +1,139 @@
-// Figures of the page on this computer: how late a drawn pose is after its pointer event, how often and how quickly it
-// draws, and what it weighs. node measure.js
+// Figures of the live page on this computer, as the table of the README:
+//
+//     cargo build --release && npm run --prefix host-sim/tests/web measure -- [--seconds 600] [--readme]
+//
+// How late a drawn pose is after its pointer event, how often and how quickly it draws, what it weighs; and how many of the
+// solver's ticks are late while two pages are open, of which one drags, and a third client reads nothing.
 
-import { Bench, Program, startBrowser } from "./live.js";
+import { readFileSync, renameSync, writeFileSync } from "node:fs";
+import { cpus, release, type } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { parseArgs } from "node:util";
 
-/** The mouse moves so long (s), so many times a second. */
-const SECONDS = 10;
+const workspace = fileURLToPath(new URL("../../../", import.meta.url));
+process.env.STICTION ??= join(process.env.CARGO_TARGET_DIR ?? join(workspace, "target"), "release", "stiction");
+const { Bench, Program, stalled, startBrowser } = await import("./live.js");
+
+const { values: options } = parseArgs({
+  options: { seconds: { type: "string", default: "600" }, readme: { type: "boolean", default: false } },
+});
+
+/** The mouse moves so long for the first figures (s), so many times a second. */
+const SECONDS = 20;
 const MOVES = 125;
 
-/** Median and 99 %. @param {readonly number[]} samples */
+/** Median and 99 %. @param {readonly number[]} samples @returns {[string, string]} */
 function spread(samples) {
   const sorted = [...samples].sort((a, b) => a - b);
-  const at = (/** @type {number} */ part) =>
-    sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(1);
-  return `${at(0.5)} ms, 99 %: ${at(0.99)} ms (${sorted.length} samples)`;
+  const at = (/** @type {number} */ part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))];
+  return [at(0.5).toFixed(1), at(0.99).toFixed(1)];
+}
+
+/**
+ * Drags the body over the floor.
+ * @param {import("./live.js").Live} live @param {number} seconds @param {number} rate moves of the mouse a second
+ */
+async function drag(live, seconds, rate) {
+  await live.grab();
+  const begin = performance.now();
+  const { x, y } = /** @type {Spot} */ (live.pointer);
+  for (let k = 0; performance.now() < begin + 1000 * seconds; k++) {
+    const part = (k / rate) * Math.PI;
+    await live.page.mouse.move(x + 60 * Math.sin(part), y + 45 * (1 - Math.cos(part)));
+    const rest = begin + (1000 * k) / rate - performance.now();
+    if (rest > 0) await new Promise((done) => setTimeout(done, rest));
+  }
+  await live.page.mouse.up();
+}
+
+/** Time that the system took from this computer for others (s), where it tells. */
+function stolen() {
+  try {
+    const [all] = readFileSync("/proc/stat", "utf8").split("\n");
+    return Number(all.split(/\s+/)[8]) / 100;
+  } catch {
+    return 0;
+  }
 }
 
 const browser = await startBrowser();
-const bench = new Bench(browser, await Program.start());
-const live = await bench.open();
-await live.grab();
-const first = await live.page.evaluate(() => ({ drawn: window.stiction.framesDrawn, at: performance.now() }));
-const begin = performance.now();
-const { x, y } = /** @type {Spot} */ (live.pointer);
-for (let k = 0; performance.now() < begin + 1000 * SECONDS; k++) {
-  const part = (k / MOVES) * 2 * Math.PI * 0.5;
-  await live.page.mouse.move(x + 60 * Math.sin(part), y + 90 * (1 - Math.cos(part)) * 0.5);
-  const rest = begin + (1000 * k) / MOVES - performance.now();
-  if (rest > 0) await new Promise((done) => setTimeout(done, rest));
+
+/** One page that drags. */
+async function drawing() {
+  const bench = new Bench(browser, await Program.start());
+  const live = await bench.open();
+  const first = await live.page.evaluate(() => ({ drawn: window.stiction.framesDrawn, at: performance.now() }));
+  await drag(live, SECONDS, MOVES);
+  const last = await live.page.evaluate(() => ({
+    drawn: window.stiction.framesDrawn,
+    at: performance.now(),
+    latencies: window.stiction.latencies,
+    drawTimes: window.stiction.drawTimes,
+  }));
+  const weight = await live.page.evaluate(() =>
+    /** @type {PerformanceResourceTiming[]} */ ([
+      ...performance.getEntriesByType("navigation"),
+      ...performance.getEntriesByType("resource"),
+    ]).reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0),
+  );
+  await bench.close();
+  const [late, latest] = spread(last.latencies);
+  const [script, longest] = spread(last.drawTimes);
+  return [
+    ["from a pointer event to the drawn pose, median / 99 %", `${late} ms / ${latest} ms`],
+    ["frames drawn a second while dragging", ((1000 * (last.drawn - first.drawn)) / (last.at - first.at)).toFixed(0)],
+    ["script time of a drawn frame, median / 99 %", `${script} ms / ${longest} ms`],
+    ["weight of the page", `${(weight / 1000).toFixed(1)} kB`],
+  ];
 }
-const last = await live.page.evaluate(() => ({
-  drawn: window.stiction.framesDrawn,
-  at: performance.now(),
-  latencies: window.stiction.latencies,
-  drawTimes: window.stiction.drawTimes,
-  counts: window.stiction.frame?.counts,
-}));
-await live.page.mouse.up();
-const weight = await live.page.evaluate(() =>
-  /** @type {PerformanceResourceTiming[]} */ ([
-    ...performance.getEntriesByType("navigation"),
-    ...performance.getEntriesByType("resource"),
-  ]).reduce((sum, { encodedBodySize }) => sum + encodedBodySize, 0),
-);
-await bench.close();
+
+/** Two pages, of which one drags, and a client that reads nothing. */
+async function ticking() {
+  const seconds = Number(options.seconds);
+  const bench = new Bench(browser, await Program.start());
+  const live = await bench.open();
+  await bench.open();
+  const socket = await stalled(bench.program);
+  const before = await live.frame();
+  const taken = stolen();
+  await drag(live, seconds, 30);
+  const took = stolen() - taken;
+  const { counts } = await live.frame();
+  socket.destroy();
+  await bench.close();
+  const ticks = counts.ticks - before.counts.ticks;
+  const missed = counts.missed - before.counts.missed;
+  const share = ((100 * missed) / ticks).toFixed(2);
+  return [
+    [
+      `ticks of 1 ms that began more than 1 ms late, in ${(ticks / 60_000).toFixed(1)} minutes with two pages and a client ` +
+        "that reads nothing",
+      `${missed} of ${ticks} (${share} %)`,
+    ],
+    ["time that a hypervisor took meanwhile", `${took.toFixed(1)} s of ${(seconds * cpus().length).toFixed(0)} s`],
+  ];
+}
+
+const rows = [...(await drawing()), ...(await ticking())];
+const machine = `${cpus().length} × ${cpus()[0].model.trim()}, ${type()} ${release()}, Chromium ${browser.version()} without a GPU`;
 await browser.close();
 
-console.log(`pointer event to drawn pose: ${spread(last.latencies)}`);
-console.log(
-  `drawn while dragging: ${((1000 * (last.drawn - first.drawn)) / (last.at - first.at)).toFixed(1)} frames a second`,
-);
-console.log(`script time of a drawn frame: ${spread(last.drawTimes)}`);
-console.log(`the page weighs ${weight} bytes`);
-console.log(`${last.counts?.ticks} ticks, ${last.counts?.missed} of them late; ${last.counts?.slips} slips`);
+const table = [
+  `On ${machine}:`,
+  "",
+  "| what | figure |",
+  "|---|---|",
+  ...rows.map(([what, figure]) => `| ${what} | ${figure} |`),
+].join("\n");
+console.log(table);
+
+if (options.readme) {
+  const file = join(workspace, "README.md");
+  const [begin, end] = ["<!-- view: begin -->", "<!-- view: end -->"];
+  const text = readFileSync(file, "utf8");
+  const [from, to] = [text.indexOf(begin) + begin.length, text.indexOf(end)];
+  if (from < begin.length || to < from) throw new Error(`README.md has no section between ${begin} and ${end}`);
+  writeFileSync(`${file}.part`, `${text.slice(0, from)}\n${table}\n${text.slice(to)}`);
+  renameSync(`${file}.part`, file);
+}

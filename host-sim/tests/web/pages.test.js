@@ -1,9 +1,7 @@
 // Several pages, a server that is killed, and clients that do not read: everyone else goes on.
 
 import assert from "node:assert/strict";
-import { randomBytes } from "node:crypto";
-import { connect } from "node:net";
-import { liveTest, PATIENCE, Program } from "./live.js";
+import { liveTest, PATIENCE, Program, stalled } from "./live.js";
 
 /** What a page says of a frame. @param {import("./live.js").Live} live */
 const words = (live) =>
@@ -117,25 +115,6 @@ liveTest("a page whose server is killed says so, and comes back by itself", asyn
     await live.until(() => window.stiction.frame?.frame.state === "non-contact" && window.stiction.frame.holding);
   }
 });
-
-/** A client of the socket that asks for all frames and reads none. @param {Program} program */
-async function stalled(program) {
-  const socket = connect(program.port, "127.0.0.1");
-  const key = randomBytes(16).toString("base64");
-  socket.write(
-    `GET /ws HTTP/1.1\r\nHost: 127.0.0.1:${program.port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n` +
-      `Sec-WebSocket-Key: ${key}\r\nSec-WebSocket-Version: 13\r\n\r\n`,
-  );
-  const head = String(await new Promise((take) => socket.once("data", take)));
-  assert.match(head, /^HTTP\/1\.1 101/);
-  socket.pause();
-  const text = Buffer.from('{"type":"rate","value":1000}');
-  const mask = randomBytes(4);
-  socket.write(
-    Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]),
-  );
-  return socket;
-}
 
 /**
  * Reads all that waits, up to a frame of a tick; how many frames the client is then told to have lost. It reads no more
