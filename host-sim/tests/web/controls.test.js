@@ -286,6 +286,7 @@ liveTest("zoom in, out, fit", async (bench) => {
   const ratios = [];
   for (const button of ["#zoom-in", "#zoom-in", "#zoom-out", "#zoom-out", "#zoom-out", "#zoom-fit"]) {
     await page.click(button);
+    await live.drawn();
     ratios.push(fitted / (await live.metresPerPixel()));
   }
   const [once, twice, back, none, out, fit] = ratios;
@@ -341,7 +342,7 @@ liveTest("the theme is changed and remembered", async (bench) => {
   const light = await look();
   assert.equal(light.theme, "light");
   await page.click("#theme");
-  await live.fresh();
+  await live.drawn();
   const dark = await look();
   assert.equal(dark.theme, "dark");
   assert.notEqual(dark.page, light.page);
@@ -351,7 +352,7 @@ liveTest("the theme is changed and remembered", async (bench) => {
   await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
   assert.deepEqual(await look(), dark);
   await page.click("#theme");
-  await live.fresh();
+  await live.drawn();
   assert.deepEqual(await look(), light);
 });
 

@@ -181,10 +181,11 @@ liveTest(
     await live.until(() => !window.stiction.state?.paused);
     const scale = await live.metresPerPixel();
     await keyboard.press("+");
+    await live.drawn();
     assert.ok((await live.metresPerPixel()) < scale);
     await keyboard.press("-");
     await keyboard.press("f");
-    await live.fresh();
+    await live.drawn();
     assert.ok(Math.abs((await live.metresPerPixel()) / scale - 1) < 0.01);
     await keyboard.press("k");
     assert.ok(await page.isChecked("#keep"));
@@ -270,7 +271,7 @@ liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
   await touch("touchStart", [corner, { x: corner.x + 60, y: corner.y }]);
   await glide([corner, { x: corner.x + 78, y: corner.y }]);
   await touch("touchEnd", []);
-  await live.fresh();
+  await live.drawn();
   const ratio = pixel / (await live.metresPerPixel());
   assert.ok(ratio > 1.1 && ratio < 1.45, `zoomed by ${ratio}`);
   assert.deepEqual((await live.frame()).frame.hand, before);

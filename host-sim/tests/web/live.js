@@ -277,6 +277,12 @@ export class Live {
     });
   }
 
+  /** Waits until the scene was drawn anew, from its beginning: twice, as a drawing may be under way. */
+  async drawn() {
+    const from = await this.page.evaluate(() => window.stiction.framesDrawn);
+    await this.until((count) => window.stiction.framesDrawn >= count + 2, from);
+  }
+
   /** Waits until the window on the scene rests: it follows the object softly. */
   async steady() {
     await this.until(() => {
