@@ -147,12 +147,12 @@ export class Stage {
     }
   }
 
-  /** Fits or follows. @param {Scene} scene @param {TraceFrame} frame */
+  /** Fits or follows; a window that the reader has chosen stays. @param {Scene} scene @param {TraceFrame} frame */
   aim(scene, frame) {
     if (!this.fitted) {
       this.view.fit(scene, frame.pose, frame.hand);
       this.fitted = true;
-    } else if (this.view.follow(scene, frame.pose, frame.hand)) {
+    } else if (!this.adjusted && this.view.follow(scene, frame.pose, frame.hand)) {
       this.ask();
     }
   }

@@ -82,7 +82,10 @@ impl Engine {
     pub(super) fn change(&mut self, change: Change, reply: Reply) {
         match &mut self.board {
             Some(board) => board.ask(change, reply),
-            None => reply.send(self.apply(change)),
+            None => {
+                let result = self.apply(change);
+                self.answers.push((reply, result));
+            }
         }
     }
 

@@ -11,6 +11,7 @@ use serde_json::Number as JsonNumber;
 use tokio::sync::mpsc::Receiver;
 
 use super::body::Setting;
+use super::change::Reply;
 use super::counts::StepTimes;
 use super::feed::{Feed, Latest, Pending};
 use super::guide::{Guide, HandPose};
@@ -83,6 +84,8 @@ pub(super) struct Engine {
     closing: Option<(Recording, Instant)>,
     /// The state is another one.
     pub(super) changed: bool,
+    /// Answers that wait until what they are about is shown.
+    pub(super) answers: Vec<(Reply, Result<(), String>)>,
 }
 
 impl Engine {
@@ -121,6 +124,7 @@ impl Engine {
             echo: None,
             closing: None,
             changed: true,
+            answers: Vec::new(),
         };
         engine.pending.record(&engine.pair.frame);
         engine.publish();
@@ -184,7 +188,8 @@ impl Engine {
                 Word::Frame(frame) => self.answered(*frame),
                 Word::Answer(result) => {
                     if let Some((change, reply)) = self.board.as_mut().and_then(Remote::answered) {
-                        reply.send(result.and_then(|()| self.apply(change)));
+                        let result = result.and_then(|()| self.apply(change));
+                        self.answers.push((reply, result));
                     }
                     while let Some((client, message, reply)) =
                         self.board.as_mut().and_then(Remote::waited)
@@ -385,6 +390,11 @@ impl Engine {
             board: self.board.as_ref().map(|board| board.fares),
             position: self.replay.as_ref().map(Replay::position),
         });
+        if self.pending.is_shown() {
+            for (reply, result) in self.answers.drain(..) {
+                reply.send(result);
+            }
+        }
     }
 
     fn status(&self) -> Status {

@@ -101,6 +101,11 @@ impl Pending {
         self.any = true;
     }
 
+    /// Nothing waits.
+    pub(super) const fn is_shown(&self) -> bool {
+        !self.any
+    }
+
     /// Something is new though no record is.
     pub(super) fn touch(&mut self) {
         self.any = true;

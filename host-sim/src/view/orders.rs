@@ -86,8 +86,8 @@ impl Engine {
     pub(super) fn take(&mut self, client: u32, message: Message, reply: Reply, now: Instant) {
         match self.carry_out(client, message, now) {
             Ok(Some(change)) => self.change(change, reply),
-            Ok(None) => reply.send(Ok(())),
-            Err(problem) => reply.send(Err(problem)),
+            Ok(None) => self.answers.push((reply, Ok(()))),
+            Err(problem) => self.answers.push((reply, Err(problem))),
         }
     }
 

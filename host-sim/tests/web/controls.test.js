@@ -291,6 +291,14 @@ liveTest("zoom in, out, fit", async (bench) => {
   }
   const [once, twice, back, none, out, fit] = ratios;
   assert.ok(once > 1.1 && twice > once && out < 0.9, String(ratios));
+  // Close to the floor, far from the middle of the body: the window stays there.
+  for (let k = 0; k < 8; k++) await page.click("#zoom-in");
+  await live.drawn();
+  const close = await live.metresPerPixel();
+  assert.ok(fitted / close > 5, String(fitted / close));
+  for (let k = 0; k < 5; k++) await live.fresh();
+  assert.equal(await live.metresPerPixel(), close);
+  await page.click("#zoom-fit");
   for (const [a, b] of [
     [twice, once * once],
     [back, once],
