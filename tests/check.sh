@@ -86,12 +86,13 @@ has_node() { command -v npm && [ "$(node -p 'process.versions.node.split(".")[0]
 has_browser() {
   [ -n "${CHROMIUM:-}" ] || command -v chromium || command -v chromium-browser || command -v google-chrome
 }
-node='apt-get install -y --no-install-recommends nodejs npm'
+# Where the distribution's Node.js is older, npm has a newer one.
+node='apt-get install -y --no-install-recommends nodejs npm && npm install --global node@22'
 browser='apt-get install -y --no-install-recommends chromium fonts-dejavu-core'
-has_node || { apt-get update && $node; } || true
+has_node || { apt-get update && eval "$node" && hash -r; } || true
 has_browser || { apt-get update && $browser; } || true
 if ! has_node; then
-  missing 'Node.js 20 or newer with npm' "$node, or from https://nodejs.org where that is older"
+  missing 'Node.js 20 or newer with npm' "$node"
 elif ! has_browser; then
   missing 'Chromium' "$browser"
 elif ! npm ci --prefix host-sim/tests/web --no-audit --no-fund; then

@@ -11,6 +11,7 @@
 
 mod address;
 mod audience;
+mod away;
 mod counts;
 mod emulate;
 mod error;
@@ -33,6 +34,7 @@ mod stream;
 mod trace;
 mod tracker;
 mod verify;
+mod wish;
 
 use std::path::PathBuf;
 use std::sync::Arc;

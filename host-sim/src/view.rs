@@ -5,17 +5,19 @@
 //! trackers ═ outward ───────────────────────┴─ engine ─ pair ─ feed ────┴─ outward ═ renderers
 //!                                               │        └ body: the solver; the f64 path reference
 //!                                               ├─ guide, holder: the hand
-//!                                               ├─ remote, mirror: a board instead of the solver
+//!                                               ├─ remote, answers, mirror: a board instead of the solver
 //!                                               └─ recording, replay
 //! ```
 //!
 //! The engine has a thread of its own and waits for nobody.
 
+mod answers;
 mod body;
 mod carry;
 mod change;
 mod client;
 mod counts;
+mod echo;
 mod engine;
 mod feed;
 mod free;
@@ -44,6 +46,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
+use axum::serve::ListenerExt;
 use clap::Args;
 use stiction_core::Evolution;
 use stiction_scene::InputError;
@@ -336,6 +339,10 @@ async fn serve(
     }
     let mut stop = hub.stop.clone();
     let listener = tokio::net::TcpListener::from_std(listener)?;
+    let listener = listener.tap_io(|stream| {
+        // A frame does not wait until the one before was acknowledged. Where this cannot be set, it is only later.
+        let _ = stream.set_nodelay(true);
+    });
     let server = axum::serve(listener, server::router(hub, !args.headless));
     let server = server.with_graceful_shutdown(async move {
         // An end of the other side is one, too.

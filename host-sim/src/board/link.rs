@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 use serial2::SerialPort;
 
 use super::error::BoardError;
-use super::live::Wish;
+use super::wish::Wish;
 use crate::hand_path::Sample;
 
 /// A reader looks so often whether it is still wanted.

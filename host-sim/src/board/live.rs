@@ -20,6 +20,7 @@ use super::link::News;
 use super::setup::Setup;
 use super::stop;
 use super::stream::Stream;
+use super::wish::Wish;
 use crate::hand_path::Sample;
 use crate::number::Number;
 use crate::record::Frame;
@@ -27,14 +28,6 @@ use crate::scene_file::SceneFile;
 
 /// How the board fares is told so often.
 const EVERY: Duration = Duration::from_millis(250);
-
-/// The board is to work in another way.
-#[derive(Debug)]
-pub(super) struct Wish {
-    pub(super) setup: Setup,
-    /// The body begins at its start.
-    pub(super) anew: bool,
-}
 
 /// What a board says to the program that follows it.
 #[derive(Debug)]

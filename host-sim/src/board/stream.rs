@@ -1,6 +1,5 @@
 //! Samples to the board in real time, and what comes back: frames for an audience, the counts, the comparison.
 
-use std::thread;
 use std::time::{Duration, Instant};
 
 use stiction_core::frame::{Command, Reason};
@@ -14,7 +13,6 @@ use super::feed::Feed;
 use super::flight::{Flight, Sent};
 use super::heard::{About, Heard, Said};
 use super::link::News;
-use super::live::Wish;
 use super::record::Recorder;
 use super::refusal::explain;
 use super::session::{Mail, Session};
@@ -24,8 +22,6 @@ use super::stop;
 use super::verify::{Twin, Verdict};
 use crate::hand_path::Sample;
 
-/// A board that went away is looked for so often.
-const RETRY: Duration = Duration::from_secs(1);
 /// Samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;
 /// Samples on their way to a board that takes the newest one: more would wait in the line, and come late.
@@ -158,7 +154,7 @@ impl<'a, A: Audience> Stream<'a, A> {
     }
 
     /// A live sample.
-    fn push(&mut self, sample: Sample) {
+    pub(super) fn push(&mut self, sample: Sample) {
         if self.feed.push(sample) {
             self.counts.samples += 1;
             self.counts.unanswered += 1;
@@ -244,32 +240,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         }
     }
 
-    /// The board works in another way from now on, or refuses to. What it says until then is told before, and what it says
-    /// afterwards after the answer.
-    fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
-        let Wish { setup, anew } = wish;
-        let with = (&self.about, &mut self.mail);
-        let result = setup.change(&self.setup, anew, session, with);
-        for heard in std::mem::take(&mut session.before_answer) {
-            self.take(session, heard)?;
-        }
-        if result.is_ok() {
-            self.setup = setup;
-            if anew {
-                self.feed.drop_waiting();
-                // They are of the run before.
-                self.flight.give_up();
-                self.steps = Steps::default();
-            }
-        }
-        self.audience.answer(result)?;
-        for heard in std::mem::take(&mut session.after_answer) {
-            self.take(session, heard)?;
-        }
-        Ok(())
-    }
-
-    fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
+    pub(super) fn take(&mut self, session: &mut Session, heard: Heard) -> Result<(), BoardError> {
         match &heard.said {
             Said::Health(health) => self.counts.note(*health),
             Said::Pose(_) | Said::Forces(_) | Said::Events(_) => {
@@ -313,7 +284,7 @@ impl<'a, A: Audience> Stream<'a, A> {
     }
 
     /// No pose follows these samples.
-    fn lose(&mut self, lost: Vec<Sent>) {
+    pub(super) fn lose(&mut self, lost: Vec<Sent>) {
         self.counts.unanswered += lost.len() as u64;
         for sent in lost {
             if let Some(expected) = &sent.expected {
@@ -349,80 +320,8 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.tracker_gone.take().map_or(Ok(()), Err)
     }
 
-    /// Looks for a board that went away; what is due meanwhile is lost.
-    fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
-        self.audience
-            .note(&format!("{error}; looking for the board once a second"));
-        self.audience.gone();
-        let lost = self.flight.give_up();
-        self.lose(lost);
-        self.steps = Steps::default();
-        loop {
-            let next = Instant::now() + RETRY;
-            match self.begin_again() {
-                Ok(session) => {
-                    self.skip_missed();
-                    self.audience.note("the board is back");
-                    self.audience.back();
-                    return Ok(session);
-                }
-                Err(error) if error.may_pass() => {}
-                Err(error) => return Err(error),
-            }
-            while Instant::now() < next && !stop::asked() {
-                thread::sleep(BREATH);
-            }
-            self.skip_missed();
-            if stop::asked() || self.feed.is_over() {
-                self.counts.end();
-                return Err(error);
-            }
-        }
-    }
-
-    fn begin_again(&mut self) -> Result<Session, BoardError> {
-        let Self {
-            address,
-            mail,
-            begun,
-            timeout,
-            setup,
-            ..
-        } = self;
-        let (mut session, about) = Session::begin(address, mail, *timeout, *begun)?;
-        setup.apply(&mut session, &about, mail)?;
-        self.about = about;
-        Ok(session)
-    }
-
-    /// Samples that were due while there was no board.
-    fn skip_missed(&mut self) {
-        let now = Instant::now();
-        let mut of_lines = Vec::new();
-        while let Some(news) = self.mail.next(now) {
-            match news {
-                News::Sample(sample) => self.push(sample),
-                News::NoTracker(error) => self.end_tracker(error),
-                News::Enough => self.feed.end(),
-                News::Wish(_) => {
-                    let refusal = "the board is not connected, allowed: when it is back";
-                    // Which is no reason to end.
-                    let _ = self
-                        .audience
-                        .answer(Err(BoardError::Refused(refusal.to_owned())));
-                }
-                news => of_lines.push(news),
-            }
-        }
-        self.mail.keep(of_lines);
-        while self.feed.take(now).is_some() {
-            self.counts.samples += 1;
-            self.counts.unanswered += 1;
-        }
-    }
-
     /// What is under way is still waited for, then this is the end.
-    fn end_tracker(&mut self, error: BoardError) {
+    pub(super) fn end_tracker(&mut self, error: BoardError) {
         self.feed.close();
         self.tracker_gone = Some(error);
     }

@@ -1,18 +1,17 @@
 //! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. Where a
 //! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and for nothing else.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use serde_json::Number as JsonNumber;
 use tokio::sync::mpsc::Receiver;
 
 use super::body::Setting;
 use super::change::Reply;
 use super::counts::StepTimes;
+use super::echo::Echoes;
 use super::feed::{Feed, Latest, Pending};
 use super::guide::{Guide, HandPose};
 use super::holder::Holder;
@@ -23,9 +22,7 @@ use super::remote::Remote;
 use super::replay::{Replay, Way};
 use super::say::{self, By, Recorded, Replayed, Status};
 use super::stage::Stage;
-use crate::board::Word;
 use crate::hand_path::Sample;
-use crate::record::Frame;
 
 /// From one tick to the next.
 const PERIOD: Duration = Duration::from_millis(1);
@@ -39,13 +36,8 @@ const ORDERING: Duration = Duration::from_micros(500);
 const BREATH: Duration = Duration::from_micros(50);
 /// A board answers the last sample of a recording within this, or not at all.
 const LAST_ANSWER: Duration = Duration::from_millis(500);
-/// Samples that a board has not answered.
-const MOST_MOVED: usize = 64;
 /// While it records, the state tells so every so many ticks.
 const RECORDING_EVERY: usize = 100;
-
-/// A client, and what it sent with a sample.
-type Echo = (u32, JsonNumber);
 
 /// The solver with its hand.
 pub(super) struct Engine {
@@ -75,13 +67,9 @@ pub(super) struct Engine {
     /// Parts of a tick that have passed.
     phase: f64,
     pub(super) clients: usize,
-    /// What a client sent with the newest sample, before and after the hand moved on it, with the time of that tick; a board
-    /// has not answered these yet.
-    pub(super) coming: Option<Echo>,
-    moved: VecDeque<(Echo, f64)>,
-    echo: Option<Echo>,
+    pub(super) echoes: Echoes,
     /// A recording of a board that waits for the answer to its last sample, not longer than this.
-    closing: Option<(Recording, Instant)>,
+    pub(super) closing: Option<(Recording, Instant)>,
     /// The state is another one.
     pub(super) changed: bool,
     /// Answers that wait until what they are about is shown.
@@ -119,9 +107,7 @@ impl Engine {
             speed: 1.0,
             phase: 0.0,
             clients: 0,
-            coming: None,
-            moved: VecDeque::new(),
-            echo: None,
+            echoes: Echoes::default(),
             closing: None,
             changed: true,
             answers: Vec::new(),
@@ -165,12 +151,9 @@ impl Engine {
     /// Counts a tick that begins more than a period late. When it was due; where that is too long ago, now.
     fn late(&mut self, due: Instant, now: Instant) -> Instant {
         let late = now.saturating_duration_since(due);
-        let (skips, missed) = match late {
-            late if late > PATIENCE => (true, late.as_millis() as u64),
-            late => (false, u64::from(late > PERIOD)),
-        };
-        if self.moves() {
-            self.pair.counts.missed += missed;
+        let skips = late > PATIENCE;
+        if self.moves() && late > PERIOD {
+            self.pair.counts.missed += if skips { late.as_millis() as u64 } else { 1 };
         }
         if skips { now } else { due }
     }
@@ -179,58 +162,6 @@ impl Engine {
     fn moves(&self) -> bool {
         let ended = self.replay.as_ref().is_some_and(Replay::is_over);
         !self.paused && !ended
-    }
-
-    /// What the board said.
-    fn listen(&mut self, now: Instant) -> Result<(), String> {
-        while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
-            match word {
-                Word::Frame(frame) => self.answered(*frame),
-                Word::Answer(result) => {
-                    if let Some((change, reply)) = self.board.as_mut().and_then(Remote::answered) {
-                        let result = result.and_then(|()| self.apply(change));
-                        self.answers.push((reply, result));
-                    }
-                    while let Some((client, message, reply)) =
-                        self.board.as_mut().and_then(Remote::waited)
-                    {
-                        self.take(client, message, reply, now);
-                    }
-                }
-                // What it is told anew is what it was told before: there is nothing to refuse.
-                Word::Back => self.apply(self.anew())?,
-                Word::Fares(fares) => {
-                    if let Some(board) = &mut self.board {
-                        board.fares = fares;
-                    }
-                    self.pending.touch();
-                }
-                Word::End(why) => return Err(why),
-            }
-        }
-        if self.closing.as_ref().is_some_and(|(_, until)| now > *until) {
-            self.end_recording();
-        }
-        Ok(())
-    }
-
-    fn answered(&mut self, frame: Frame) {
-        let closing = self.closing.as_mut().map(|(recording, _)| recording);
-        if let Some(recording) = self.recording.as_mut().or(closing) {
-            recording.hear(&frame);
-        }
-        if let Some((recording, _)) = &self.closing
-            && frame.t >= recording.seconds()
-        {
-            self.end_recording();
-        }
-        while let Some((_, t)) = self.moved.front()
-            && *t <= frame.t
-        {
-            self.echo = self.moved.pop_front().map(|(echo, _)| echo);
-        }
-        self.pair.answered(frame);
-        self.pending.record(&self.pair.frame);
     }
 
     /// A period passes.
@@ -295,10 +226,12 @@ impl Engine {
             t: self.tick as f64 / 1000.0,
             hand: hand.hand(),
         };
-        self.say_moved();
-        if self.board.is_none() {
-            let Sample { t, hand } = self.sample;
-            self.pair.step(t, &hand, &mut self.times);
+        let Sample { t, hand: now } = self.sample;
+        if self.board.is_some() {
+            self.echoes.move_at(t);
+        } else {
+            self.echoes.move_now();
+            self.pair.step(t, &now, &mut self.times);
             self.pending.record(&self.pair.frame);
         }
         if let Some(recording) = &mut self.recording {
@@ -308,18 +241,6 @@ impl Engine {
             if count > recording::LONGEST {
                 self.close_recording(Instant::now());
             }
-        }
-    }
-
-    /// The hand has moved on the newest sample: a frame shows it at once, or when the board has answered.
-    fn say_moved(&mut self) {
-        let Some(echo) = self.coming.take() else {
-            return;
-        };
-        if self.board.is_none() {
-            self.echo = Some(echo);
-        } else if self.moved.len() < MOST_MOVED {
-            self.moved.push_back((echo, self.sample.t));
         }
     }
 
@@ -359,9 +280,7 @@ impl Engine {
         });
         self.phase = 0.0;
         self.steps = 0;
-        self.coming = None;
-        self.moved.clear();
-        self.echo = None;
+        self.echoes = Echoes::default();
         if let Some(board) = &mut self.board {
             board.begin();
         }
@@ -382,7 +301,7 @@ impl Engine {
             frame: Arc::clone(&pair.frame),
             scene: Arc::clone(&pair.setting.scene),
             single: pair.setting.number.is_single(),
-            echo: self.echo.clone(),
+            echo: self.echoes.shown().clone(),
             reference: pair.comparison,
             counts: pair.counts,
             slips: Arc::clone(&pair.slips),

@@ -4,9 +4,8 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use serde_json::Number as JsonNumber;
-
 use super::counts::Counts;
+use super::echo::Echo;
 use super::pair::{Comparison, SlipMark};
 use super::recording::Recording;
 use crate::board::Fares;
@@ -25,7 +24,7 @@ pub(super) struct Latest {
     /// The numbers have the digits of f32.
     pub(super) single: bool,
     /// A client, and what it sent with the newest sample that is in the record.
-    pub(super) echo: Option<(u32, JsonNumber)>,
+    pub(super) echo: Option<Echo>,
     pub(super) reference: Comparison,
     pub(super) counts: Counts,
     pub(super) slips: Arc<[SlipMark]>,

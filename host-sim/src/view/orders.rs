@@ -170,7 +170,7 @@ impl Engine {
         let before = self.holder.source();
         let since = self.holder.sample(source, now)?;
         self.guide.lead(pose, since);
-        self.coming = source.client().zip(sent);
+        self.echoes.say(source.client().zip(sent));
         self.changed |= before != Some(source);
         Ok(())
     }

@@ -3,7 +3,8 @@
 //     cargo build --release && npm run --prefix host-sim/tests/web measure -- [--seconds 600] [--readme]
 //
 // How late a drawn pose is after its pointer event, how often and how quickly it draws, what it weighs; and how many of the
-// solver's ticks are late while two pages are open, of which one drags, and a third client reads nothing.
+// solver's ticks are late while two pages are open, of which one drags, and a third client reads nothing. With
+// `--picture page.png` a picture of the page instead.
 
 import { readFileSync, renameSync, writeFileSync } from "node:fs";
 import { cpus, release, type } from "node:os";
@@ -16,7 +17,7 @@ process.env.STICTION ??= join(process.env.CARGO_TARGET_DIR ?? join(workspace, "t
 const { Bench, Program, stalled, startBrowser } = await import("./live.js");
 
 const { values: options } = parseArgs({
-  options: { seconds: { type: "string", default: "600" }, readme: { type: "boolean", default: false } },
+  options: { seconds: { type: "string", default: "600" }, readme: { type: "boolean", default: false }, picture: { type: "string" } },
 });
 
 /** The mouse moves so long for the first figures (s), so many times a second. */
@@ -113,6 +114,26 @@ async function ticking() {
     ],
     ["time that a hypervisor took meanwhile", `${took.toFixed(1)} s of ${(seconds * cpus().length).toFixed(0)} s`],
   ];
+}
+
+/** The page while the body slips. @param {string} file */
+async function picture(file) {
+  const bench = new Bench(browser, await Program.start());
+  const live = await bench.open();
+  await live.grab();
+  const { x, y } = /** @type {Spot} */ (live.pointer);
+  for (const [dx, dy] of [[0, 110], [120, 110], [-70, 110], [60, 106]]) {
+    await live.page.mouse.move(x + dx, y + dy, { steps: 60 });
+  }
+  await live.page.screenshot({ path: file });
+  await live.page.mouse.up();
+  await bench.close();
+}
+
+if (options.picture) {
+  await picture(options.picture);
+  await browser.close();
+  process.exit();
 }
 
 const rows = [...(await drawing()), ...(await ticking())];

@@ -1,0 +1,91 @@
+//! A board that went away is looked for, and begins anew.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::audience::Audience;
+use super::error::BoardError;
+use super::link::News;
+use super::session::Session;
+use super::steps::Steps;
+use super::stop;
+use super::stream::Stream;
+
+/// A board that went away is looked for so often.
+const RETRY: Duration = Duration::from_secs(1);
+/// Ctrl-C is looked for so often meanwhile.
+const BREATH: Duration = Duration::from_millis(50);
+
+impl<A: Audience> Stream<'_, A> {
+    /// Looks for a board that went away; what is due meanwhile is lost.
+    pub(super) fn come_back(&mut self, error: BoardError) -> Result<Session, BoardError> {
+        self.audience
+            .note(&format!("{error}; looking for the board once a second"));
+        self.audience.gone();
+        let lost = self.flight.give_up();
+        self.lose(lost);
+        self.steps = Steps::default();
+        loop {
+            let next = Instant::now() + RETRY;
+            match self.begin_again() {
+                Ok(session) => {
+                    self.skip_missed();
+                    self.audience.note("the board is back");
+                    self.audience.back();
+                    return Ok(session);
+                }
+                Err(error) if error.may_pass() => {}
+                Err(error) => return Err(error),
+            }
+            while Instant::now() < next && !stop::asked() {
+                thread::sleep(BREATH);
+            }
+            self.skip_missed();
+            if stop::asked() || self.feed.is_over() {
+                self.counts.end();
+                return Err(error);
+            }
+        }
+    }
+
+    fn begin_again(&mut self) -> Result<Session, BoardError> {
+        let Self {
+            address,
+            mail,
+            begun,
+            timeout,
+            setup,
+            ..
+        } = self;
+        let (mut session, about) = Session::begin(address, mail, *timeout, *begun)?;
+        setup.apply(&mut session, &about, mail)?;
+        self.about = about;
+        Ok(session)
+    }
+
+    /// Samples that were due while there was no board.
+    fn skip_missed(&mut self) {
+        let now = Instant::now();
+        let mut of_lines = Vec::new();
+        while let Some(news) = self.mail.next(now) {
+            match news {
+                News::Sample(sample) => self.push(sample),
+                News::NoTracker(error) => self.end_tracker(error),
+                News::Enough => self.feed.end(),
+                News::Wish(_) => {
+                    let refusal = "the board is not connected, allowed: when it is back";
+                    // Which is no reason to end.
+                    let _ = self
+                        .audience
+                        .answer(Err(BoardError::Refused(refusal.to_owned())));
+                }
+                news => of_lines.push(news),
+            }
+        }
+        self.mail.keep(of_lines);
+        while self.feed.take(now).is_some() {
+            self.counts.samples += 1;
+            self.counts.unanswered += 1;
+        }
+    }
+}

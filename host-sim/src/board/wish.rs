@@ -1,0 +1,43 @@
+//! A board is told to work in another way while samples go to it.
+
+use super::audience::Audience;
+use super::error::BoardError;
+use super::session::Session;
+use super::setup::Setup;
+use super::steps::Steps;
+use super::stream::Stream;
+
+/// The board is to work in another way.
+#[derive(Debug)]
+pub(super) struct Wish {
+    pub(super) setup: Setup,
+    /// The body begins at its start.
+    pub(super) anew: bool,
+}
+
+impl<A: Audience> Stream<'_, A> {
+    /// The board works in another way from now on, or refuses to. What it says until then is told before, and what it says
+    /// afterwards after the answer.
+    pub(super) fn grant(&mut self, session: &mut Session, wish: Wish) -> Result<(), BoardError> {
+        let Wish { setup, anew } = wish;
+        let with = (&self.about, &mut self.mail);
+        let result = setup.change(&self.setup, anew, session, with);
+        for heard in std::mem::take(&mut session.before_answer) {
+            self.take(session, heard)?;
+        }
+        if result.is_ok() {
+            self.setup = setup;
+            if anew {
+                self.feed.drop_waiting();
+                // They are of the run before.
+                self.flight.give_up();
+                self.steps = Steps::default();
+            }
+        }
+        self.audience.answer(result)?;
+        for heard in std::mem::take(&mut session.after_answer) {
+            self.take(session, heard)?;
+        }
+        Ok(())
+    }
+}

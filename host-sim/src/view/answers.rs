@@ -1,0 +1,58 @@
+//! What a board says, and what the engine makes of it: frames, the end of a change, how it fares, that it is back.
+
+use std::time::Instant;
+
+use super::engine::Engine;
+use super::remote::Remote;
+use crate::board::Word;
+use crate::record::Frame;
+
+impl Engine {
+    /// What the board said.
+    pub(super) fn listen(&mut self, now: Instant) -> Result<(), String> {
+        while let Some(word) = self.board.as_ref().and_then(Remote::hear) {
+            match word {
+                Word::Frame(frame) => self.answered(*frame),
+                Word::Answer(result) => {
+                    if let Some((change, reply)) = self.board.as_mut().and_then(Remote::answered) {
+                        let result = result.and_then(|()| self.apply(change));
+                        self.answers.push((reply, result));
+                    }
+                    while let Some((client, message, reply)) =
+                        self.board.as_mut().and_then(Remote::waited)
+                    {
+                        self.take(client, message, reply, now);
+                    }
+                }
+                // What it is told anew is what it was told before: there is nothing to refuse.
+                Word::Back => self.apply(self.anew())?,
+                Word::Fares(fares) => {
+                    if let Some(board) = &mut self.board {
+                        board.fares = fares;
+                    }
+                    self.pending.touch();
+                }
+                Word::End(why) => return Err(why),
+            }
+        }
+        if self.closing.as_ref().is_some_and(|(_, until)| now > *until) {
+            self.end_recording();
+        }
+        Ok(())
+    }
+
+    fn answered(&mut self, frame: Frame) {
+        let closing = self.closing.as_mut().map(|(recording, _)| recording);
+        if let Some(recording) = self.recording.as_mut().or(closing) {
+            recording.hear(&frame);
+        }
+        if let Some((recording, _)) = &self.closing
+            && frame.t >= recording.seconds()
+        {
+            self.end_recording();
+        }
+        self.echoes.answer(frame.t);
+        self.pair.answered(frame);
+        self.pending.record(&self.pair.frame);
+    }
+}
