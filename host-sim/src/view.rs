@@ -18,6 +18,7 @@ mod change;
 mod client;
 mod counts;
 mod echo;
+mod ends;
 mod engine;
 mod feed;
 mod free;
@@ -59,9 +60,9 @@ use crate::report;
 use crate::run::{evolution_parser, open_scene, parse_rate};
 use crate::scenes;
 use body::Setting;
+use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
-use outward::Format;
 use remote::Remote;
 use replay::Way;
 use server::Hub;
@@ -71,8 +72,6 @@ use stage::Stage;
 const SCENE: &str = "box-flat";
 /// Orders that wait for the solver.
 const ORDERS: usize = 1024;
-/// Ports that are tried after one that is taken.
-const PORTS: u16 = 100;
 /// Ctrl-C is looked for so often.
 const BREATH: Duration = Duration::from_millis(50);
 /// Connections may end by themselves for so long.
@@ -231,83 +230,6 @@ fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
         follow.map_err(ViewError::Scene)?;
     }
     Ok((engine, feed))
-}
-
-/// Listens at an address, or at the next free port.
-fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
-    let mut tried = address;
-    loop {
-        match TcpListener::bind(tried) {
-            Ok(listener) => {
-                if tried != address {
-                    eprintln!(
-                        "port {} is taken, the next free one is {}",
-                        address.port(),
-                        tried.port()
-                    );
-                }
-                if !address.ip().is_loopback() {
-                    eprintln!(
-                        "warning: everyone who reaches {} can hold the hand",
-                        address.ip()
-                    );
-                }
-                listener.set_nonblocking(true)?;
-                return Ok(listener);
-            }
-            Err(error)
-                if error.kind() == io::ErrorKind::AddrInUse
-                    && tried.port() < u16::MAX
-                    && tried.port() - address.port() < PORTS =>
-            {
-                tried.set_port(tried.port() + 1);
-            }
-            Err(error) => {
-                let address = address.to_string();
-                return Err(ViewError::Address { address, error });
-            }
-        }
-    }
-}
-
-/// The sockets of renderers and trackers.
-struct Ends {
-    out: Vec<(std::net::UdpSocket, Format)>,
-    inward: Vec<(std::net::UdpSocket, Format)>,
-}
-
-impl Ends {
-    fn open(args: &ViewArgs, place: SocketAddr) -> Result<Self, ViewError> {
-        let mut ends = Self {
-            out: Vec::new(),
-            inward: Vec::new(),
-        };
-        let outward = [
-            (&args.osc, Format::Osc),
-            (&args.opentrack, Format::OpenTrack),
-        ];
-        for (address, format) in outward {
-            let Some(address) = address else { continue };
-            let socket = outward::to(address).map_err(|error| ViewError::Address {
-                address: address.clone(),
-                error,
-            })?;
-            ends.out.push((socket, format));
-        }
-        let inward = [
-            (args.osc_in, Format::Osc),
-            (args.opentrack_in, Format::OpenTrack),
-        ];
-        for (port, format) in inward {
-            let Some(port) = port else { continue };
-            let socket = outward::at(place.ip(), port).map_err(|error| ViewError::Address {
-                address: format!("UDP port {port}"),
-                error,
-            })?;
-            ends.inward.push((socket, format));
-        }
-        Ok(ends)
-    }
 }
 
 /// Says where it is, and who has the solver.

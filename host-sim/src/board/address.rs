@@ -55,28 +55,21 @@ fn parse_timeout(text: &str) -> Result<Duration, String> {
 impl ConnectArgs {
     /// There is to be a board.
     pub(crate) const fn is_wanted(&self) -> bool {
-        let PlaceArgs {
-            port,
-            socket,
-            tcp,
-            emulate,
-        } = &self.place;
-        port.is_some() || socket.is_some() || tcp.is_some() || emulate.is_some()
+        let place = &self.place;
+        place.port.is_some()
+            || place.socket.is_some()
+            || place.tcp.is_some()
+            || place.emulate.is_some()
     }
 
     /// The place; builds and starts the emulator where one is wanted.
     pub(super) fn address(&self) -> Result<Address, BoardError> {
-        let PlaceArgs {
-            port,
-            socket,
-            tcp,
-            emulate,
-        } = &self.place;
-        Ok(match (port, socket, tcp, emulate) {
-            (Some(port), ..) => Address::Port(port.clone(), self.baud),
-            (_, Some(socket), ..) => Address::Socket(socket.clone()),
-            (_, _, Some(tcp), _) => Address::Tcp(tcp.clone()),
-            (.., board) => Address::Emulated(Emulator::start(board.unwrap_or_default())?),
+        let place = self.place.clone();
+        Ok(match (place.port, place.socket, place.tcp) {
+            (Some(port), ..) => Address::Port(port, self.baud),
+            (_, Some(socket), _) => Address::Socket(socket),
+            (.., Some(tcp)) => Address::Tcp(tcp),
+            _ => Address::Emulated(Emulator::start(place.emulate.unwrap_or_default())?),
         })
     }
 

@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{FutureExt, SinkExt, StreamExt};
-use serde_json::Number as JsonNumber;
 use tokio::sync::{mpsc, watch};
 use tokio::time::{Instant as Tick, sleep_until, timeout};
 
@@ -24,10 +23,6 @@ const WAITING: usize = 256;
 const RATE: f64 = 60.0;
 /// The state is looked after so often.
 const STATE_EVERY: Duration = Duration::from_millis(20);
-/// Whoever leads the hand sees what it does as soon as it is done: that is looked after so often.
-const PROMPT_EVERY: Duration = Duration::from_millis(1);
-/// Between two frames that are sent for that.
-const PROMPT_SPACING: Duration = Duration::from_millis(4);
 /// A client that takes nothing for so long is gone.
 const PATIENCE: Duration = Duration::from_secs(60);
 /// The server goes away.
@@ -160,17 +155,12 @@ impl Mouth<'_> {
                     self.period = Duration::from_secs_f64(1.0 / *rate.borrow_and_update());
                     due = Tick::now();
                 }
-                () = sleep_until(due.min(Tick::now() + told.every())) => {
-                    let now = Tick::now();
-                    let is_prompt = now + self.period >= due + PROMPT_SPACING && told.is_echoed(self.hub, self.client);
-                    if is_prompt {
-                        due = now + self.period;
-                    } else if now >= due {
-                        due = (due + self.period).max(now);
-                        self.tell(&mut told, true).await?;
-                        continue;
+                () = sleep_until(due.min(Tick::now() + STATE_EVERY)) => {
+                    let with_frame = Tick::now() >= due;
+                    if with_frame {
+                        due = (due + self.period).max(Tick::now());
                     }
-                    self.tell(&mut told, is_prompt).await?;
+                    self.tell(&mut told, with_frame).await?;
                 }
             }
         }
@@ -230,8 +220,6 @@ struct Told {
     serial: u64,
     /// The next record.
     record: u64,
-    /// What it was last given back.
-    echo: Option<JsonNumber>,
 }
 
 impl Told {
@@ -242,31 +230,7 @@ impl Told {
             state: 0,
             serial: 0,
             record,
-            echo: None,
         }
-    }
-
-    /// There is something to look after so often.
-    const fn every(&self) -> Duration {
-        match self.echo {
-            Some(_) => PROMPT_EVERY,
-            None => STATE_EVERY,
-        }
-    }
-
-    /// The newest frame contains another sample of this client. From then on it is known whether it leads.
-    fn is_echoed(&mut self, hub: &Hub, client: u32) -> bool {
-        let shown = hub.feed.read();
-        let echo = shown
-            .latest
-            .as_ref()
-            .and_then(|latest| latest.echo.as_ref());
-        let sent = echo.filter(|(to, _)| *to == client).map(|(_, sent)| sent);
-        let is_new = sent != self.echo.as_ref();
-        if is_new {
-            self.echo = sent.cloned();
-        }
-        is_new && self.echo.is_some()
     }
 
     /// What is new.
