@@ -17,6 +17,13 @@ struct Cli {
     command: Option<Command>,
 }
 
+/// What is done where no command is given, with all that is not said.
+#[derive(Parser)]
+struct Unasked {
+    #[command(flatten)]
+    view: ViewArgs,
+}
+
 #[derive(Subcommand)]
 enum Command {
     /// The live page: hold the body with the mouse; poses for renderers (without a command: this)
@@ -35,16 +42,17 @@ enum Command {
 
 fn main() -> ExitCode {
     // False where the work was done and its outcome is bad.
-    let Cli { command } = Cli::parse();
-    let command = command.or_else(|| Cli::parse_from(["stiction", "view"]).command);
+    let command = Cli::parse().command.unwrap_or_else(|| {
+        let Unasked { view } = Unasked::parse_from(["stiction"]);
+        Command::View(Box::new(view))
+    });
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
-        Some(Command::Run(args)) => run(&args).map(|()| true).map_err(Into::into),
-        Some(Command::Trade(args)) => trade(&args).map(|()| true).map_err(Into::into),
-        Some(Command::Footprint(args)) => footprint(&args).map(|()| true).map_err(Into::into),
-        Some(Command::Board(args)) => board(&args).map_err(Into::into),
-        Some(Command::Info(args)) => info(&args).map(|()| true).map_err(Into::into),
-        Some(Command::View(args)) => view(&args).map(|()| true).map_err(Into::into),
-        None => Ok(true),
+        Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
+        Command::Trade(args) => trade(&args).map(|()| true).map_err(Into::into),
+        Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
+        Command::Board(args) => board(&args).map_err(Into::into),
+        Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
+        Command::View(args) => view(&args).map(|()| true).map_err(Into::into),
     };
     match result {
         Ok(true) => ExitCode::SUCCESS,

@@ -1,5 +1,8 @@
 //! What is malformed, too large, too much, or from elsewhere is refused, and changes nothing.
 
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Command, Stdio};
+
 use serde_json::{Value, json};
 use tungstenite::Message;
 
@@ -147,35 +150,41 @@ fn paths_that_cannot_be_used_are_refused_with_a_message() {
 fn a_port_that_is_taken_is_said_and_the_next_one_is_served() {
     let first = View::start(&["box-flat"]);
     let folder = Folder::new();
-    let mut second = std::process::Command::new(env!("CARGO_BIN_EXE_stiction"))
+    let mut second = Command::new(env!("CARGO_BIN_EXE_stiction"))
         .args(["view", "--listen", &first.place])
         .current_dir(folder.file(""))
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::piped())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    let mut line = String::new();
-    let said = std::io::BufReader::new(second.stderr.take().expect("its errors"));
-    std::io::BufRead::read_line(&mut { said }, &mut line).expect("a line");
-    second.kill().expect("it runs");
-    second.wait().expect("it ends");
+    let line = first_line(second.stderr.take().expect("its errors"));
+    end(second);
     let (_, port) = first.place.split_once(':').expect("a port");
     assert!(line.contains(port) && line.contains("taken"), "{line}");
+}
+
+/// What a program says first.
+fn first_line(said: impl Read) -> String {
+    let mut line = String::new();
+    BufReader::new(said).read_line(&mut line).expect("a line");
+    line
+}
+
+fn end(mut child: Child) {
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
 }
 
 #[test]
 fn without_arguments_the_page_is_served() {
     let folder = Folder::new();
-    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_stiction"))
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stiction"))
         .current_dir(folder.file(""))
-        .stdout(std::process::Stdio::piped())
+        .stdout(Stdio::piped())
         .spawn()
         .expect("the program starts");
-    let mut line = String::new();
-    let said = std::io::BufReader::new(child.stdout.take().expect("its output"));
-    std::io::BufRead::read_line(&mut { said }, &mut line).expect("a line");
-    child.kill().expect("it runs");
-    child.wait().expect("it ends");
+    let line = first_line(child.stdout.take().expect("its output"));
+    end(child);
     assert!(line.starts_with("http://127.0.0.1:"), "{line}");
 }
 
