@@ -108,6 +108,36 @@ cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-
 stage 'ten million steps of the hand'
 cargo run --release --locked -p stiction-tests --bin walk -- 10000000
 
+stage 'fuzzing, a minute for each target'
+# libFuzzer with the stable compiler; its runtime is C++. What it finds is in tests/fuzz/artifacts. Always the same inputs, as
+# many as a minute allows: a change is not to fail by chance. The nightly run looks elsewhere each time.
+fuzz() { cargo fuzz "$1" --fuzz-dir tests/fuzz --target-dir target/fuzz --features libfuzzer --sanitizer none "${@:2}"; }
+fuzz_for_a_minute() {
+  local found=target/fuzz/found/$1 words=tests/fuzz/$1.dict
+  rm -rf "$found" && mkdir -p "$found"
+  [ -e "$words" ] && words=-dict=$words || words=
+  fuzz run "$1" "$found" "tests/fuzz/corpus/$1" -- -seed=1 -max_total_time=60 -timeout=60 $words >"$found.log" 2>&1 ||
+    { tail -n 60 "$found.log"; return 1; }
+  printf '%s: %s\n' "$1" "$(grep -a '^Done' "$found.log")"
+}
+cxx='apt-get install -y --no-install-recommends g++'
+command -v c++ >/dev/null || { apt-get update && $cxx; } || true
+if ! command -v c++ >/dev/null; then
+  missing 'a C++ compiler' "$cxx"
+elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
+  fuzz build
+  for pair in 'wire solver' 'scene_file hand_path'; do
+    jobs=()
+    for target in $pair; do
+      fuzz_for_a_minute "$target" &
+      jobs+=($!)
+    done
+    for job in "${jobs[@]}"; do wait "$job"; done
+  done
+else
+  missing cargo-fuzz 'cargo install cargo-fuzz --locked'
+fi
+
 stage 'documentation'
 RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
 

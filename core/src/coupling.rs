@@ -272,8 +272,12 @@ impl<R: Real> Stance<R> {
 
     /// The rounding of forces and moments at a place.
     pub(crate) fn rounding(&self) -> R {
-        let size = self.force.reach() + self.lever.reach() + self.couple.abs();
-        R::rounding(size).doubled().doubled()
+        R::rounding(self.size()).doubled().doubled()
+    }
+
+    /// The size of what forces and moments are sums of.
+    pub(crate) fn size(&self) -> R {
+        self.force.reach() + self.lever.reach() + self.couple.abs()
     }
 
     /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.

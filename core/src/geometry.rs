@@ -122,10 +122,24 @@ impl<R: Real> Rotation<R> {
     }
 }
 
-/// An unwrapped angle: whole turns and a remainder, so that many turns cost no accuracy (STATICS 10).
+/// An unwrapped angle, counter-clockwise positive: whole turns and a remainder, so that many turns cost no accuracy (STATICS 10).
+///
+/// ```
+/// use core::f32::consts::TAU;
+/// use stiction_core::Angle;
+///
+/// let many = Angle { turns: 100_000, rest: 0.25_f32 };
+/// let on = many.plus(0.001);
+/// assert!((on.minus(many) - 0.001).abs() < 1e-7, "a milliradian is one still");
+/// assert!((on.radians() - many.radians() - 0.001).abs() > 5e-4, "a single number loses it");
+///
+/// let wound = Angle::from_radians(3.0 * TAU - 0.5);
+/// assert_eq!(wound.turns, 3);
+/// assert!((wound.rest + 0.5).abs() < 1e-5);
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Angle<R> {
-    /// Whole turns, counter-clockwise positive.
+    /// Whole turns.
     pub turns: i32,
     /// The remainder (rad), in [-pi, pi].
     pub rest: R,
@@ -141,7 +155,7 @@ impl<R: Real> Angle<R> {
     pub fn radians(self) -> R {
         R::from_int(self.turns) * R::TAU + self.rest
     }
-    /// This angle turned on by `radians`.
+    /// This angle turned on by `radians`. Beyond 2^31 turns the count stays at its end.
     #[must_use]
     pub fn plus(self, radians: R) -> Self {
         let (turns, rest) = (self.rest + radians).turns();
@@ -150,7 +164,7 @@ impl<R: Real> Angle<R> {
             rest,
         }
     }
-    /// `self` - `other` (rad).
+    /// `self` - `other` (rad), exact to the rounding of the remainders where the turns are the same.
     pub fn minus(self, other: Self) -> R {
         let rest = self.rest - other.rest;
         match self.turns.saturating_sub(other.turns) {
@@ -158,7 +172,7 @@ impl<R: Real> Angle<R> {
             turns => R::from_int(turns) * R::TAU + rest,
         }
     }
-    /// `self` - `other` as an unwrapped angle.
+    /// `self` - `other` as an unwrapped angle, which keeps its digits at any number of turns.
     #[must_use]
     pub fn offset_from(self, other: Self) -> Self {
         let (turns, rest) = (self.rest - other.rest).turns();

@@ -4,21 +4,60 @@
 use crate::geometry::Angle;
 use crate::real::Real;
 
-/// One sample of the planar hand.
+/// One sample of the planar hand. Switching it off and on again lets go and takes hold anew:
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Event, Evolution, Hand, Solver};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.03, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// let solver = Solver::new(scene, Evolution::Path);
+/// let lifted = Hand::new(0.0, 0.15, 0.0);
+/// let (mut state, _) = solver.start(lifted);
+///
+/// // Let go, it stays where it is: there is no gravity here, and nothing moves by itself.
+/// let output = solver.step(&mut state, lifted.released());
+/// assert_eq!((output.held, output.events()), (false, &[Event::Release][..]));
+/// let left_at = output.position;
+///
+/// // A hand beside it does not take hold; the reach of this scene is 0.
+/// assert!(!solver.step(&mut state, Hand::new(0.2, 0.15, 1.0)).held);
+///
+/// // One within it does, at that point and angle: the springs are at rest, the body stays.
+/// let output = solver.step(&mut state, Hand::new(0.02, 0.13, 1.0));
+/// assert_eq!((output.held, output.events()), (true, &[Event::Grasp][..]));
+/// assert!((output.position[1] - left_at[1]).abs() < 1e-6);
+/// assert!(solver.wrench(&state).force.iter().all(|f| f.abs() < 1e-3));
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hand<F> {
-    /// Position p_h (m), world frame.
+    /// Position p_h (m), world frame. At most [`Real::RANGE`] body sizes from the origin, or it is not followed.
     pub position: [F; 2],
     /// Orientation phi, unwrapped, counter-clockwise positive.
     pub angle: Angle<F>,
-    /// Depth coordinate (m); passes through to the output.
+    /// Depth coordinate (m), across the plane; passes through to the output.
     pub depth: F,
-    /// The hold switch.
+    /// The hold switch: on, it holds the body, or takes hold as soon as it is within reach.
     pub held: bool,
 }
 
 impl<F: Real> Hand<F> {
-    /// A hand that holds, at (x, y) (m) and phi (rad).
+    /// A hand that holds, at (x, y) (m) and phi (rad, unwrapped), depth 0.
     pub fn new(x: F, y: F, phi: F) -> Self {
         Self {
             position: [x, y],
@@ -42,23 +81,24 @@ impl<F: Real> Hand<F> {
     }
 }
 
-/// One sample of a tracker with six degrees of freedom.
+/// One sample of a tracker with six degrees of freedom, in the tracker's frame, which is right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackerSample<F> {
     /// Position (m).
     pub position: [F; 3],
-    /// Orientation as a unit quaternion (x, y, z, w); its length does not matter, but must not be 0.
+    /// Orientation as a quaternion (x, y, z, w): turns the frame of the hand into that of the tracker. Its length and sign do not
+    /// matter, but it must not be 0.
     pub orientation: [F; 4],
     /// The hold switch.
     pub held: bool,
 }
 
-/// A world axis with its direction.
+/// An axis of the tracker's frame with a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axis {
     /// 0, 1 or 2: x, y or z.
     pub index: usize,
-    /// Against the axis.
+    /// True for the direction against the axis.
     pub negative: bool,
 }
 
@@ -74,6 +114,30 @@ impl Axis {
 }
 
 /// The plane of the scene in the tracker's space, and the memory that unwraps the angle.
+///
+/// ```
+/// use stiction_core::{Axis, Projection, TrackerSample};
+///
+/// // A tracker whose z points up and whose x points right: the scene's plane is x and z, its
+/// // depth counts along -y, towards who looks at it.
+/// let right = Axis { index: 0, negative: false };
+/// let up = Axis { index: 2, negative: false };
+/// let mut projection = Projection::<f32>::new([right, up]).expect("two different axes");
+///
+/// // The handle is turned by a quarter turn about -y: counter-clockwise for who looks at it.
+/// let half = core::f32::consts::FRAC_PI_4;
+/// let sample = TrackerSample {
+///     position: [0.10, 0.02, 0.30],
+///     orientation: [0.0, -half.sin(), 0.0, half.cos()],
+///     held: true,
+/// };
+/// let hand = projection.planar(&sample).expect("a finite sample");
+/// assert_eq!((hand.position, hand.depth), ([0.10, 0.30], -0.02));
+/// assert!((hand.angle.radians() - core::f32::consts::FRAC_PI_2).abs() < 1e-6);
+///
+/// let lost = TrackerSample { position: [f32::NAN; 3], ..sample };
+/// assert_eq!(projection.planar(&lost), None);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection<F> {
     axes: [Axis; 2],
@@ -108,8 +172,10 @@ impl<F: Real> Projection<F> {
         }
     }
 
-    /// The planar hand pose of a sample. `None`, and nothing is remembered, where the sample is not finite or its
-    /// quaternion is zero. Where the twist is undefined (half a turn about an axis in the plane) the last angle stays.
+    /// The planar hand pose of a sample: the position on the two axes, the twist of the orientation about their normal, the position
+    /// along that normal as depth. The angle goes on from the last sample by less than half a turn. `None`, and nothing is
+    /// remembered, where the sample is not finite or its quaternion is zero. Where the twist is undefined (half a turn about an axis
+    /// in the plane) the last angle stays.
     pub fn planar(&mut self, sample: &TrackerSample<F>) -> Option<Hand<F>> {
         let [x, y, z, w] = sample.orientation;
         let finite = |values: &[F]| values.iter().all(|v| v.is_finite());

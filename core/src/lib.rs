@@ -12,7 +12,11 @@
 )]
 //! Contact of an object held in the hand, computed by statics alone: no inertia, no velocities, no time step. At every
 //! pose of the hand the object sits where forces and moments balance; it sticks, slips to a new balance, tips, lands on an
-//! edge, snaps, jams. The equations and rules are in `STATICS.md` beside this crate; the code cites their numbers.
+//! edge, snaps, jams. The equations and rules are in `STATICS.md` among the sources of this crate, the format of frames in
+//! `FRAME.md`; the documentation cites their sections and numbers, as (E3) or STATICS 3.2.
+//!
+//! Everything a user sees is in SI units, in a right-handed world frame, angles in radians and counter-clockwise. Forces are those
+//! on the body; what a device gives to the hand is [`Wrench::feedback`].
 //!
 //! ```text
 //! TrackerSample --Projection--> Hand
@@ -20,11 +24,11 @@
 //!                                v
 //!                              Grip                  the springs' other end (coupling.rs)
 //!                                |  2 detect.rs      gaps, the first touch
-//!                                |  3 state/*.rs     each state: advance, relax, slide (motion.rs, roots.rs, friction.rs)
-//!                                |  4 transition.rs  (state, trigger) -> state, until the body rests
+//!                                |  3 state/*.rs     each state: advance, relax, slide
+//!                                |  4 transition.rs  (state, trigger) -> state, to rest
 //!                                v
-//!                              Output                pose, events, status; wrench and contacts when asked for
-//!                                |  6 frame.rs       to bytes and back, for a board and its client
+//!                              Output                pose, events, status; forces on demand
+//!                                |  6 frame.rs       to bytes and back, board and client
 //!                                v
 //!                              frame::Report
 //! ```
@@ -57,9 +61,31 @@
 //! # Ok::<(), stiction_core::SceneError<f32>>(())
 //! ```
 //!
-//! Inside, every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
+//! | To | see |
+//! |---|---|
+//! | describe a scene and learn what is wrong with it | [`Description`], [`SceneError`] |
+//! | choose between exact and cheap | [`Evolution`], [`Solver`] |
+//! | keep and replay a run | [`State`] |
+//! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
+//! | know what happened and what limited the answer | [`Output`], [`Event`], [`Status`], [`Transition`] |
+//! | let go and take hold, feed a tracker | [`Hand`], [`Projection`] |
+//! | run without a floating point unit, or leave code out | [`Fixed`], [`Model`] |
+//! | talk to a board | [`frame`] |
+//!
+//! # Contact states
+//!
+#![doc = include_str!("../states.svg")]
+//!
+//! # Inside
+//!
+//! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
 //! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings; today these are a vertex and a
 //! half-plane.
+
+/// The example in the README, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 mod body;
 mod calm;

@@ -2,15 +2,54 @@
 //! type. `V = 1` (a point tool) has no edges, `S = 1` has no state of two surfaces; a [`Model`] leaves out friction or
 //! weight.
 
-/// The parts of the solver that a scene may need besides its geometry.
+/// The parts of the solver that a scene may need besides its geometry: [`Full`], [`Weightless`], [`Frictionless`] or [`Bare`],
+/// the last parameter of [`Scene`](crate::Scene) and [`Solver`](crate::Solver). What it leaves out is not in the binary; the
+/// capacities leave out as much: a scene of one vertex has no edges, one of one surface no states of two.
+///
+/// ```
+/// use stiction_core::{Bare, Description, Evolution, Hand, Parameter, Scene, Solver};
+/// use stiction_core::{SurfaceDescription, Weightless};
+///
+/// // The tip of a tool on a smooth floor, held 0.1 m above it.
+/// let smooth = SurfaceDescription {
+///     normal: [0.0, 1.0],
+///     offset: 0.0,
+///     friction_static: 0.0,
+///     friction_dynamic: 0.0,
+/// };
+/// let tip = Description {
+///     vertices: &[[0.0, 0.0]],
+///     start: [0.0, 0.0, 0.0],
+///     weight: 0.0,
+///     holding_point: Some([0.0, 0.1]),
+///     reach: 0.0,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[smooth],
+/// };
+/// let solver = Solver::new(Scene::<f32, 1, 1, Bare>::new(&tip)?, Evolution::Path);
+/// let (mut state, _) = solver.start(Hand::new(0.0, 0.09, 0.0));
+/// let output = solver.step(&mut state, Hand::new(0.05, 0.09, 0.0));
+/// let contact = solver.contacts(&state)[0];
+/// assert!((output.position[0] - 0.05).abs() < 1e-5, "it glides along below the hand");
+/// assert!((contact.normal - 5.0).abs() < 1e-3 && contact.friction.abs() < 1e-3);
+///
+/// // What a model does not have, it does not take.
+/// let rough = [SurfaceDescription { friction_static: 0.5, ..smooth }];
+/// let rough = Description { surfaces: &rough, ..tip };
+/// let error = Scene::<f32, 1, 1, Bare>::new(&rough).expect_err("no friction in this model");
+/// assert_eq!(error.parameter, Parameter::FrictionStatic(0));
+/// assert!(Scene::<f32, 1, 1, Weightless>::new(&rough).is_ok());
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static {
-    /// Friction: sticking and slipping. Without it every mu is 0, and on a single surface contacts glide.
+    /// Friction: sticking and slipping. Without it every mu is 0, and on a single surface contacts glide (STATICS 3.6).
     const FRICTION: bool;
-    /// The body's weight. Without it W is 0.
+    /// The body's weight W. Without it W is 0.
     const WEIGHT: bool;
 }
 
-/// A model with friction, with weight, or without.
+/// A model with friction or without, with weight or without.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts<const FRICTION: bool, const WEIGHT: bool>;
 

@@ -12,7 +12,7 @@ pub const MAX_CONTACTS: usize = 8;
 /// At most this many events of one frame are reported; a run of equal events counts once.
 pub const MAX_EVENTS: usize = 16;
 
-/// The contact state (the first four are the paper's).
+/// The contact state (STATICS 8; the first four are the paper's).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum StateKind {
     /// No contact.
@@ -31,7 +31,7 @@ pub enum StateKind {
 }
 
 impl StateKind {
-    /// All states, in the order of their number of contacts.
+    /// All states, in the order in which they are declared.
     pub const ALL: [Self; 6] = [
         Self::NonContact,
         Self::SingleVertex,
@@ -41,7 +41,7 @@ impl StateKind {
         Self::Locked,
     ];
 
-    /// The name in a trace.
+    /// The name in a trace: `single-vertex`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::NonContact => "non-contact",
@@ -54,24 +54,25 @@ impl StateKind {
     }
 }
 
-/// What happened in a frame.
+/// What happened in a frame. The arms of the transition table tell the same in more detail:
+/// [`Transition`](crate::Transition).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Event {
     /// A vertex came to a surface.
     Touch,
     /// A contact opened without another one taking over its motion.
     Lift,
-    /// A slip ended at mu_d N.
+    /// A slip ended at |T| = mu_d N.
     Slip,
     /// The body left an edge and turns about one of its vertices.
     Tip,
     /// A second vertex came to the surface of the first: the body lies on an edge.
     Land,
-    /// The rotation branch folded and the body snapped to the next balance.
+    /// The balance of moments folded and the body snapped to the next one (STATICS 3.1).
     Snap,
-    /// Three or more contacts fix the body.
+    /// A contact more: three or more fix the body.
     Jam,
-    /// The hand took hold of the body.
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
     Grasp,
     /// The hand let go of the body.
     Release,
@@ -107,7 +108,8 @@ impl Event {
     }
 }
 
-/// What limited the answer. Ordered: the gravest of a frame is reported.
+/// What limited the answer. Ordered: the gravest of a frame is reported. Up to [`Self::EventLimit`] the pose is a balance within
+/// all friction cones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Status {
     /// Nothing.
@@ -115,9 +117,10 @@ pub enum Status {
     Ok,
     /// Slips became smaller than told apart, or too many: the rest of the frame was taken as one jump of the hand.
     EventLimit,
-    /// A search ended at its bound; the best answer so far is given.
+    /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
     IterationLimit,
-    /// No mode of motion is consistent with the friction laws: the body stayed.
+    /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Said in every frame until the
+    /// hand moves (STATICS 9, rule 8).
     Ambiguous,
     /// The hand, or its pull on the body, was beyond the range of the number type; the last pose is held.
     Saturated,
@@ -149,7 +152,7 @@ impl Status {
     }
 }
 
-/// One contact: a vertex of the body on a surface.
+/// One contact: a vertex of the body on a surface. SI units, world frame; forces are those on the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact<F> {
     /// Index of the vertex in the scene's list.
@@ -160,16 +163,61 @@ pub struct Contact<F> {
     pub point: [F; 2],
     /// Reaction N >= 0 on the body along the surface's normal n (N).
     pub normal: F,
-    /// Friction T on the body along the tangent (n_y, -n_x) (N), |T| <= mu_s N.
+    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N. Of an edge, where only
+    /// the sum counts, in proportion to N.
     pub friction: F,
 }
 
-/// Force and moment.
+/// Force and moment of the hand on the body, world frame.
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Evolution, Hand, Solver};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.03, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// // The hand goes 10 mm below the holding point and 3 mm beyond it along +x. That is less than
+/// // mu_s · 10 mm, so the box sticks.
+/// let solver = Solver::new(scene, Evolution::Path);
+/// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
+/// solver.step(&mut state, Hand::new(0.003, 0.04, 0.0));
+///
+/// let wrench = solver.wrench(&state);
+/// let is = |value: f32, expected: f32| (value - expected).abs() < 1e-3;
+/// assert!(is(wrench.force[0], 1.5) && is(wrench.force[1], -5.0), "along and down");
+/// let [x, y] = wrench.feedback().force;
+/// assert!(is(x, -1.5) && is(y, 5.0), "the hand is pulled back and pushed up");
+///
+/// let contacts = solver.contacts(&state);
+/// assert_eq!(contacts.len(), 2, "an edge");
+/// let normal: f32 = contacts.iter().map(|c| c.normal).sum();
+/// let friction: f32 = contacts.iter().map(|c| c.friction).sum();
+/// assert!(is(normal, 5.0), "the floor bears the push");
+/// assert!(is(friction, -1.5), "friction on the box acts along -t = -x");
+/// # // The wrench and the contacts add up to nothing, in moment too: about the left vertex.
+/// # let [fx, fy] = wrench.force;
+/// # let at = [0.05, 0.05]; // the holding point from there
+/// # assert!(is(at[0] * fy - at[1] * fx + wrench.moment + 0.1 * contacts[1].normal, 0.0));
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench<F> {
-    /// Force (N).
+    /// Force F at the holding point (N).
     pub force: [F; 2],
-    /// Moment about the holding point (N·m), counter-clockwise positive.
+    /// Moment M about the holding point (N·m), counter-clockwise positive.
     pub moment: F,
 }
 
@@ -185,7 +233,8 @@ impl<F: Real> Wrench<F> {
     }
 }
 
-/// The contacts of a state, in a fixed order within a kind of state. A list that can be read like a slice.
+/// The contacts of a state, in a fixed order as long as the state lasts, at most [`MAX_CONTACTS`]. A list that can be read like a
+/// slice; [`Wrench`] has an example.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contacts<F> {
     list: Vec<Contact<F>, MAX_CONTACTS>,
@@ -205,14 +254,15 @@ impl<F> Deref for Contacts<F> {
     }
 }
 
-/// The answer of one step.
+/// The answer of one step. SI units, world frame. Forces are asked for apart, [`Solver::wrench`](crate::Solver::wrench) and
+/// [`Solver::contacts`](crate::Solver::contacts), as not every frame needs them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output<F> {
     /// The hand holds the body (its switch is on and it took hold within reach).
     pub held: bool,
-    /// Position p of the body's origin (m).
+    /// Position p of the origin of the body frame (m).
     pub position: [F; 2],
-    /// Orientation theta of the body, unwrapped.
+    /// Orientation theta of the body, unwrapped, counter-clockwise positive.
     pub angle: Angle<F>,
     /// Depth coordinate (m), passed through from the hand.
     pub depth: F,
@@ -220,7 +270,7 @@ pub struct Output<F> {
     pub state: StateKind,
     /// Slips that ended at mu_d N in this frame.
     pub slips: u32,
-    /// The longest of them (m).
+    /// The longest of them (m) >= 0: the way of the (first) sliding vertex along its surface; 0 without a slip.
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,
@@ -230,7 +280,7 @@ pub struct Output<F> {
 }
 
 impl<F: Real> Output<F> {
-    /// What happened in this frame, in order.
+    /// What happened in this frame, in order; the first [`MAX_EVENTS`], a run of equal ones told once.
     pub fn events(&self) -> &[Event] {
         &self.events
     }
@@ -268,6 +318,13 @@ impl<R: Real> Log<R> {
             self.status.max(Status::Ambiguous)
         } else {
             self.status
+        }
+    }
+    /// The status, where the body was not brought to balance.
+    pub(crate) fn unrest(&self) -> Status {
+        match self.final_status() {
+            Status::Ok | Status::EventLimit => Status::Ok,
+            grave => grave,
         }
     }
     /// Nothing but a single slip.

@@ -19,7 +19,10 @@ pub use comparison::{CordicFixed, LibmSingle, MicromathSingle};
 pub use fixed::Fixed;
 
 /// A number of the solver. Implemented for `f32` (own polynomials, the default of the product), [`Fixed`] (chips
-/// without a floating point unit) and `f64` (libm, the reference).
+/// without a floating point unit) and `f64` (libm, the reference). Each gives the same bits on every machine.
+///
+/// Inside the solver numbers have no unit: lengths are counted in L, the body's largest vertex distance, forces in k_h L, moments
+/// in k_h L² (STATICS 10). A user meets them as values of [`Self::Si`] alone, in SI units.
 pub trait Real:
     Copy
     + Debug
@@ -48,13 +51,13 @@ pub trait Real:
     const TAU: Self;
     /// The larger of the relative and the absolute rounding of a number near 1.
     const EPSILON: Self;
-    /// Gaps below this part of the body size close together (STATICS 7: 1e-10 where the type carries it).
+    /// Gaps below this part of the body size close together (STATICS 7): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
     const TOUCH: Self;
-    /// Slips and hand travels below this part of the body size are not told apart (STATICS 7).
+    /// Slips and hand travels below this part of the body size are not told apart (STATICS 7): 2^-19 in every type.
     const MICRO: Self;
-    /// The farthest coordinate that is accepted, in body sizes.
+    /// The farthest coordinate that is accepted, in body sizes: 1e12 in `f64`, 1e6 in `f32`, 16 in [`Fixed`].
     const RANGE: Self;
-    /// The largest moment of the springs that is carried, 4 [`Self::RANGE`].
+    /// The largest moment of the springs that is carried, in k_h L²: 4 [`Self::RANGE`].
     const LOAD: Self;
     /// A number beyond every root: the limit of an unlimited search.
     const HUGE: Self;

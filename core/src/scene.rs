@@ -192,7 +192,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
 }
 
-/// A checked scene with room for V vertices and S surfaces, for a solver with the parts of M.
+/// A checked scene in numbers of type R, with room for V vertices and S surfaces (at most 255 each), for a solver with the parts
+/// of M. It never changes; [`Description`] has an example.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
     pub(crate) body: Body<R, V>,
@@ -208,7 +209,7 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
-    /// Checks a description and makes it non-dimensional.
+    /// Checks a description and makes it non-dimensional (STATICS 10).
     ///
     /// # Errors
     /// [`SceneError`] names the first parameter that is not finite, out of its range or inconsistent with the others,
@@ -320,6 +321,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 
     /// A vertex this near to a surface touches it from the beginning: 1e-5 of the body size.
     pub(crate) fn start_tolerance() -> R {
-        R::ONE / R::from_int(100_000)
+        // In floats: not every number type counts so far.
+        R::from_si(one_in(100_000), R::Si::ONE)
     }
+}
+
+/// 1/n
+fn one_in<F: Real>(n: i32) -> F {
+    F::ONE / F::from_int(n)
 }

@@ -4,7 +4,7 @@ use crate::geometry::Angle;
 use crate::hand::Hand;
 use crate::real::Real;
 
-/// A float in which the solver takes and gives SI values.
+/// A float in which the solver takes and gives SI values: `f32`, also that of [`Fixed`](crate::Fixed), and `f64`.
 pub trait SiFloat: Real<Si = Self> {
     /// The nearest value of this type.
     fn narrow(value: f64) -> Self;
@@ -38,7 +38,8 @@ impl SiFloat for f64 {
     }
 }
 
-/// The hand of the solver; the angle stays split into turns and remainder.
+/// A hand given in f64, as files hold it, in the float of a number type; the angle stays split into turns and remainder. What the
+/// float cannot hold becomes infinite, which the solver refuses.
 pub fn narrow_hand<F: SiFloat>(hand: &Hand<f64>) -> Hand<F> {
     Hand {
         position: hand.position.map(F::narrow),

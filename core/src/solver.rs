@@ -14,17 +14,50 @@ use crate::transition::settle;
 mod answer;
 mod evolve;
 
-/// How a frame is evolved.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Evolution {
-    /// Exact events along the straight way of the hand: the result does not depend on the frame rate.
-    #[default]
-    Path,
-    /// The hand jumps to its new pose (the paper's way): cheapest.
-    Frame,
-}
+pub use evolve::Evolution;
 
-/// The solver of one scene. It holds no state of a run.
+/// The solver of one scene. It holds no state of a run: one solver serves many.
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Evolution, Hand, Solver, Status};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.03, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// let exact = Solver::new(scene.clone(), Evolution::Path);
+/// let bounded = Solver::new(scene, Evolution::Path).with_event_limit(8).with_tolerance(1e-4);
+///
+/// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips, of which the bounded solver
+/// // tells a few apart.
+/// let (mut state, _) = exact.start(Hand::new(0.0, 0.04, 0.0));
+/// let mut twin = state.clone();
+/// let all = exact.step(&mut state, Hand::new(0.1, 0.04, 0.0));
+/// let some = bounded.step(&mut twin, Hand::new(0.1, 0.04, 0.0));
+/// assert_eq!((all.slips, all.status), (48, Status::Ok));
+/// assert!(some.slips <= 9);
+/// assert_eq!(some.status, Status::EventLimit);
+///
+/// // The rest of its frame is one jump. Both end in a balance within the friction cones.
+/// for state in [&state, &twin] {
+///     for contact in exact.contacts(state).iter() {
+///         assert!(contact.friction.abs() <= 0.5 * contact.normal + 1e-3, "{contact:?}");
+///     }
+/// }
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     scene: Scene<R, V, S, M>,
@@ -32,10 +65,43 @@ pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     event_limit: u8,
 }
 
-/// The most events of one frame that are told apart.
+/// The most events of one frame that are told apart; see [`Solver::with_event_limit`].
 pub const MAX_EVENT_LIMIT: u8 = 128;
 
-/// The state of a run: plain data. A copy of it is a snapshot; assigned back, the run repeats bit for bit.
+/// The state of a run: plain data, at most 256 bytes in `f32` and [`Fixed`](crate::Fixed). A copy of it is a snapshot; assigned
+/// back, the run repeats bit for bit, on every machine. It belongs to the scene of the solver that made it.
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Evolution, Hand, Solver};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.03, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// let solver = Solver::new(scene, Evolution::Path);
+/// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
+///
+/// let snapshot = state.clone();
+/// let mut drag = |x| solver.step(&mut state, Hand::new(x, 0.04, 0.1));
+/// let first = [drag(0.01), drag(0.02)];
+///
+/// state = snapshot;
+/// let mut drag = |x| solver.step(&mut state, Hand::new(x, 0.04, 0.1));
+/// assert_eq!([drag(0.01), drag(0.02)], first);
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct State<R: Real> {
     contact: ContactState<R>,
@@ -46,20 +112,22 @@ pub struct State<R: Real> {
     /// The hand has taken hold before.
     was_held: bool,
     hand: Hand<R::Si>,
+    /// What keeps the pose from being a balance: of the grip, not of the frame, and so told until the hand moves.
+    unrest: Status,
 }
 
 /// A hand that is turned farther than this (rad) from the body that it holds is out of range.
 const MAX_TURN: i32 = 100_000;
 
 impl<R: Real> State<R> {
-    /// The last good sample of the hand: the one that the state belongs to.
+    /// The last sample of the hand that could be used, as it was given: the one that the state belongs to.
     pub fn hand(&self) -> &Hand<R::Si> {
         &self.hand
     }
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// A solver for a scene.
+    /// A solver for a scene, exact and with [`MAX_EVENT_LIMIT`] events to a frame.
     pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
             scene,
@@ -88,8 +156,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// The first record: the equilibrium reached from the start pose with the hand at its first pose. A hand that is not
-    /// finite or out of range is taken as absent: the body stays at its start until a good one takes hold.
+    /// A new run and its first answer: the equilibrium reached from the scene's start pose with the hand at its first pose. A hand
+    /// that is not finite or out of range is taken as absent: the body stays at its start until a good one takes hold; so it does
+    /// while the hand's switch is off.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
         let mut log = Log::default();
         let mut state = self.placed_at_start();
@@ -106,7 +175,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         (state, output)
     }
 
-    /// One frame: the hand goes to its new pose and the body follows.
+    /// One frame: the hand goes to its new pose and the body follows. It never fails. A sample that cannot be used leaves the body
+    /// as it is, and the status says so: [`Status::HeldLast`] for one that is not finite, [`Status::Saturated`] for one beyond the
+    /// range of the number type. The next good one is followed from the last good one.
     pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
         let mut log = Log::default();
         match self.non_dimensional(&hand) {
@@ -165,6 +236,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             held: false,
             was_held: false,
             hand: Hand::default(),
+            unrest: Status::Ok,
         }
     }
 
@@ -192,14 +264,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         log: &mut Log<R>,
     ) {
         let pose = state.contact.pose(&self.scene);
-        let (holding_point, rest_offset) = match self.scene.holding_point {
-            Some(given) if !state.was_held => (given, Angle::default()),
-            _ => {
+        let given = (self.scene.holding_point).filter(|_| !state.was_held);
+        let (holding_point, rest_offset) = match given {
+            Some(point) => (point, Angle::default()),
+            None => {
                 let at = pose.orientation.rotation().undo(position - pose.position);
                 if self.scene.body.distance(at) > self.scene.reach {
                     return;
                 }
-                log.event(Event::Grasp);
                 (at, angle.offset_from(pose.orientation.angle()))
             }
         };
@@ -212,11 +284,15 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.limit(Status::Saturated);
             return;
         }
+        if given.is_none() {
+            log.event(Event::Grasp);
+        }
         state.held = true;
         state.was_held = true;
         state.rest_offset = rest_offset;
         state.grip = grip;
         settle(&self.scene, &state.grip, &mut state.contact, None, log);
+        state.unrest = log.unrest();
     }
 
     /// The number type carries the springs between a body and a hand: the pull, the turn, and the moment of both.

@@ -197,8 +197,9 @@ impl<R: Real> Support<R> {
 
     /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
     pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
-        let mut first = None;
+        let (mut first, mut has_facets) = (None, false);
         self.each_facet(&mut |normal, sharpness, _| {
+            has_facets = true;
             // The reactions are the opposite of the load.
             let (start, end) = (-normal.dot(from), -normal.dot(to));
             if end * sharpness < -rounding {
@@ -210,7 +211,21 @@ impl<R: Real> Support<R> {
                 first = Some(first.map_or(part, |least: R| least.min(part)));
             }
         });
-        first
+        if has_facets || self.is_on_line(to, rounding) {
+            first
+        } else {
+            Some(R::ZERO)
+        }
+    }
+
+    /// Without facets all edges lie in one line, as of contacts without friction on opposite sides of a slot: they bear what
+    /// lies in that line against one of them, and nothing else.
+    fn is_on_line(&self, load: Screw<R>, rounding: R) -> bool {
+        let mut edges = self.edges.iter().map(|edge| edge.screw);
+        edges.any(|edge| {
+            let size = edge.size();
+            edge.dot(load) <= rounding * size && edge.cross(load).size() <= rounding * size
+        })
     }
 
     /// The incipient motion at the facet that a load violates most, among those that `allows` lets pass.
@@ -244,9 +259,21 @@ impl<R: Real> Support<R> {
         triples.find(|&edges| self.bears_on(edges, load))
     }
 
+    /// What the reactions that come nearest to bearing a load leave of it.
+    pub(crate) fn left(&self, load: Screw<R>) -> R {
+        self.rest(load, &self.parts(load)).size()
+    }
+
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
     /// on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
+        let parts = self.parts(load);
+        let pairs = parts.chunks_exact(2);
+        gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
+    }
+
+    /// As [`Self::share`], edge by edge.
+    fn parts(&self, load: Screw<R>) -> Parts<R> {
         let mut parts: Parts<R> = gather(self.edges.iter().map(|_| R::ZERO));
         let mut ways = 0_i32;
         for way in self.triples().filter_map(|t| self.on_three(t, load)) {
@@ -262,14 +289,18 @@ impl<R: Real> Support<R> {
         for part in &mut parts {
             *part = *part * share;
         }
-        // Takes out the rounding; where no three edges bear the load, this is the nearest that two or three come to it.
+        // Takes out the rounding; where no three edges bear the load, this is the nearest that up to three come to it.
         for _ in 0..2 {
             let rest = self.rest(load, &parts);
             let triple = self.triples().filter_map(|t| self.on_three(t, rest));
             let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
+            let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, rest));
             let mut best = rest.size();
             let mut better = None;
-            let ways = triple.map(gather::<_, 3>).chain(pair.map(gather));
+            let ways = triple
+                .map(gather::<_, 3>)
+                .chain(pair.map(gather))
+                .chain(single.map(gather));
             for way in ways {
                 let mut trial = parts.clone();
                 add(&mut trial, &way);
@@ -284,8 +315,7 @@ impl<R: Real> Support<R> {
                 None => break,
             }
         }
-        let pairs = parts.chunks_exact(2);
-        gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
+        parts
     }
 
     /// What parts of the edges leave of a load.
@@ -331,6 +361,12 @@ impl<R: Real> Support<R> {
         let part = |face: Screw<R>| -face.dot(unit) / area;
         let usable = area > Self::tolerance();
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
+    }
+
+    /// The part of one edge that comes nearest to bearing a load.
+    fn on_one(&self, i: usize, load: Screw<R>) -> Option<[(usize, R); 1]> {
+        let edge = self.screw(i)?;
+        Some([(i, -edge.dot(load) / edge.dot(edge))])
     }
 }
 

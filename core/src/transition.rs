@@ -269,7 +269,9 @@ fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
 fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeLifts,
+        ContactState::TwoVertex(_) => Transition::TwoLifts,
         ContactState::Corner(_) => Transition::CornerLifts,
+        ContactState::Locked(_) => Transition::LockedLifts,
         _ => Transition::VertexLifts,
     }
 }

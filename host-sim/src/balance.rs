@@ -1,6 +1,10 @@
 //! The balance of forces and moments on the body, recomputed from recorded frames: the hand's spring, the reactions of the
 //! contacts and the weight (N, N·m, world frame), and what is left of their sums.
 
+// Those of libm have the same bits on every machine.
+use libm::{hypot, sincos};
+use stiction_judge::{centroid, size};
+
 use crate::record::{Frame, Run};
 
 /// By how much forces (N) and moments (N·m) miss balance.
@@ -67,17 +71,11 @@ struct Balance {
 
 impl Balance {
     fn new(run: &Run) -> Self {
-        let mut size = 0.0_f64;
-        for a in &run.body {
-            for b in &run.body {
-                size = size.max((a[0] - b[0]).hypot(a[1] - b[1]));
-            }
-        }
         Self {
             stiffness_translation: run.stiffness_translation,
             weight: run.weight,
             centroid: centroid(&run.body),
-            size: if size > 0.0 { size } else { 1.0 },
+            size: size(&run.body),
             normals: run.surfaces.iter().map(|surface| surface.normal).collect(),
         }
     }
@@ -91,11 +89,11 @@ impl Balance {
             frame.hand[1] - fy / self.stiffness_translation,
         ];
         let mut sum = [fx, fy];
-        let mut largest = fx.hypot(fy);
+        let mut largest = hypot(fx, fy);
         let mut add = |force: [f64; 2], point: [f64; 2]| {
             sum = [sum[0] + force[0], sum[1] + force[1]];
             moment += cross([point[0] - grip[0], point[1] - grip[1]], force);
-            largest = largest.max(force[0].hypot(force[1]));
+            largest = largest.max(hypot(force[0], force[1]));
         };
         for contact in &frame.contacts {
             let [nx, ny] = self
@@ -110,7 +108,7 @@ impl Balance {
             );
         }
         let ([x, y, theta], [cx, cy]) = (frame.pose, self.centroid);
-        let (sin, cos) = theta.sin_cos();
+        let (sin, cos) = sincos(theta);
         add(
             [0.0, -self.weight],
             [x + cos * cx - sin * cy, y + sin * cx + cos * cy],
@@ -118,7 +116,7 @@ impl Balance {
         if !frame.held {
             return (largest, Imbalance::default());
         }
-        let force = sum[0].hypot(sum[1]);
+        let force = hypot(sum[0], sum[1]);
         (
             largest,
             Imbalance {
@@ -131,32 +129,4 @@ impl Balance {
 
 fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
-}
-
-/// The centroid of the polygon's area; the mean of the vertices of a point or a rod.
-fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
-    let count = vertices.len();
-    let first = vertices.first().copied().unwrap_or_default();
-    if count < 3 {
-        let last = vertices.last().copied().unwrap_or_default();
-        return [
-            f64::midpoint(first[0], last[0]),
-            f64::midpoint(first[1], last[1]),
-        ];
-    }
-    let from_first = |v: [f64; 2]| [v[0] - first[0], v[1] - first[1]];
-    let (mut area, mut sum) = (0.0, [0.0; 2]);
-    for pair in vertices.windows(2) {
-        let (a, b) = (from_first(pair[0]), from_first(pair[1]));
-        let twice = cross(a, b);
-        area += twice;
-        sum = [
-            sum[0] + twice * (a[0] + b[0]),
-            sum[1] + twice * (a[1] + b[1]),
-        ];
-    }
-    [
-        first[0] + sum[0] / (3.0 * area),
-        first[1] + sum[1] / (3.0 * area),
-    ]
 }

@@ -2,7 +2,7 @@
 //! motion in real time. The wire between is that of `core/FRAME.md`.
 //!
 //! ```text
-//! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace
+//! scene.toml ─ setup ──────────┐                          ┌─ record ─ trace, recording
 //!                              ├─ session ─ line ─ link ══╪═ board (or emulate)
 //! hand.csv ─┬─ feed ─ stream ──┘   heard ─ steps ─ flight ┤
 //! tracker ──┘                                             ├─ verify: the host's solver on the same samples
@@ -31,7 +31,6 @@ mod setup;
 mod steps;
 pub(crate) mod stop;
 mod stream;
-mod trace;
 mod tracker;
 mod verify;
 mod wish;
@@ -42,6 +41,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
+use stiction_core::frame::{Mode, NumberType};
 
 pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
@@ -50,17 +50,22 @@ pub use error::BoardError;
 pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
+use crate::files::Files;
 use crate::number::Number;
+use crate::record::Run;
+use crate::recording::Head;
 use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
+use crate::scene_file::SceneFile;
+use crate::settings::Settings;
 use crate::trace::Format;
 use crate::{report, scenes};
 use audience::Console;
 use feed::Feed;
+use heard::About;
 use print::Screen;
 use session::{Mail, Session};
 use setup::Setup;
 use stream::Stream;
-use trace::Trace;
 
 /// The arguments of `stiction board`.
 #[derive(Args, Clone, Debug)]
@@ -102,6 +107,9 @@ pub struct BoardArgs {
     /// Trace to write: TRACE.jsonl or TRACE.csv
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
     pub out: Option<(PathBuf, Format)>,
+    /// Recording to write, for `stiction replay`: scene, mode, every sample and every answer of the board
+    #[arg(long, value_name = "FILE", requires = "verify")]
+    pub record: Option<PathBuf>,
     /// Nothing but errors and the verdict of --verify
     #[arg(long)]
     pub quiet: bool,
@@ -134,7 +142,9 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         Some((path, rate)) => Feed::path(path.frames(*rate)),
         None => Feed::live(),
     };
-    let trace = Trace::create(args.out.as_ref(), &scene, args.evolution)?;
+    // What a board sends is f32, whatever its solver counts in.
+    let run = Run::of(&scene, Number::F32, args.evolution);
+    let files = Files::trace(args.out.as_ref(), &run)?;
     stop::listen();
     let setup = Setup {
         scene: Arc::clone(&scene),
@@ -147,24 +157,28 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     };
     let screen = Screen::new(args.quiet);
     let (mut stream, session) =
-        Stream::connect(&args.connect, setup, feed, Console { screen, trace })?;
+        Stream::connect(&args.connect, setup, feed, Console { screen, files })?;
     let about = &stream.about;
     let title = format!("{} on {} ({})", scene.title, about.name, stream.address);
     if args.verify {
-        stream.twin = Some(verify::twin(about, &scene, &stream.setup.mode(about))?);
+        let mode = stream.setup.mode(about);
+        stream.twin = Some(verify::twin(about, &scene, &mode)?);
+        let (head, files) = (recording_head(about, &scene, &mode), stream.audience.files);
+        let files = files.with_recording(args.record.as_ref(), &head, &run)?;
+        stream.audience.files = files;
     }
     let (placement, timeout) = (&scene.hand.placement, args.connect.timeout());
     args.tracker
         .start(placement, timeout, stream.mail.sender.clone())?;
     let result = stream.run(session);
     let Stream {
-        audience: Console { mut screen, trace },
+        audience: Console { mut screen, files },
         counts,
         verdict,
         ..
     } = stream;
     screen.clear();
-    trace.finish()?;
+    files.finish()?;
     let begun = counts.begun;
     let seconds = begun.map_or(0.0, |begun| begun.elapsed().as_secs_f64());
     if !args.quiet {
@@ -174,6 +188,28 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         report::print(&format!("{verdict}\n"));
     }
     result.map(|()| !args.verify || verdict.is_good())
+}
+
+/// What a recording says about a board.
+fn recording_head(about: &About, scene: &SceneFile, mode: &Mode) -> Head {
+    let [major, minor, patch] = about.version;
+    let number = match about.number {
+        NumberType::F32 => Number::F32,
+        NumberType::Fixed => Number::Fixed,
+    };
+    let settings = Settings {
+        number,
+        evolution: mode.evolution,
+        tolerance: mode.tolerance.into(),
+        events: mode.event_limit,
+        ..Settings::default()
+    };
+    Head {
+        build: format!("{} {major}.{minor}.{patch}", about.name),
+        friction: about.friction,
+        weight: about.weight,
+        ..Head::new(scene, &settings)
+    }
 }
 
 /// Prints what a board says about itself.

@@ -51,7 +51,7 @@ impl HandPath {
     ///
     /// # Errors
     /// As [`Self::read`].
-    pub(crate) fn parse(source: &Source, placement: &Placement) -> Result<Self, InputError> {
+    pub fn parse(source: &Source, placement: &Placement) -> Result<Self, InputError> {
         let format = recorded::Format::of(source.file())?;
         Self::of_source(source, format, placement)
     }

@@ -7,7 +7,11 @@
 //!                                                └─ plot
 //! ```
 //!
+//! [`check`] judges a trace by the laws alone.
+//!
 //! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
+//!
+//! [`sweep`] does so for many values of a scene's parameters, to one table.
 //!
 //! [`board`] feeds a board with the hand's motion in real time, instead of the solver on this computer, or beside it.
 //!
@@ -17,18 +21,24 @@
 
 mod balance;
 pub mod board;
+pub mod check;
 pub mod emulator;
+mod files;
 pub mod footprint;
 pub mod hand_path;
 pub mod number;
 pub mod plot;
 pub mod record;
+mod recording;
+pub mod replay;
 mod report;
 pub mod run;
 pub mod scene_file;
 pub mod scenes;
+pub mod settings;
 pub mod simulate;
 pub mod summary;
+pub mod sweep;
 pub mod trace;
 pub mod trade;
 pub mod view;

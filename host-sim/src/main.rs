@@ -4,8 +4,11 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
+use stiction_host_sim::check::{CheckArgs, check};
 use stiction_host_sim::footprint::{FootprintArgs, footprint};
+use stiction_host_sim::replay::{ReplayArgs, replay};
 use stiction_host_sim::run::{RunArgs, run};
+use stiction_host_sim::sweep::{SweepArgs, sweep};
 use stiction_host_sim::trade::{TradeArgs, trade};
 use stiction_host_sim::view::{ViewArgs, view};
 
@@ -30,8 +33,14 @@ enum Command {
     View(Box<ViewArgs>),
     /// Run a scene: a trace, a summary, plots
     Run(RunArgs),
+    /// Run a recording again: every answer bit for bit, or the first frame that differs
+    Replay(ReplayArgs),
+    /// Check a trace, of this program or another one, against the laws of statics and friction
+    Check(CheckArgs),
     /// Measure every setting of the solver: errors, costs, and which one to take
     Trade(TradeArgs),
+    /// Parameter studies: a grid or random points over all cores, to one table; in shards, continued where it was ended
+    Sweep(SweepArgs),
     /// Build the smallest solver for a scene, for two chips: why it is that, its size, what a frame costs (in QEMU)
     Footprint(FootprintArgs),
     /// Stream a hand's motion to a board in real time: rate, latency, losses, a trace; with --verify bit for bit
@@ -48,7 +57,10 @@ fn main() -> ExitCode {
     });
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
         Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
+        Command::Replay(args) => replay(&args).map_err(Into::into),
+        Command::Check(args) => check(&args).map_err(Into::into),
         Command::Trade(args) => trade(&args).map(|()| true).map_err(Into::into),
+        Command::Sweep(args) => sweep(&args).map_err(Into::into),
         Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),

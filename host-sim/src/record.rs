@@ -1,7 +1,7 @@
 //! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
-use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status};
+use stiction_core::{Event, Evolution, Model, Output, Real, SiFloat, State, StateKind, Status};
 use stiction_scene::SurfaceInfo;
 
 use crate::number::Number;
@@ -47,6 +47,12 @@ impl Run {
             evolution,
             frames: Vec::new(),
         }
+    }
+
+    /// The names of the surfaces.
+    pub(crate) fn surface_names(&self) -> Vec<String> {
+        let names = self.surfaces.iter().map(|surface| surface.name.clone());
+        names.collect()
     }
 }
 
@@ -96,9 +102,9 @@ pub struct ContactRecord {
 
 impl Frame {
     /// The frame at time `t` (s) with the solver's answer and the state after it.
-    pub fn new<R: Real<Si: SiFloat>>(
+    pub fn new<R: Real<Si: SiFloat>, M: Model>(
         t: f64,
-        solver: &HostSolver<R>,
+        solver: &HostSolver<R, M>,
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {

@@ -1,46 +1,41 @@
 //! `stiction run`: a scene file and the hand's motion through the solver, to a trace, a summary and plots.
 
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
-use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
+use stiction_core::Evolution;
 use stiction_scene::InputError;
 
-use crate::hand_path::{HandPath, Sample};
+use crate::files::{Files, WriteError};
+use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::plot::{self, PlotError};
-use crate::record::{Frame, Run};
+use crate::record::Run;
+use crate::recording::Head;
 use crate::report;
-use crate::scene_file::{HostSolver, Motion, SceneFile};
+use crate::scene_file::{Motion, SceneFile};
 use crate::scenes;
-use crate::simulate::simulate;
+use crate::settings::Settings;
 use crate::summary::Summary;
-use crate::trace::{Format, TraceWriter};
+use crate::trace::Format;
 
 /// The arguments of `stiction run`.
 #[derive(Args, Clone, Debug)]
 pub struct RunArgs {
     /// Scene file (TOML), or the name of a bundled scene
     pub scene: PathBuf,
-    /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
-    #[arg(long, value_name = "FILE")]
-    pub hand: Option<PathBuf>,
-    /// Number type of the solver
-    #[arg(long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
-    /// path: events are found along the hand's straight line between two frames; frame: at frames only
-    #[arg(long, default_value = "path", value_parser = evolution_parser())]
-    pub evolution: Evolution,
-    /// Hand frames per second, instead of the rate in the scene file
-    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
-    pub rate: Option<f64>,
+    /// How it is run.
+    #[command(flatten)]
+    pub settings: Settings,
     /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
     pub out: Option<(PathBuf, Format)>,
+    /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
     /// Folder for plots
     #[arg(long, value_name = "DIR")]
     pub plot: Option<PathBuf>,
@@ -49,11 +44,15 @@ pub struct RunArgs {
     pub quiet: bool,
 }
 
+/// The evolution of a name.
+pub(crate) fn evolution_named(name: &str) -> Option<Evolution> {
+    let mut all = Evolution::ALL.into_iter();
+    all.find(|evolution| evolution.name() == name)
+}
+
 pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
-    PossibleValuesParser::new(["path", "frame"]).map(|name| match name.as_str() {
-        "frame" => Evolution::Frame,
-        _ => Evolution::Path,
-    })
+    PossibleValuesParser::new(Evolution::ALL.map(Evolution::name))
+        .map(|name| evolution_named(&name).unwrap_or_default())
 }
 
 pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
@@ -77,14 +76,9 @@ pub enum RunError {
     /// The scene or the hand's path cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The trace cannot be written.
-    #[error("{}: cannot be written: {error}", file.display())]
-    Trace {
-        /// The trace.
-        file: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
+    /// The trace or the recording cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The plots cannot be written.
     #[error(transparent)]
     Plot(#[from] PlotError),
@@ -95,35 +89,29 @@ pub enum RunError {
 /// # Errors
 /// Input that cannot be used, or output that cannot be written; there is then no trace.
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
-    let scene = open_scene(&args.scene, args.number)?;
-    let (path, rate) = open_path(&scene, args.hand.as_deref(), args.rate)?;
-    let mut record = Run::of(&scene, args.number, args.evolution);
+    let settings = &args.settings;
+    let scene = open_scene(&args.scene, settings.number)?;
+    let (path, rate) = open_path(&scene, settings.hand.as_deref(), settings.rate)?;
+    let mut record = Run::of(&scene, settings.number, settings.evolution);
     let mut summary = Summary::new(&record);
-    let cannot_write = |error| RunError::Trace {
-        file: args
-            .out
-            .as_ref()
-            .map(|(file, _)| file.clone())
-            .unwrap_or_default(),
-        error,
-    };
-    let trace = args
-        .out
-        .as_ref()
-        .map(|(file, format)| TraceWriter::create(file, *format, &record));
-    let mut trace = trace.transpose().map_err(cannot_write)?;
-    let frames = path.frames(rate);
+    let head = Head::new(&scene, settings);
+    let mut files = Files::trace(args.out.as_ref(), &record)?.with_recording(
+        args.record.as_ref(),
+        &head,
+        &record,
+    )?;
+    let (frames, mut samples) = (path.frames(rate), path.frames(rate));
     let mut progress = Progress::new(frames.len(), args.quiet);
-    let time = dispatch(args, &scene, frames, |frame| {
+    let time = settings.simulate(&scene, frames, |frame| {
         progress.advance();
         summary.add(&frame);
-        if let Some(trace) = &mut trace {
-            trace.write(&frame).map_err(cannot_write)?;
+        if let Some(sample) = samples.next() {
+            files.write(&sample, Some(&frame))?;
         }
         if args.plot.is_some() {
             record.frames.push(frame);
         }
-        Ok(())
+        Ok::<_, RunError>(())
     })?;
     summary.set_solver_time(time);
     let mut text = String::new();
@@ -131,35 +119,14 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         let files = plot::write(&record, folder)?;
         text = report::plots(folder, &files);
     }
-    match trace {
-        Some(trace) => trace.finish().map_err(cannot_write)?,
-        None => text.insert_str(0, &summary.to_string()),
+    files.finish()?;
+    if args.out.is_none() {
+        text.insert_str(0, &summary.to_string());
     }
     if !args.quiet {
         report::print(&text);
     }
     Ok(())
-}
-
-/// From the name of a number type to the type.
-fn dispatch(
-    args: &RunArgs,
-    scene: &SceneFile,
-    samples: impl Iterator<Item = Sample>,
-    sink: impl FnMut(Frame) -> Result<(), RunError>,
-) -> Result<Duration, RunError> {
-    match args.number {
-        Number::F32 => simulate(solver::<f32>(args, scene)?, samples, sink),
-        Number::F64 => simulate(solver::<f64>(args, scene)?, samples, sink),
-        Number::Fixed => simulate(solver::<Fixed>(args, scene)?, samples, sink),
-    }
-}
-
-fn solver<R: Real<Si: SiFloat>>(
-    args: &RunArgs,
-    scene: &SceneFile,
-) -> Result<HostSolver<R>, InputError> {
-    Ok(Solver::new(scene.scene()?, args.evolution))
 }
 
 /// A scene file, or the bundled scene of a name.
@@ -169,13 +136,7 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     }
     match scenes::find(name) {
         Some(source) => SceneFile::parse(source, number),
-        None => {
-            let problem = format!(
-                "no such file, allowed: a scene file, or one of {}",
-                scenes::names()
-            );
-            Err(InputError::of_file(name, problem))
-        }
+        None => Err(InputError::of_file(name, scenes::unknown())),
     }
 }
 

@@ -15,7 +15,7 @@ pub use hand_section::{HandSection, Motion};
 pub type HostScene<R> = Scene<R, VERTICES, SURFACES>;
 
 /// A solver of any scene file.
-pub type HostSolver<R> = Solver<R, VERTICES, SURFACES>;
+pub type HostSolver<R, M = Full> = Solver<R, VERTICES, SURFACES, M>;
 
 /// A scene file whose numbers, those of its hand too, are finite, in range and complete. Whether they make a scene is for
 /// [`SceneFile::scene`] to say.

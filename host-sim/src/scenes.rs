@@ -39,3 +39,8 @@ pub fn names() -> String {
     let names: Vec<&str> = ALL.iter().map(|(name, _)| *name).collect();
     names.join(", ")
 }
+
+/// What is wrong with a name that is neither a file nor a bundled scene.
+pub(crate) fn unknown() -> String {
+    format!("no such file, allowed: a scene file, or one of {}", names())
+}

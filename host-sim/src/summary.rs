@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::time::Duration;
 
-use stiction_core::{Evolution, StateKind, Status};
+use stiction_core::{StateKind, Status};
 
 use crate::balance::{Imbalance, Residual};
 use crate::record::{Frame, Run};
@@ -14,25 +14,22 @@ use crate::record::{Frame, Run};
 #[derive(Clone, Debug)]
 pub struct Summary {
     title: String,
-    residual: Residual,
-    frames: u64,
+    pub(crate) residual: Residual,
+    pub(crate) frames: u64,
     span: Option<(f64, f64)>,
-    seconds: [f64; StateKind::ALL.len()],
-    slips: u64,
-    longest_slip: f64,
-    limited: BTreeMap<Status, u64>,
+    pub(crate) seconds: [f64; StateKind::ALL.len()],
+    pub(crate) slips: u64,
+    pub(crate) longest_slip: f64,
+    pub(crate) limited: BTreeMap<Status, u64>,
     solver_time: Duration,
 }
 
 impl Summary {
     /// Of a run whose frames are still to come.
     pub fn new(run: &Run) -> Self {
-        let evolution = match run.evolution {
-            Evolution::Path => "path",
-            Evolution::Frame => "frame",
-        };
+        let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
-            title: format!("{} ({}, {evolution})", run.title, run.number.name()),
+            title: format!("{} ({number}, {evolution})", run.title),
             residual: Residual::new(run),
             frames: 0,
             span: None,
@@ -63,6 +60,12 @@ impl Summary {
         self.residual.add(frame);
     }
 
+    /// From the first frame to the last (s).
+    pub(crate) fn duration(&self) -> f64 {
+        let (first, last) = self.span.unwrap_or_default();
+        last - first
+    }
+
     /// Sets the time that all steps of the solver took together.
     pub fn set_solver_time(&mut self, time: Duration) {
         self.solver_time = time;
@@ -71,8 +74,7 @@ impl Summary {
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (first, last) = self.span.unwrap_or_default();
-        let duration = last - first;
+        let duration = self.duration();
         writeln!(f, "{}", self.title)?;
         writeln!(
             f,

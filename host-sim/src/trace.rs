@@ -101,6 +101,25 @@ impl<'a> Record<'a> {
     }
 }
 
+/// A file beside a place, to be moved there when it is whole.
+///
+/// # Errors
+/// The place is a folder, or the folder around it cannot be written to.
+pub(crate) fn part(place: &Path) -> io::Result<NamedTempFile> {
+    let folder = match place.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    if place.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    // Not tempfile's own way of creating, which lets nobody else read the file.
+    tempfile::Builder::new()
+        .prefix(".stiction-")
+        .suffix(".part")
+        .make_in(folder, |path| File::create_new(path))
+}
+
 #[derive(Debug)]
 enum Writer {
     JsonLines(BufWriter<NamedTempFile>),
@@ -122,18 +141,7 @@ impl TraceWriter {
     /// # Errors
     /// The folder of `place` cannot be written to.
     pub fn create(place: &Path, format: Format, run: &Run) -> io::Result<Self> {
-        let folder = match place.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        if place.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
-        }
-        // Not tempfile's own way of creating, which lets nobody else read the file.
-        let file = tempfile::Builder::new()
-            .prefix(".stiction-")
-            .suffix(".part")
-            .make_in(folder, |path| File::create_new(path))?;
+        let file = part(place)?;
         let writer = match format {
             Format::JsonLines => Writer::JsonLines(BufWriter::new(file)),
             Format::Csv => {
@@ -144,11 +152,7 @@ impl TraceWriter {
         };
         Ok(Self {
             place: place.to_owned(),
-            surfaces: run
-                .surfaces
-                .iter()
-                .map(|surface| surface.name.clone())
-                .collect(),
+            surfaces: run.surface_names(),
             single: run.number.is_single(),
             writer,
         })

@@ -1,12 +1,16 @@
-//! Every bundled scene and a recorded hand, frame by frame before the judge: a program apart that knows the laws and
-//! nothing of the solver. Both judge and recording lie beside the workspace; without them the tests say so and pass.
+//! Every bundled scene and a recorded hand, frame by frame before the judge, `stiction check`, which knows the laws and nothing
+//! of the solver; faults in real traces, which it must find; and a second judge, a program apart. That one and the recording lie
+//! beside the workspace; without them the tests say so and go without.
 
 mod common;
 
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
+
+use serde_json::Value;
 
 use common::{Folder, records, text};
+use stiction_host_sim::scenes;
 
 const NUMBERS: [&str; 3] = ["f64", "f32", "fixed"];
 const EVOLUTIONS: [&str; 2] = ["path", "frame"];
@@ -22,55 +26,196 @@ fn shared(name: &str) -> Option<PathBuf> {
     file.canonicalize().ok()
 }
 
-/// Runs a scene and returns its trace after the judge has found every frame lawful.
-fn judged(judge: &Path, scene: &Path, number: &str, evolution: &str) -> String {
-    let folder = Folder::new();
-    let name = scene.to_string_lossy();
-    let arguments = [
-        "run",
-        &name,
-        "--number",
-        number,
-        "--evolution",
-        evolution,
-        "--out",
-        "trace.jsonl",
-    ];
-    let output = folder.stiction(&arguments);
-    assert!(output.status.success(), "{name}: {}", text(&output.stderr));
-    // A trace in fixed point holds f32 values.
-    let printed = if number == "fixed" { "f32" } else { number };
-    let verdict = Command::new("python3")
-        .arg(judge)
-        .args([scene, &folder.file("trace.jsonl")])
-        .args(["--number", printed])
-        .output()
-        .expect("python3 starts");
-    assert!(
-        verdict.status.success(),
-        "{name} {number} {evolution}:\n{}",
-        text(&verdict.stdout)
-    );
-    folder.read("trace.jsonl")
+/// Runs a scene to `trace.jsonl` and `trace.csv`.
+fn run(folder: &Folder, scene: &str, number: &str, evolution: &str) {
+    for trace in ["trace.jsonl", "trace.csv"] {
+        let dials = ["--number", number, "--evolution", evolution, "--out", trace];
+        let output = folder.stiction(&[&["run", scene][..], &dials].concat());
+        assert!(output.status.success(), "{scene}: {}", text(&output.stderr));
+    }
+}
+
+fn check(folder: &Folder, trace: &str, scene: &str, dials: [&str; 2]) -> Output {
+    let [number, evolution] = dials;
+    let dials = ["--number", number, "--evolution", evolution];
+    folder.stiction(&[&["check", trace, "--scene", scene][..], &dials].concat())
+}
+
+/// The trace of a scene after the judge has found every frame lawful, and the other judge, where it is.
+fn judged(folder: &Folder, scene: &str, number: &str, evolution: &str) -> Vec<Value> {
+    run(folder, scene, number, evolution);
+    let trace = folder.read("trace.jsonl");
+    let count = trace.lines().count();
+    for file in ["trace.jsonl", "trace.csv"] {
+        let verdict = check(folder, file, scene, [number, evolution]);
+        let report = text(&verdict.stdout);
+        assert!(
+            verdict.status.success(),
+            "{scene} {number} {evolution}:\n{report}"
+        );
+        assert!(
+            report.starts_with(&format!("{count} frames, 0 unlawful\n")),
+            "{report}"
+        );
+    }
+    if let Some(judge) = shared("tools/judge.py") {
+        // A trace in fixed point holds f32 values.
+        let printed = if number == "fixed" { "f32" } else { number };
+        let verdict = Command::new("python3")
+            .arg(judge)
+            .args([scene_file(folder, scene), folder.file("trace.jsonl")])
+            .args(["--number", printed])
+            .output()
+            .expect("python3 starts");
+        let report = text(&verdict.stdout);
+        assert!(
+            verdict.status.success(),
+            "{scene} {number} {evolution}:\n{report}"
+        );
+    }
+    records(&trace)
+}
+
+/// The file of a scene in the folder, or of a bundled one.
+fn scene_file(folder: &Folder, scene: &str) -> PathBuf {
+    let bundled = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let own = folder.file(scene);
+    if own.exists() {
+        own
+    } else {
+        bundled.join(scene).with_extension("toml")
+    }
 }
 
 #[test]
 fn bundled_scenes_are_lawful_in_every_frame() {
-    let Some(judge) = shared("tools/judge.py") else {
-        return;
-    };
-    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
-    for (name, _) in stiction_host_sim::scenes::ALL {
+    for (name, _) in scenes::ALL {
         for number in NUMBERS {
             for evolution in EVOLUTIONS {
-                judged(
-                    &judge,
-                    &scenes.join(name).with_extension("toml"),
-                    number,
-                    evolution,
-                );
+                judged(&Folder::new(), name, number, evolution);
             }
         }
+    }
+}
+
+/// The report on a trace after a change of the record in which `found` is true first.
+fn report_after(
+    scene: &str,
+    found: impl Fn(&Value) -> bool,
+    change: impl FnOnce(&mut Value),
+) -> (Option<i32>, String) {
+    let folder = Folder::new();
+    run(&folder, scene, "f64", "path");
+    let mut trace = records(&folder.read("trace.jsonl"));
+    change(trace.iter_mut().find(|record| found(record)).expect("one"));
+    let lines: Vec<String> = trace.iter().map(Value::to_string).collect();
+    folder.write("trace.jsonl", lines.join("\n"));
+    let verdict = check(&folder, "trace.jsonl", scene, ["f64", "path"]);
+    (verdict.status.code(), text(&verdict.stdout))
+}
+
+fn slips(record: &Value) -> bool {
+    record["slips"] == 1
+}
+
+/// The names of the laws that a report finds broken.
+fn broken(report: &str) -> Vec<&str> {
+    let listed = report.lines().filter(|line| line.starts_with("  line "));
+    listed.filter_map(|line| line.split(": ").nth(1)).collect()
+}
+
+#[test]
+fn faults_in_real_traces_are_found() {
+    let (status, report) = report_after("vertex-stick-slip", slips, |record| {
+        record["events"] = Value::Array(Vec::new());
+    });
+    assert_eq!(status, Some(1));
+    assert_eq!(
+        broken(&report)[0],
+        "a contact that sticks stays",
+        "{report}"
+    );
+    let (status, report) = report_after(
+        "ladder",
+        |_| true,
+        |record| record["wrench"][2] = 0.1.into(),
+    );
+    assert_eq!(status, Some(1));
+    assert_eq!(
+        broken(&report),
+        ["the wrench is that of the springs"],
+        "{report}"
+    );
+    let (status, report) = report_after("snap", |_| true, |record| record["t"] = Value::Null);
+    assert_eq!(status, Some(1));
+    assert_eq!(broken(&report), ["every number is finite"], "{report}");
+}
+
+/// Slips belong where path evolution finds them: of the same scene with frame evolution they are elsewhere.
+#[test]
+fn trace_of_frame_evolution_is_not_one_of_the_path() {
+    for scene in ["vertex-stick-slip", "box-flat", "parallel-walls"] {
+        let folder = Folder::new();
+        run(&folder, scene, "f64", "frame");
+        let verdict = check(&folder, "trace.jsonl", scene, ["f64", "path"]);
+        let report = text(&verdict.stdout);
+        assert_eq!(verdict.status.code(), Some(1), "{report}");
+        let law = "a slip ends at ";
+        assert!(
+            broken(&report).iter().all(|broken| broken.starts_with(law)),
+            "{report}"
+        );
+    }
+}
+
+/// The hand lets go and takes hold elsewhere, twice.
+#[test]
+fn new_holds_are_lawful() {
+    let hand = "[hand]\nrate = 100.0\nkeyframes = [[0.0, 0.2, 0.14, 0.5, 0], [0.1, 0.2, 0.14, 0.5, 1], [1.0, 0.2, 0.06, 0.5, 1], \
+                [1.1, 0.2, 0.06, 0.5, 0], [1.5, 0.19, 0.05, 0.1, 0], [1.6, 0.19, 0.05, 0.1, 1], [2.6, 0.1, 0.04, 0.3, 1]]\n";
+    let begin = common::SCENE.find("[hand]").expect("a hand section");
+    let given = format!("{}{hand}", &common::SCENE[..begin]);
+    for scene in [given.clone(), given.replace("point = [0.0, 0.02]\n", "")] {
+        for number in NUMBERS {
+            for evolution in EVOLUTIONS {
+                let folder = Folder::new();
+                folder.write("scene.toml", &scene);
+                run(&folder, "scene.toml", number, evolution);
+                let trace = folder.read("trace.jsonl");
+                assert!(trace.contains("release") && trace.contains("grasp"));
+                let verdict = check(&folder, "trace.jsonl", "scene.toml", [number, evolution]);
+                assert!(verdict.status.success(), "{}", text(&verdict.stdout));
+            }
+        }
+    }
+}
+
+#[test]
+fn input_that_cannot_be_judged_ends_with_status_2() {
+    let folder = Folder::new();
+    folder.write("empty.jsonl", "");
+    folder.write("broken.jsonl", "{\"t\":0.0\n");
+    for (trace, scene, expected) in [
+        (
+            "empty.jsonl",
+            "ladder",
+            "empty.jsonl: there is no record in it",
+        ),
+        ("broken.jsonl", "ladder", "broken.jsonl, line 1: "),
+        ("absent.jsonl", "ladder", "absent.jsonl: cannot be read"),
+        (
+            "empty.jsonl",
+            "nowhere",
+            "nowhere: no such file, allowed: a scene file, or one of ",
+        ),
+    ] {
+        let verdict = check(&folder, trace, scene, ["f32", "path"]);
+        assert_eq!(verdict.status.code(), Some(2));
+        let message = text(&verdict.stderr);
+        assert!(
+            message.contains(expected) && verdict.stdout.is_empty(),
+            "{message}"
+        );
     }
 }
 
@@ -110,10 +255,7 @@ origin = [-0.075, -0.01, -1.386]
 
 #[test]
 fn a_recorded_hand_moves_the_box_lawfully() {
-    let (Some(judge), Some(hand)) = (
-        shared("tools/judge.py"),
-        shared("data/tum-freiburg1-xyz-groundtruth.txt"),
-    ) else {
+    let Some(hand) = shared("data/tum-freiburg1-xyz-groundtruth.txt") else {
         return;
     };
     let folder = Folder::new();
@@ -121,19 +263,13 @@ fn a_recorded_hand_moves_the_box_lawfully() {
     folder.write("hand.txt", std::fs::read(hand).expect("the recording"));
     for number in NUMBERS {
         for evolution in EVOLUTIONS {
-            let trace = records(&judged(
-                &judge,
-                &folder.file("scene.toml"),
-                number,
-                evolution,
-            ));
+            let trace = judged(&folder, "scene.toml", number, evolution);
             assert_eq!(trace.len(), 3000);
             for surface in ["floor", "wall"] {
-                let on_it = |contact: &serde_json::Value| contact["surface"] == surface;
-                let touching = |record: &&serde_json::Value| {
-                    record["contacts"]
-                        .as_array()
-                        .is_some_and(|contacts| contacts.iter().any(on_it))
+                let on_it = |contact: &Value| contact["surface"] == surface;
+                let touching = |record: &&Value| {
+                    let contacts = record["contacts"].as_array();
+                    contacts.is_some_and(|contacts| contacts.iter().any(on_it))
                 };
                 let count = trace.iter().filter(touching).count();
                 assert!(

@@ -261,6 +261,8 @@ fn arguments_that_mean_nothing_are_refused() {
         (&["--rate", "0"], &["--rate", "0"]),
         (&["--rate", "nan"], &["--rate", "nan"]),
         (&["--rate", "fast"], &["--rate", "fast"]),
+        (&["--tolerance", "0.02"], &["--tolerance", "0 to 0.01"]),
+        (&["--events", "0"], &["--events", "1 to 128"]),
         (&["--hand", "absent.csv"], &["absent.csv"]),
         (&["--speed", "2"], &["--speed"]),
     ];

@@ -80,7 +80,7 @@ fn rows(folder: &Folder) {
                 let (rate, dial) = (format!("{rate:?}"), setting.dial.name);
                 let wanted = [
                     setting.number.name(),
-                    setting.evolution_name(),
+                    setting.evolution.name(),
                     dial,
                     &rate,
                     scenes,

@@ -45,16 +45,16 @@ pub enum Command<'a> {
     Reset(Reset),
 }
 
-/// The four parameters of the paper.
+/// The four parameters of the paper; the friction is that of every surface. Finite, or the command is refused.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
-    /// k_h (N/m) > 0
+    /// Translational stiffness k_h (N/m) > 0.
     pub stiffness_translation: f32,
-    /// k_theta (N·m/rad) >= 0
+    /// Rotational stiffness k_theta (N·m/rad) >= 0.
     pub stiffness_rotation: f32,
-    /// mu_s >= mu_d
+    /// Static friction mu_s >= mu_d.
     pub friction_static: f32,
-    /// mu_d >= 0
+    /// Dynamic friction mu_d >= 0.
     pub friction_dynamic: f32,
 }
 

@@ -8,10 +8,10 @@ use super::mode::Mode;
 /// The number type of a board's solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum NumberType {
-    /// `f32`
+    /// `f32`.
     #[default]
     F32,
-    /// [`Fixed`](crate::Fixed)
+    /// [`Fixed`](crate::Fixed).
     Fixed,
 }
 

@@ -7,9 +7,9 @@ use super::{Frame, Reference, VERSION};
 use cobs::{DecodeResult, DecoderState, EncoderState, PushResult};
 use crc::{CRC_32_ISO_HDLC, Crc, Digest};
 
-/// Version, type, sequence number and time.
+/// Bytes of the head of a frame: version, type, sequence number and time (FRAME 2).
 pub const HEAD_BYTES: usize = 7;
-/// The checksum.
+/// Bytes of the checksum, a CRC-32 (FRAME 2).
 pub const CRC_BYTES: usize = 4;
 
 static CRC: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);

@@ -52,9 +52,9 @@ pub struct SceneCommand<'a> {
     pub holding_point: Option<[f32; 2]>,
     /// How far outside the polygon a hand may be and still take hold (m).
     pub reach: f32,
-    /// k_h (N/m)
+    /// Translational stiffness k_h (N/m).
     pub stiffness_translation: f32,
-    /// k_theta (N·m/rad)
+    /// Rotational stiffness k_theta (N·m/rad).
     pub stiffness_rotation: f32,
     /// The surfaces; at most 255.
     pub surfaces: List<'a, SurfaceDescription<f32>>,

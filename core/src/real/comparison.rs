@@ -79,7 +79,7 @@ macro_rules! single {
     };
 }
 
-/// f32 with the functions of `libm`.
+/// f32 with the functions of `libm`, to measure against; only with the feature `comparison`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct LibmSingle(f32);
 
@@ -96,8 +96,8 @@ single! { LibmSingle:
     }
 }
 
-/// f32 with the functions of `micromath`. The statics is out by as much as its angles: a body that touches a surface
-/// at its start may be refused, and forces do not balance.
+/// f32 with the functions of `micromath`, to measure against; only with the feature `comparison`. The statics is
+/// out by as much as its angles: a body that touches a surface at its start may be refused, and forces do not balance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct MicromathSingle(f32);
 
@@ -120,7 +120,8 @@ single! { MicromathSingle:
     }
 }
 
-/// The arithmetic of `fixed`, saturating, with the functions of `cordic`.
+/// The arithmetic of `fixed`, saturating, with the functions of `cordic`, to measure against; only with the feature
+/// `comparison`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct CordicFixed(I8F24);
 

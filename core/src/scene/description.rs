@@ -2,47 +2,88 @@
 
 use core::fmt;
 
-/// A fixed half-plane in SI units.
+/// A fixed half-plane in SI units, world frame. It has no ends and does not move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceDescription<F> {
-    /// Points to the free side; any length but 0.
+    /// Its normal n, which points to the free side; finite, of any length but 0: it is made a unit vector.
     pub normal: [F; 2],
-    /// The free side is normal·p >= offset (m), the normal taken with length 1.
+    /// Its place b (m): the free side is n·p >= b, with n of length 1. Finite.
     pub offset: F,
-    /// Static friction mu_s >= mu_d.
+    /// Coefficient of static friction mu_s >= mu_d: a contact sticks while |T| <= mu_s N. Finite; 0 in a model without friction.
     pub friction_static: F,
-    /// Dynamic friction mu_d >= 0.
+    /// Coefficient of dynamic friction mu_d >= 0: a slip ends where |T| = mu_d N. Equal to mu_s it makes a steady slide, smaller
+    /// stick-slip.
     pub friction_dynamic: F,
 }
 
-/// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new).
+/// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new). The world frame is right-handed with y upwards,
+/// angles are counter-clockwise; the body frame is that of [`Self::vertices`], wherever its origin is.
+///
+/// ```
+/// use stiction_core::{Description, Parameter, Scene, SurfaceDescription};
+///
+/// let ice = SurfaceDescription {
+///     normal: [0.0, 1.0],
+///     offset: 0.0,
+///     friction_static: 0.1,
+///     friction_dynamic: 0.3,
+/// };
+/// let description = Description {
+///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+///     start: [0.0, 0.03, 0.0],
+///     weight: 0.0,
+///     holding_point: Some([0.0, 0.02]),
+///     reach: 0.0,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[ice],
+/// };
+/// let error = Scene::<f32, 4, 1>::new(&description).expect_err("mu_s < mu_d");
+/// assert_eq!(error.parameter, Parameter::FrictionStatic(0));
+/// assert_eq!(
+///     error.to_string(),
+///     "static friction of surface 0 is 0.1, allowed: not less than the dynamic friction"
+/// );
+///
+/// let floor = SurfaceDescription { friction_static: 0.5, ..ice };
+/// assert!(Scene::<f32, 4, 1>::new(&Description { surfaces: &[floor], ..description }).is_ok());
+///
+/// let sunk = Description { surfaces: &[floor], start: [0.0, 0.02, 0.0], ..description };
+/// let error = Scene::<f32, 4, 1>::new(&sunk).expect_err("10 mm within the floor");
+/// assert_eq!(error.parameter, Parameter::Penetration { surface: 0, vertex: 0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Description<'a, F> {
-    /// Vertices (m) in the body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise.
+    /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise. At most as many as the
+    /// scene has room for, and 255.
     pub vertices: &'a [[F; 2]],
-    /// Start pose: x, y (m), theta (rad) of the body frame in the world.
+    /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface than 1e-5 of the body's
+    /// size; those nearer to one than that touch it from the start.
     pub start: [F; 3],
-    /// Weight W (N) >= 0 at the centroid, along world -y.
+    /// Weight W (N) >= 0 at the centroid, along world -y; 0 in a model without weight.
     pub weight: F,
-    /// The initial holding point g (m), body frame; the rotation's rest offset is then 0. `None`: both are taken from
-    /// the hand when it takes hold.
+    /// The first holding point g (m), body frame, taken wherever the hand is, with no offset between its angle and the body's.
+    /// `None`: the hand takes hold where it is, within [`Self::reach`], and at the angle that it has, so that the springs are at
+    /// rest; so it does each time after it has let go.
     pub holding_point: Option<[F; 2]>,
-    /// How far outside the polygon a hand may be and still take hold (m) >= 0.
+    /// How far outside the body a hand may be and still take hold (m) >= 0. For a first hold by [`Self::holding_point`] it does
+    /// not count.
     pub reach: F,
-    /// Translational stiffness k_h (N/m) > 0.
+    /// Translational stiffness k_h (N/m) > 0: the hand pulls the holding point with k_h (p_h - G).
     pub stiffness_translation: F,
-    /// Rotational stiffness k_theta (N·m/rad) >= 0.
+    /// Rotational stiffness k_theta (N·m/rad) >= 0: the hand turns the body with k_theta (phi - theta).
     pub stiffness_rotation: F,
-    /// The surfaces.
+    /// The surfaces, at most as many as the scene has room for, and 255.
     pub surfaces: &'a [SurfaceDescription<F>],
 }
 
-/// The parameter that a [`SceneError`] is about. Indices count from 0.
+/// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`]. As text it is the
+/// parameter's name: `static friction of surface 0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parameter {
     /// The number of vertices.
     VertexCount,
-    /// A vertex.
+    /// A vertex: where it is, or that it makes the polygon not strictly convex or not counter-clockwise.
     Vertex(usize),
     /// The start pose.
     Start,
@@ -52,9 +93,9 @@ pub enum Parameter {
     HoldingPoint,
     /// The reach of the grasp.
     Reach,
-    /// k_h
+    /// The translational stiffness k_h.
     StiffnessTranslation,
-    /// k_theta
+    /// The rotational stiffness k_theta.
     StiffnessRotation,
     /// The number of surfaces.
     SurfaceCount,
@@ -62,15 +103,15 @@ pub enum Parameter {
     Normal(usize),
     /// The offset of a surface.
     Offset(usize),
-    /// mu_s of a surface.
+    /// The static friction mu_s of a surface.
     FrictionStatic(usize),
-    /// mu_d of a surface.
+    /// The dynamic friction mu_d of a surface.
     FrictionDynamic(usize),
-    /// Surface `surface` at the start: vertex `vertex` is inside it.
+    /// At the start a vertex is inside a surface; the value is its depth (m).
     Penetration {
-        /// The surface.
+        /// Index of the surface.
         surface: usize,
-        /// The deepest vertex.
+        /// Index of its deepest vertex.
         vertex: usize,
     },
 }
@@ -101,14 +142,14 @@ impl fmt::Display for Parameter {
     }
 }
 
-/// Why a scene cannot be used.
+/// Why a scene cannot be used: `<parameter> is <value>, allowed: <what>` as text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneError<F> {
     /// Which parameter.
     pub parameter: Parameter,
     /// Its value, SI units (for a vector the component that is at fault, for a count the count).
     pub value: F,
-    /// What is allowed.
+    /// What is allowed, in words.
     pub allowed: &'static str,
 }
 

@@ -28,7 +28,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// Force and moment of the hand's springs on the body in a state; zero while it is not held.
+    /// Force and moment of the hand's springs on the body in a state, world frame: F = k_h (p_h - G) (N) and
+    /// M = k_theta (phi - theta) (N·m), Eqs. (3) and (4) of the paper. Zero while it is not held. What a device gives to the
+    /// hand is the opposite, [`Wrench::feedback`].
     pub fn wrench(&self, state: &State<R>) -> Wrench<R::Si> {
         if !state.held {
             return Wrench::default();
@@ -41,7 +43,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// The contacts of a state with their reactions; these are zero while the body is not held.
+    /// The contacts of a state with their reactions, which are zero while the body is not held. With the wrench and the weight they
+    /// add up to nothing. Where several contacts bear more than balance determines, one way to share the load is given
+    /// (STATICS 4, 5).
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);

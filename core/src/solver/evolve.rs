@@ -1,7 +1,7 @@
 //! How a frame is evolved: calm where nothing happens; else event by event along the way of the hand (STATICS 7), or in one
 //! jump.
 
-use super::{Evolution, Solver, State};
+use super::{Solver, State};
 use crate::coupling::Grip;
 use crate::geometry::{Angle, Vec2};
 use crate::model::Model;
@@ -10,6 +10,61 @@ use crate::real::Real;
 use crate::scene::{Scene, World};
 use crate::state::{ContactState, Terms, Trigger};
 use crate::transition::{rests, settle};
+
+/// How a frame is evolved (STATICS 7).
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Evolution, Hand, Solver};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.03, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// // A box, flat on the floor, mu = 0.5 / 0.3, is pressed 10 mm down and dragged by 0.1 m in a
+/// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm.
+/// let drag = |evolution| {
+///     let solver = Solver::new(scene.clone(), evolution);
+///     let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
+///     solver.step(&mut state, Hand::new(0.1, 0.04, 0.0)).slips
+/// };
+/// assert_eq!(drag(Evolution::Path), 48);
+/// assert_eq!(drag(Evolution::Frame), 1);
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Evolution {
+    /// Exact events along the straight way of the hand: the result does not depend on the frame rate.
+    #[default]
+    Path,
+    /// The hand jumps to its new pose (the paper's way): cheapest. What happens, happens at the end of a frame, so that number and
+    /// length of slips depend on the frame rate.
+    Frame,
+}
+
+impl Evolution {
+    /// Both evolutions.
+    pub const ALL: [Self; 2] = [Self::Path, Self::Frame];
+
+    /// The name on a command line: `path` or `frame`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Path => "path",
+            Self::Frame => "frame",
+        }
+    }
+}
 
 /// Events in a slide without jumps are located to this many halvings of the rest of the frame.
 const FINEST_HALF: u32 = 24;
@@ -34,6 +89,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             angle: angle.offset_from(state.rest_offset),
         };
         if to == state.grip {
+            log.limit(state.unrest);
             return true;
         }
         let terms = Terms {
@@ -55,6 +111,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             }
         }
         state.grip = to;
+        state.unrest = log.unrest();
         true
     }
 

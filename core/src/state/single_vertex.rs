@@ -179,12 +179,29 @@ impl<R: Real> SingleVertex<R> {
 
     /// True while the vertex slides on along sign·t, on a stable branch.
     fn is_driven(&self, scene: &impl World<R>, stance: &Stance<R>, sign: R) -> bool {
+        self.is_driven_beyond(scene, stance, (sign, stance.rounding()))
+    }
+
+    /// The same, by more than `off`.
+    fn is_driven_beyond(
+        &self,
+        scene: &impl World<R>,
+        stance: &Stance<R>,
+        (sign, off): (R, R),
+    ) -> bool {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(stance.force);
-        let rounding = stance.rounding();
         stance.stability() > R::ZERO
-            && normal > rounding
-            && (surface.friction).is_driven(normal, friction, sign, rounding)
+            && normal > off
+            && (surface.friction).is_driven(normal, friction, sign, off)
+    }
+
+    /// What the friction at the end of a slip may be off.
+    fn found_to(stance: &Stance<R>) -> R {
+        // The foot, too, is rounded, as a coordinate.
+        let place = R::rounding(stance.placed.point.reach());
+        let rounding = (stance.rounding() + place) * R::from_int(64);
+        rounding + (stance.size() * stance.tolerance).doubled().doubled()
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
@@ -255,9 +272,11 @@ impl<R: Real> SingleVertex<R> {
         }
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = leg.turn_with_hand(scene, &mut self.pivot, grip);
+        let stance = self.pivot.stance(scene, grip);
         Moved {
             slip,
-            unbalanced: !self.is_balanced(&self.pivot.stance(scene, grip)),
+            unbalanced: !self.is_balanced(&stance)
+                || self.is_driven_beyond(scene, &stance, (sign, Self::found_to(&stance))),
             ..moved
         }
     }

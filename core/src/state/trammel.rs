@@ -166,9 +166,17 @@ impl<R: Real> Trammel<R> {
     /// a solution with delta > 0 and N_i >= 0.
     fn meets_friction(&mut self, demand: Demand) -> bool {
         let start = self.sense.motion.at(R::ZERO);
-        let velocities = self.velocities(&start).map(|v| v.value);
-        let rest = R::from_int(16) * R::EPSILON;
-        self.sense.signs = velocities.map(|v| if v.abs() > rest { v.sign() } else { R::ZERO });
+        let rest = Self::rest();
+        self.sense.signs = self.velocities(&start).map(|v| {
+            // A contact at the turning point of its motion is about to go on the other way.
+            let is_turning = v.value.abs() <= rest;
+            let ahead = if is_turning { v.slope } else { v.value };
+            if ahead.abs() > rest {
+                ahead.sign()
+            } else {
+                R::ZERO
+            }
+        });
         let [(first, s1), (second, s2)] = [
             (self.surfaces[0], self.sense.signs[0]),
             (self.surfaces[1], self.sense.signs[1]),
@@ -192,6 +200,11 @@ impl<R: Real> Trammel<R> {
         self.sense.resistance.abs() > rest
             && self.sense.excess > rounding
             && (pressed || demand == Demand::AtTheEnd)
+    }
+
+    /// Velocities below this are none.
+    fn rest() -> R {
+        R::from_int(16) * R::EPSILON
     }
 
     fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
@@ -257,6 +270,8 @@ impl<R: Real> Trammel<R> {
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
+        let begin = self.velocities(&self.sense.motion.at(R::ZERO));
+        let are_turning = begin.map(|v| v.value.abs() <= Self::rest());
         let found = first_zero((window, self.stance.tolerance), |x| {
             let q = self.quantities(&self.sense.motion.at(x), window);
             let never = Jet::constant(R::ONE).as_slope(R::ONE);
@@ -264,14 +279,16 @@ impl<R: Real> Trammel<R> {
                 Demand::Pressed => normal.as_slope(sense),
                 Demand::AtTheEnd => never,
             });
-            let ([v1, v2], [s1, s2]) = (q.velocities, self.sense.signs);
-            let [turns1, turns2] = [(v1, s1), (v2, s2)].map(|(velocity, sign)| {
-                if sign == R::ZERO {
+            // Who has just turned does not turn again within a window.
+            let turns = |k: usize, velocity: Jet<R>, sign: R| {
+                if sign == R::ZERO || are_turning.get(k) == Some(&true) {
                     never
                 } else {
                     velocity.as_slope(sign)
                 }
-            });
+            };
+            let ([v1, v2], [s1, s2]) = (q.velocities, self.sense.signs);
+            let (turns1, turns2) = (turns(0, v1, s1), turns(1, v2, s2));
             Look::far([q.imbalance.as_slope(sense), n1, n2, turns1, turns2])
         });
         let (x, mut ending, unsure) = match found {

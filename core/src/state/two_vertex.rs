@@ -92,6 +92,13 @@ impl<R: Real> TwoVertex<R> {
                 _ => break,
             }
         }
+        // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
+        if moved.trigger == Trigger::Stopped && !self.bracing(scene).is_at_rest(scene, grip) {
+            moved.unbalanced = true;
+            if moved.slip.abs() <= R::MICRO {
+                moved.trigger = Trigger::Undriven;
+            }
+        }
         moved
     }
 

@@ -1,8 +1,21 @@
-//! The arms of the transition table, each with its physics in a sentence.
+//! The arms of the transition table, each with its two states and its physics in a sentence.
+
+use crate::output::StateKind;
 
 macro_rules! transitions {
-    ($($name:ident: $text:literal),+ $(,)?) => {
-        /// An arm of the transition table.
+    ($($name:ident $(($before:ident -> $after:ident))?: $text:literal),+ $(,)?) => {
+        /// An arm of the transition table (STATICS 8): from which contact state to which, and why.
+        ///
+        /// ```
+        /// use stiction_core::{StateKind, Transition};
+        ///
+        /// assert_eq!(Transition::EdgeTips.before(), Some(StateKind::Edge));
+        /// assert_eq!(Transition::EdgeTips.after(), Some(StateKind::SingleVertex));
+        /// assert_eq!(
+        ///     Transition::EdgeTips.describe(),
+        ///     "N_i falls to zero: the body tips about the other vertex."
+        /// );
+        /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[repr(u8)]
         pub enum Transition {
@@ -13,57 +26,76 @@ macro_rules! transitions {
             /// All arms, in the order of the table.
             pub const ALL: &'static [Self] = &[$(Self::$name),+];
 
-            /// The physics of the arm in a sentence.
+            /// The physics of the arm in a sentence: the condition, a colon, what follows from it.
             pub const fn describe(self) -> &'static str {
                 match self {
                     $(Self::$name => $text),+
                 }
             }
+
+            /// The state that the arm leaves. `None` for [`Self::Stays`] alone, which every state has.
+            pub const fn before(self) -> Option<StateKind> {
+                match self {
+                    $(Self::$name => transitions!(@state $($before)?)),+
+                }
+            }
+
+            /// The state that the arm leads to; that of [`Self::before`] where it stays the same.
+            pub const fn after(self) -> Option<StateKind> {
+                match self {
+                    $(Self::$name => transitions!(@state $($after)?)),+
+                }
+            }
         }
     };
+    (@state) => { None };
+    (@state $kind:ident) => { Some(StateKind::$kind) };
 }
 
 transitions! {
-    FreeMoves: "No contact: the body follows the hand.",
-    FreeFolds: "No contact: the weight turns the body over a fold of its balance.",
-    FreeTouches: "A vertex reaches a surface: single-vertex.",
-    FreeLands: "Two vertices reach one surface together: edge.",
-    FreeTouchesTwo: "Two vertices reach two surfaces together: two-vertex.",
-    FreeCorners: "A vertex reaches two surfaces together: corner.",
-    FreeJams: "Three contacts or more close together: locked.",
-    VertexSticks: "The reaction lies in the friction cone: the vertex stays.",
-    VertexSnaps: "The angle's branch folds: the body turns about the vertex to the next balance.",
-    VertexSlips: "Friction gives way: the vertex slips until |T| = mu_d N.",
-    VertexLifts: "N falls to zero: the vertex leaves the surface.",
-    VertexLands: "A second vertex reaches the same surface: edge.",
-    VertexTouchesTwo: "A second vertex reaches another surface: two-vertex.",
-    VertexCorners: "The vertex itself reaches another surface: corner.",
-    VertexJams: "Two more contacts close together: locked.",
-    EdgeSticks: "The total reaction lies in the friction cone: the edge stays.",
-    EdgeTips: "N_i falls to zero: the body tips about the other vertex.",
-    EdgeTipsSliding: "N_i falls to zero in mid-slip: the other vertex slides on.",
-    EdgeSlips: "Friction gives way: the edge slips until |T| = mu_d N.",
-    EdgeLifts: "Both N_i are negative: the edge leaves the surface.",
-    EdgeJams: "A vertex reaches another surface: locked.",
-    TwoSticks: "Some internal force keeps both reactions in their cones: the pose stays.",
-    TwoOpens: "One reaction vanishes, or no slip is driven: the other vertex remains.",
-    TwoSlips: "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
-    TwoOpensSliding: "One reaction vanishes in mid-slip: the other vertex slides on.",
-    TwoJams: "A further vertex reaches a surface: locked.",
-    CornerSticks: "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
-    CornerSnaps: "The angle's branch folds: the body turns about the corner to the next balance.",
-    CornerSlides: "The reaction leaves the sum of the cones: the vertex slides along one surface.",
-    CornerLifts: "Both reactions are negative: the vertex leaves the corner.",
-    CornerJams: "A further vertex reaches a surface: locked.",
-    LockedHolds: "The contacts together bear the load: the pose stays.",
-    LockedTips: "All reactions but one vanish: the body turns about one vertex.",
-    LockedSlidesEdge: "Two contacts of one surface remain and slide: edge.",
-    LockedSlidesTwo: "Two contacts of two surfaces remain and slide: two-vertex.",
-    LockedCorners: "The two contacts of one vertex remain: corner.",
+    FreeMoves(NonContact -> NonContact): "No surface is reached: the body follows the hand.",
+    FreeFolds(NonContact -> NonContact): "The balance of the weight folds: the body turns over to the next one.",
+    FreeTouches(NonContact -> SingleVertex): "A vertex reaches a surface: single-vertex.",
+    FreeLands(NonContact -> Edge): "Two vertices reach one surface together: edge.",
+    FreeTouchesTwo(NonContact -> TwoVertex): "Two vertices reach two surfaces together: two-vertex.",
+    FreeCorners(NonContact -> Corner): "A vertex reaches two surfaces together: corner.",
+    FreeJams(NonContact -> Locked): "Three contacts or more close together: locked.",
+    VertexSticks(SingleVertex -> SingleVertex): "The reaction lies in the friction cone: the vertex stays.",
+    VertexSnaps(SingleVertex -> SingleVertex): "The angle's branch folds: the body turns about the vertex to the next balance.",
+    VertexSlips(SingleVertex -> SingleVertex): "Friction gives way: the vertex slips until |T| = mu_d N.",
+    VertexLifts(SingleVertex -> NonContact): "N falls to zero: the vertex leaves the surface.",
+    VertexLands(SingleVertex -> Edge): "A second vertex reaches the same surface: edge.",
+    VertexTouchesTwo(SingleVertex -> TwoVertex): "A second vertex reaches another surface: two-vertex.",
+    VertexCorners(SingleVertex -> Corner): "The vertex itself reaches another surface: corner.",
+    VertexJams(SingleVertex -> Locked): "Two more contacts close together: locked.",
+    EdgeSticks(Edge -> Edge): "The total reaction lies in the friction cone: the edge stays.",
+    EdgeTips(Edge -> SingleVertex): "N_i falls to zero: the body tips about the other vertex.",
+    EdgeTipsSliding(Edge -> SingleVertex): "N_i falls to zero in mid-slip: the other vertex slides on.",
+    EdgeSlips(Edge -> Edge): "Friction gives way: the edge slips until |T| = mu_d N.",
+    EdgeLifts(Edge -> NonContact): "Both N_i are negative: the edge leaves the surface.",
+    EdgeJams(Edge -> Locked): "A vertex reaches another surface: locked.",
+    TwoSticks(TwoVertex -> TwoVertex): "Some internal force keeps both reactions in their cones: the pose stays.",
+    TwoOpens(TwoVertex -> SingleVertex): "One reaction vanishes, or no slip is driven: the other vertex remains.",
+    TwoLifts(TwoVertex -> NonContact): "Both reactions are negative: the body leaves both surfaces.",
+    TwoSlips(TwoVertex -> TwoVertex): "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
+    TwoOpensSliding(TwoVertex -> SingleVertex): "One reaction vanishes in mid-slip: the other vertex slides on.",
+    TwoJams(TwoVertex -> Locked): "A further vertex reaches a surface: locked.",
+    CornerSticks(Corner -> Corner): "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
+    CornerSnaps(Corner -> Corner): "The angle's branch folds: the body turns about the corner to the next balance.",
+    CornerSlides(Corner -> SingleVertex): "The reaction leaves the sum of the cones: the vertex slides along one surface.",
+    CornerLifts(Corner -> NonContact): "Both reactions are negative: the vertex leaves the corner.",
+    CornerJams(Corner -> Locked): "A further vertex reaches a surface: locked.",
+    LockedHolds(Locked -> Locked): "The contacts together bear the load: the pose stays.",
+    LockedTips(Locked -> SingleVertex): "All reactions but one vanish: the body turns about one vertex, or slides on it.",
+    LockedSlidesEdge(Locked -> Edge): "Two contacts of one surface remain and slide: edge.",
+    LockedSlidesTwo(Locked -> TwoVertex): "Two contacts of two surfaces remain and slide: two-vertex.",
+    LockedCorners(Locked -> Corner): "The two contacts of one vertex remain: corner.",
+    LockedLifts(Locked -> NonContact): "All reactions are negative: the body leaves all surfaces.",
     Stays: "No mode of motion is consistent with friction: the body stays.",
 }
 
-/// A set of arms of the transition table.
+/// A set of arms of the transition table: those taken in a frame ([`Output::transitions`](crate::Output::transitions)). Says
+/// which, not how often or in which order.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Transitions(u64);
 

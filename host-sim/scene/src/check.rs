@@ -1,7 +1,7 @@
 //! Numbers of a scene file: finite, within the number type, as many as the key takes.
 
 use crate::document::{Number, Numbers};
-use crate::source::{InputError, Source};
+use crate::source::{InputError, Source, excerpt};
 
 /// Checks values of one file.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +87,8 @@ impl<'a> Check<'a> {
         given: &toml::Spanned<T>,
         allowed: &str,
     ) -> InputError {
-        let problem = format!("`{key}` is {:?}, allowed: {allowed}", given.get_ref());
+        let value = excerpt(&format!("{:?}", given.get_ref()));
+        let problem = format!("`{key}` is {value}, allowed: {allowed}");
         self.source.error_at(given.span().start, problem)
     }
 }

@@ -25,6 +25,6 @@ pub use code::{BoardNumber, rust_source};
 pub use compile::code;
 pub use document::{Hand, Number, Numbers};
 pub use model::SceneModel;
-pub use source::{InputError, Source};
+pub use source::{InputError, Source, excerpt};
 pub use surface::SurfaceInfo;
 pub use written::{SURFACES, VERTICES, WrittenScene};

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
+
 /// Input that cannot be used: the file, the line, what is wrong there and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InputError {
@@ -20,6 +22,11 @@ impl InputError {
             problem: problem.to_string(),
         }
     }
+
+    /// What is wrong and what is allowed, without the file and the line.
+    pub fn problem(&self) -> &str {
+        &self.problem
+    }
 }
 
 impl fmt::Display for InputError {
@@ -36,6 +43,14 @@ impl fmt::Display for InputError {
 
 impl std::error::Error for InputError {}
 
+/// What a message shows of a text: its first 100 characters.
+pub fn excerpt(text: &str) -> String {
+    match text.char_indices().nth(100) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// A text file with its name.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -44,9 +59,6 @@ pub struct Source {
 }
 
 impl Source {
-    /// The longest excerpt of a line in a message, in characters.
-    const EXCERPT: usize = 100;
-
     /// Text that is there already.
     pub fn new(file: impl Into<PathBuf>, text: impl Into<String>) -> Self {
         let (file, text) = (file.into(), text.into());
@@ -78,6 +90,19 @@ impl Source {
         &self.text
     }
 
+    /// The file as TOML has it.
+    ///
+    /// # Errors
+    /// It is not TOML, or not what T takes.
+    pub fn toml<T: DeserializeOwned>(&self) -> Result<T, InputError> {
+        toml::from_str(&self.text).map_err(|error| match error.span() {
+            Some(span) if span.start > 0 || span.len() < self.text.len() => {
+                self.error_at(span.start, error.message())
+            }
+            _ => self.error(error.message()),
+        })
+    }
+
     /// A problem of the whole file.
     pub fn error(&self, problem: impl fmt::Display) -> InputError {
         InputError::of_file(&self.file, problem)
@@ -92,9 +117,8 @@ impl Source {
     /// A problem in a line, counted from 1.
     pub fn error_in_line(&self, line: usize, problem: impl fmt::Display) -> InputError {
         let text = self.text.lines().nth(line.saturating_sub(1)).unwrap_or("");
-        let excerpt = text.trim_end().chars().take(Self::EXCERPT).collect();
         InputError {
-            line: Some((line, excerpt)),
+            line: Some((line, excerpt(text.trim_end()))),
             ..self.error(problem)
         }
     }

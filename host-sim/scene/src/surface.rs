@@ -5,7 +5,7 @@ use toml::Spanned;
 use crate::check::Check;
 use crate::document::{self, Document};
 use crate::locate;
-use crate::source::InputError;
+use crate::source::{InputError, excerpt};
 
 /// A fixed half-plane: the free side is `normal`·p >= `offset`.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +41,7 @@ pub(crate) fn surfaces(
     for (i, given) in document.surface.iter().enumerate() {
         let surface = surface(check, i, given, fallback)?;
         if let Some(first) = checked.iter().position(|other| other.name == surface.name) {
-            let name = &surface.name;
+            let name = excerpt(&surface.name);
             let problem = format!(
                 "`surface[{i}].name` is {name:?}, as that of surface {first}, allowed: a name of its own"
             );

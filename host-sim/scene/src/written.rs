@@ -55,15 +55,7 @@ impl WrittenScene {
     /// # Errors
     /// As [`WrittenScene::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
-        let document: Document = toml::from_str(source.text()).map_err(|error| {
-            let problem = error.message();
-            match error.span() {
-                Some(span) if span.start > 0 || span.len() < source.text().len() => {
-                    source.error_at(span.start, problem)
-                }
-                _ => source.error(problem),
-            }
-        })?;
+        let document: Document = source.toml()?;
         let check = Check::new(&source, limit);
         let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
         let point = |given| check.numbers("grasp.point", given, "x and y");

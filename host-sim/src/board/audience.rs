@@ -5,13 +5,22 @@ use std::time::Duration;
 use super::counts::Counts;
 use super::error::BoardError;
 use super::print::Screen;
-use super::trace::Trace;
+use crate::files::Files;
+use crate::hand_path::Sample;
 use crate::record::Frame;
 
 /// Is told how a stream goes.
 pub(super) trait Audience {
-    /// The answer to a sample, so long after it was sent.
-    fn frame(&mut self, frame: Frame, latency: Duration) -> Result<(), BoardError>;
+    /// The answer to a sample, so long after it was sent; none where a part of it is missing.
+    fn frame(
+        &mut self,
+        sample: &Sample,
+        answer: Option<Frame>,
+        latency: Duration,
+    ) -> Result<(), BoardError>;
+
+    /// A sample that none will answer.
+    fn lost(&mut self, sample: &Sample) -> Result<(), BoardError>;
 
     /// The counts, often.
     fn counts(&mut self, counts: &Counts);
@@ -29,16 +38,25 @@ pub(super) trait Audience {
     fn answer(&mut self, result: Result<(), BoardError>) -> Result<(), BoardError>;
 }
 
-/// A line on the screen, and a trace where one is wanted.
+/// A line on the screen, a trace and a recording where they are wanted.
 #[derive(Debug)]
 pub(super) struct Console {
     pub(super) screen: Screen,
-    pub(super) trace: Trace,
+    pub(super) files: Files,
 }
 
 impl Audience for Console {
-    fn frame(&mut self, frame: Frame, _latency: Duration) -> Result<(), BoardError> {
-        self.trace.write(&frame)
+    fn frame(
+        &mut self,
+        sample: &Sample,
+        answer: Option<Frame>,
+        _latency: Duration,
+    ) -> Result<(), BoardError> {
+        Ok(self.files.write(sample, answer.as_ref())?)
+    }
+
+    fn lost(&mut self, sample: &Sample) -> Result<(), BoardError> {
+        Ok(self.files.write(sample, None)?)
     }
 
     fn counts(&mut self, counts: &Counts) {

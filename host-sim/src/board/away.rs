@@ -23,7 +23,7 @@ impl<A: Audience> Stream<'_, A> {
             .note(&format!("{error}; looking for the board once a second"));
         self.audience.gone();
         let lost = self.flight.give_up();
-        self.lose(lost);
+        self.lose(lost)?;
         self.steps = Steps::default();
         loop {
             let next = Instant::now() + RETRY;

@@ -1,6 +1,5 @@
 //! Why a board could not be worked with.
 
-use std::io;
 use std::path::PathBuf;
 
 use stiction_core::frame::FaultKind;
@@ -8,6 +7,7 @@ use stiction_scene::InputError;
 use stiction_tools::process::EmulatorError;
 
 use super::line::Line;
+use crate::files::WriteError;
 
 /// Why a board could not be worked with.
 #[derive(Debug, thiserror::Error)]
@@ -15,14 +15,9 @@ pub enum BoardError {
     /// The scene or the hand's path cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The trace cannot be written.
-    #[error("{}: cannot be written: {error}", file.display())]
-    Trace {
-        /// The trace.
-        file: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
+    /// The trace or the recording cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The emulated board cannot be built or started.
     #[error(transparent)]
     Emulator(#[from] EmulatorError),

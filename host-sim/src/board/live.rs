@@ -245,9 +245,20 @@ impl Follower {
 }
 
 impl Audience for Follower {
-    fn frame(&mut self, frame: Frame, latency: Duration) -> Result<(), BoardError> {
-        self.latencies.push(latency);
-        self.say(Word::Frame(Box::new(frame)));
+    fn frame(
+        &mut self,
+        _sample: &Sample,
+        answer: Option<Frame>,
+        latency: Duration,
+    ) -> Result<(), BoardError> {
+        if let Some(frame) = answer {
+            self.latencies.push(latency);
+            self.say(Word::Frame(Box::new(frame)));
+        }
+        Ok(())
+    }
+
+    fn lost(&mut self, _sample: &Sample) -> Result<(), BoardError> {
         Ok(())
     }
 

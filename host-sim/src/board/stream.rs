@@ -122,7 +122,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             if sent > 0 {
                 owed = owed.or(Some(Instant::now()));
             }
-            self.give_up_overdue();
+            self.give_up_overdue()?;
             if self.feed.is_over() && self.flight.len() == 0 {
                 return self.finish(session);
             }
@@ -203,7 +203,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             self.counts.begun.get_or_insert(at);
             self.counts.samples += 1;
             let old = self.flight.add(sent);
-            self.lose(old);
+            self.lose(old)?;
             session.send(Command::Hand(hand))?;
             count += 1;
         }
@@ -268,7 +268,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             self.steps.keep(step.events.clone());
             return Ok(());
         };
-        self.lose(overtaken);
+        self.lose(overtaken)?;
         self.counts.poses += 1;
         let latency = step.at.saturating_duration_since(sent.at);
         self.counts.latency.add(latency);
@@ -276,24 +276,24 @@ impl<'a, A: Audience> Stream<'a, A> {
             self.verdict
                 .add((sent.index, sent.sample.t), step, expected);
         }
-        match self.recorder.frame(&sent, step) {
-            Some(frame) => self.audience.frame(frame, latency)?,
-            None => self.counts.incomplete += 1,
-        }
-        Ok(())
+        let frame = self.recorder.frame(&sent, step);
+        self.counts.incomplete += u64::from(frame.is_none());
+        self.audience.frame(&sent.sample, frame, latency)
     }
 
     /// No pose follows these samples.
-    pub(super) fn lose(&mut self, lost: Vec<Sent>) {
+    pub(super) fn lose(&mut self, lost: Vec<Sent>) -> Result<(), BoardError> {
         self.counts.unanswered += lost.len() as u64;
         for sent in lost {
             if let Some(expected) = &sent.expected {
                 self.verdict.lose((sent.index, sent.sample.t), expected);
             }
+            self.audience.lost(&sent.sample)?;
         }
+        Ok(())
     }
 
-    fn give_up_overdue(&mut self) {
+    fn give_up_overdue(&mut self) -> Result<(), BoardError> {
         let now = Instant::now();
         if self
             .flight
@@ -301,8 +301,9 @@ impl<'a, A: Audience> Stream<'a, A> {
             .is_some_and(|end| now > end)
         {
             let lost = self.flight.give_up();
-            self.lose(lost);
+            self.lose(lost)?;
         }
+        Ok(())
     }
 
     /// What is still under way, and the last word of the board.

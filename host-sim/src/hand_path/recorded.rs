@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use stiction_core::TrackerSample;
-use stiction_scene::{InputError, Source};
+use stiction_scene::{InputError, Source, excerpt};
 
 const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];
@@ -128,7 +128,7 @@ impl Columns {
         let names = self.pose.iter().chain([&HELD]);
         let value = |(field, name): (&&str, _)| {
             let number = field.parse();
-            number.map_err(|_| format!("`{name}` is {field:?}, allowed: a number"))
+            number.map_err(|_| format!("`{name}` is {:?}, allowed: a number", excerpt(field)))
         };
         fields.iter().zip(names).map(value).collect()
     }

@@ -91,7 +91,7 @@ fn sentence(place: Place, goal: &Goal, row: &Row) -> String {
     format!(
         "{}, {}, {} at {} Hz: {} µm, {:.0} % of the frames in step, {cost:.0} {unit} per frame{worst}",
         setting.number.name(),
-        setting.evolution_name(),
+        setting.evolution.name(),
         setting.dial.name,
         row.rate,
         figure((goal.error)(row)),

@@ -117,7 +117,7 @@ pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
         colors: numbers
             .map(|number| (number_color(number), number.name()))
             .collect(),
-        marks: ["path", "frame"],
+        marks: Evolution::ALL.map(Evolution::name),
         error: "position error, 99 % of the frames in step [µm]".to_owned(),
         floor: floor(&rows),
         panels: vec![

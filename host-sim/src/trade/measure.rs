@@ -44,7 +44,7 @@ impl Row {
         let mut columns: Vec<(String, Value)> = Vec::new();
         let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
         add("number", setting.number.name().into());
-        add("evolution", setting.evolution_name().into());
+        add("evolution", setting.evolution.name().into());
         add("dial", setting.dial.name.into());
         add("rate_hz", self.rate.into());
         add("scenes", self.group.map_or("all", Group::name).into());

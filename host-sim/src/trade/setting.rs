@@ -76,14 +76,6 @@ impl Setting {
         })
     }
 
-    /// The name of the evolution on the command line.
-    pub const fn evolution_name(&self) -> &'static str {
-        match self.evolution {
-            Evolution::Path => "path",
-            Evolution::Frame => "frame",
-        }
-    }
-
     /// The solver of a scene; R is the number type of this setting.
     pub(super) fn solver<R: Real<Si: SiFloat>>(&self, scene: HostScene<R>) -> HostSolver<R> {
         Solver::new(scene, self.evolution).with_tolerance(R::Si::narrow(self.dial.tolerance))

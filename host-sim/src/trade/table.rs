@@ -137,7 +137,7 @@ fn names(row: &Row) -> Vec<String> {
     let setting = &row.setting;
     vec![
         setting.number.name().to_owned(),
-        setting.evolution_name().to_owned(),
+        setting.evolution.name().to_owned(),
         setting.dial.name.to_owned(),
         row.rate.to_string(),
     ]

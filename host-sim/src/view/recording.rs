@@ -14,6 +14,7 @@ use super::guide::HandPose;
 use super::stage::Stage;
 use crate::record::{Frame, Run};
 use crate::run::{RunArgs, run};
+use crate::settings::Settings;
 use crate::trace::{Format, TraceWriter};
 
 /// A recording ends by itself after so many ticks (ms).
@@ -144,11 +145,14 @@ impl Recording {
         fs::write(&hand, self.hand_csv()).map_err(|error| error.to_string())?;
         let args = RunArgs {
             scene,
-            hand: Some(hand),
-            number: self.setting.number,
-            evolution: self.setting.evolution,
-            rate: None,
+            settings: Settings {
+                hand: Some(hand),
+                number: self.setting.number,
+                evolution: self.setting.evolution,
+                ..Settings::default()
+            },
             out: Some((trace, Format::JsonLines)),
+            record: None,
             plot: None,
             quiet: true,
         };

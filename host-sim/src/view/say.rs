@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::{Number as JsonNumber, json};
-use stiction_core::Evolution;
 use stiction_scene::SurfaceInfo;
 
 use super::body::Setting;
@@ -119,10 +118,7 @@ pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String
             "dynamic": first.map(|surface| surface.friction_dynamic),
         }),
         number: setting.number.name(),
-        evolution: match setting.evolution {
-            Evolution::Path => "path",
-            Evolution::Frame => "frame",
-        },
+        evolution: setting.evolution.name(),
         status,
     };
     text(&message)

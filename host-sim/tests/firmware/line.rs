@@ -6,9 +6,16 @@ use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Client, Said, hand_path, scene};
 use crate::random::{Random, garbled};
 use std::collections::HashMap;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use stiction_core::frame::{Command, Drive, Mode, Parameters, Pose, Reset, Stepping};
 use stiction_core::{Fixed, Hand, Real, Wrench};
 use stiction_firmware::safety::Limits;
+
+/// One emulated line at a time: an emulator that another one keeps from its core loses bytes of the line.
+fn alone() -> MutexGuard<'static, ()> {
+    static LINE: Mutex<()> = Mutex::new(());
+    LINE.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 const DEEP: [f32; 3] = [0.0, 0.045, 0.0];
 
@@ -73,11 +80,13 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
 
 #[test]
 fn silence_on_the_f405_is_zero_force_within_20_ms() {
+    let _alone = alone();
     silence(&F405);
 }
 
 #[test]
 fn silence_on_the_microbit_is_zero_force_within_20_ms() {
+    let _alone = alone();
     silence(&MICROBIT);
 }
 
@@ -169,11 +178,13 @@ fn client_dies(chip: &'static Chip) {
 
 #[test]
 fn a_client_dies_in_a_frame_and_another_goes_on_with_the_f405() {
+    let _alone = alone();
     client_dies(&F405);
 }
 
 #[test]
 fn a_client_dies_in_a_frame_and_another_goes_on_with_the_microbit() {
+    let _alone = alone();
     client_dies(&MICROBIT);
 }
 
@@ -204,11 +215,13 @@ fn flood(chip: &'static Chip, size: usize) {
 
 #[test]
 fn a_flood_does_not_stop_the_f405() {
+    let _alone = alone();
     flood(&F405, 60_000);
 }
 
 #[test]
 fn a_flood_does_not_stop_the_microbit() {
+    let _alone = alone();
     flood(&MICROBIT, 30_000);
 }
 
@@ -290,17 +303,20 @@ fn poses(client: &mut Client) -> Vec<Pose> {
 
 #[test]
 fn no_wrong_pose_over_a_faulty_line_to_the_f405() {
+    let _alone = alone();
     faulty_line::<f32>(&F405, 4_000, 400);
 }
 
 #[test]
 fn no_wrong_pose_over_a_faulty_line_to_the_microbit() {
+    let _alone = alone();
     faulty_line::<Fixed>(&MICROBIT, 4_000, 400);
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn no_wrong_pose_in_100_000_frames_over_faulty_lines() {
+    let _alone = alone();
     faulty_line::<f32>(&F405, 100_000, 400);
     faulty_line::<Fixed>(&MICROBIT, 100_000, 400);
 }
@@ -335,6 +351,7 @@ fn in_mid_contact(chip: &'static Chip) {
 
 #[test]
 fn commands_in_mid_contact_on_both_boards() {
+    let _alone = alone();
     in_mid_contact(&F405);
     in_mid_contact(&MICROBIT);
 }

@@ -8,6 +8,7 @@ use stiction_tests::{Number, Run, Setup, close, test_each};
 test_each!(
     cases::hand_takes_hold_where_it_is,
     cases::reach_limits_the_grasp,
+    cases::grasp_beyond_the_number_type_is_none,
     cases::released_body_stays,
     cases::body_is_taken_hold_of_again_elsewhere,
     cases::given_holding_point_pulls_from_the_start,
@@ -78,6 +79,29 @@ mod cases {
         let mut missed = Run::<R>::start(&setup, evolution, [3.0, 2.5, 0.0]);
         let frame = missed.step([5.0, 2.5, 0.0]);
         assert_eq!((frame.pose, frame.wrench), ([0.0, 2.0, 0.0], [0.0; 3]));
+    }
+
+    /// A point far from the hand that reaches for it: a type that carries the springs takes hold and says so, one that does
+    /// not says that it is out of range, and no grasp.
+    pub(super) fn grasp_beyond_the_number_type_is_none<R: Number>(evolution: Evolution) {
+        for far in [0.01, 0.1, 1.0, 3.0, 5.0] {
+            let body = Setup::new(&[[far, 0.0]]).springs(1e4, 42.0);
+            let mut setup = body.floor([0.1, 0.06]);
+            (setup.holding_point, setup.reach) = (None, 1e3);
+            let frame = Run::<R>::start(&setup, evolution, [0.0; 3]).frame;
+            assert_eq!(
+                frame.held,
+                frame.saw(Event::Grasp),
+                "{}: {frame:?}",
+                R::NAME
+            );
+            assert_eq!(
+                frame.held,
+                frame.status == Status::Ok,
+                "{}: {frame:?}",
+                R::NAME
+            );
+        }
     }
 
     pub(super) fn released_body_stays<R: Number>(evolution: Evolution) {

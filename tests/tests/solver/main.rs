@@ -2,9 +2,11 @@
 //! for all; `cargo test -p stiction-tests --test solver NAME` runs the tests of a module.
 
 mod allocation;
+mod ambiguous;
 mod analytic;
 mod comparison;
 mod creep;
+mod documents;
 mod dragged_box;
 mod event_limit;
 mod extremes;

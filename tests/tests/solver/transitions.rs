@@ -1,8 +1,9 @@
-//! Every arm of the transition table is reached by some scene. With `--nocapture` it prints which.
+//! Every arm of the transition table is reached by some scene (with `--nocapture` it prints which), and leads from the state
+//! that it names to the other one.
 
-use stiction_core::Transition;
+use stiction_core::{StateKind, Transition};
 use stiction_tests::random::scenarios;
-use stiction_tests::run::run;
+use stiction_tests::run::{Frame, run};
 use stiction_tests::{EVOLUTIONS, Scenario, scenes};
 
 #[test]
@@ -37,4 +38,36 @@ fn reached(scenario: &Scenario) -> Vec<Transition> {
     frames
         .flat_map(|frame| frame.transitions.iter().collect::<Vec<_>>())
         .collect()
+}
+
+#[test]
+fn the_arms_of_a_frame_lead_from_its_first_state_to_its_last() {
+    let named = scenes::all().into_iter().map(|(_, scenario)| scenario);
+    for scenario in named.chain(scenarios(2000, 4)) {
+        for evolution in EVOLUTIONS {
+            let frames = run::<f64>(&scenario.setup, evolution, &scenario.hands(40));
+            for pair in frames.windows(2) {
+                assert_chained(pair[0].state, &pair[1]);
+            }
+        }
+    }
+}
+
+/// From the state before the frame its arms, each from a state that others lead to, come to the state after it.
+fn assert_chained(before: StateKind, frame: &Frame) {
+    let mut visited = vec![before];
+    let mut arms: Vec<Transition> = frame.transitions.iter().collect();
+    arms.retain(|&arm| arm != Transition::Stays);
+    while let Some(i) = (arms.iter()).position(|a| a.before().is_some_and(|s| visited.contains(&s)))
+    {
+        visited.extend(arms.remove(i).after());
+    }
+    assert!(
+        arms.is_empty(),
+        "no way from {before:?} to {arms:?}: {frame:?}"
+    );
+    assert!(
+        visited.contains(&frame.state),
+        "no way from {before:?}: {frame:?}"
+    );
 }

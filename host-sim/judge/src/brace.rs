@@ -1,0 +1,128 @@
+//! Two vertices on two surfaces (STATICS 5): by how much static friction falls short of holding them, and the drive of a
+//! slip on which both frictions oppose the motion.
+
+use crate::frame::Contact;
+use crate::model::{Grip, Model, Wrench};
+use crate::vector::{Vec2, add, cross, dot, length, scaled, sub};
+
+/// A body with two contacts, in a pose.
+#[derive(Clone, Copy)]
+pub(crate) struct Brace<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) grip: &'a Grip,
+    pub(crate) pose: [f64; 3],
+    pub(crate) contacts: [&'a Contact; 2],
+}
+
+type Vec3 = [f64; 3];
+
+fn cross3(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+fn dot3(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+impl Brace<'_> {
+    fn feet(&self) -> [Vec2; 2] {
+        self.contacts
+            .map(|contact| self.model.vertex(self.pose, contact))
+    }
+
+    /// The levers of both feet about the holding point.
+    fn levers(&self) -> [Vec2; 2] {
+        let holding = self.model.holding_point(self.pose, self.grip);
+        self.feet().map(|foot| sub(foot, holding))
+    }
+
+    fn load(&self, hand: [f64; 3]) -> Wrench {
+        self.model.load(self.pose, hand, self.grip)
+    }
+
+    /// By how much (N) the reactions leave their static cones at least, of all that bear the load (E5); negative where some
+    /// lie inside. Minus infinity where the body is jammed.
+    pub(crate) fn static_excess(&self, hand: [f64; 3]) -> f64 {
+        let Wrench { force, moment } = self.load(hand);
+        let [first, second] = self.feet();
+        let [lever, _] = self.levers();
+        let apart = length(sub(second, first));
+        let along = scaled(sub(second, first), 1.0 / apart);
+        let across = [-along[1], along[0]];
+        let about_first = (moment - cross(lever, force)) / apart;
+        let rest = [
+            scaled(across, about_first - dot(force, across)),
+            add(
+                scaled(across, -about_first),
+                scaled(along, -dot(force, along)),
+            ),
+        ];
+        // Each cone edge as p + q lambda.
+        let mut lines = Vec::with_capacity(4);
+        for ((contact, rest), sign) in self.contacts.iter().zip(rest).zip([1.0, -1.0]) {
+            let surface = self.model.surface(contact);
+            let mu = surface.friction_static;
+            for side in [1.0, -1.0] {
+                let edge = sub(scaled(surface.tangent(), side), scaled(surface.normal, mu));
+                let edge = scaled(edge, 1.0 / mu.hypot(1.0));
+                lines.push((dot(rest, edge), sign * dot(along, edge)));
+            }
+        }
+        lowest_maximum(&lines)
+    }
+
+    /// What drives a slip on (N), with friction against a motion of the body: positive while it goes on; a zero of (E6), in
+    /// units of the wrenches of both edges. `motion`: by how much the holding point and the angle changed (m, rad).
+    pub(crate) fn drive(&self, hand: [f64; 3], motion: (Vec2, f64)) -> f64 {
+        let size = self.model.size;
+        let Wrench { force, moment } = self.load(hand);
+        let levers = self.levers();
+        let wrench =
+            |force: Vec2, lever: Vec2| -> Vec3 { [force[0], force[1], cross(lever, force) / size] };
+        let [first, second] = [0, 1].map(|i| {
+            let normal = self.model.surface(self.contacts[i]).normal;
+            wrench(normal, levers[i])
+        });
+        // The twist that keeps both feet on their surfaces: velocity of the holding point, turn × L.
+        let twist = cross3(first, second);
+        let (way, turn) = motion;
+        let forth = dot3(twist, [way[0], way[1], turn * size]).signum();
+        let edges = [0, 1].map(|i| {
+            let surface = self.model.surface(self.contacts[i]);
+            let velocity = wrench(surface.tangent(), levers[i]);
+            let sign = (forth * dot3(twist, velocity)).signum();
+            let mu = surface.friction_dynamic;
+            let edge = sub(surface.normal, scaled(surface.tangent(), sign * mu));
+            wrench(edge, levers[i])
+        });
+        let normal = cross3(edges[0], edges[1]);
+        let sizes = edges.map(|edge| dot3(edge, edge).sqrt());
+        dot3([force[0], force[1], moment / size], normal) / (sizes[0] * sizes[1])
+    }
+}
+
+/// The least over lambda of the largest of p + q lambda.
+fn lowest_maximum(lines: &[(f64, f64)]) -> f64 {
+    let falls = lines.iter().all(|(_, q)| *q < 0.0);
+    let rises = lines.iter().all(|(_, q)| *q > 0.0);
+    if falls || rises {
+        return f64::NEG_INFINITY;
+    }
+    let at = |lambda: f64| {
+        let values = lines.iter().map(|(p, q)| p + q * lambda);
+        values.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let mut lowest = at(0.0);
+    for (i, (p, q)) in lines.iter().enumerate() {
+        for (other_p, other_q) in &lines[..i] {
+            let lambda = (other_p - p) / (q - other_q);
+            if lambda.is_finite() {
+                lowest = lowest.min(at(lambda));
+            }
+        }
+    }
+    lowest
+}

@@ -1,0 +1,124 @@
+//! How far a frame is from a law, in units of what the law allows.
+
+/// The names of all laws.
+pub mod law {
+    /// No number is infinite or missing; what else is wrong with such a frame is not looked for.
+    pub const FINITE: &str = "every number is finite";
+    /// A frame is later than the one before.
+    pub const TIME: &str = "times increase";
+    /// `state` says how many vertices are on how many surfaces.
+    pub const NAME: &str = "the state is named after its contacts";
+    /// No contact is there twice.
+    pub const ONCE: &str = "a vertex touches a surface once";
+    /// n·x >= b for every vertex.
+    pub const OUTSIDE: &str = "no vertex is inside a surface";
+    /// n·x = b for the vertex of a contact.
+    pub const ON_SURFACE: &str = "a contact is on its surface";
+    /// `point` is where the pose puts the vertex.
+    pub const AT_VERTEX: &str = "a contact is at its vertex";
+    /// Hand, weight and reactions add up to no force.
+    pub const FORCES: &str = "forces balance";
+    /// Hand, weight and reactions add up to no moment.
+    pub const MOMENTS: &str = "moments balance";
+    /// F = k_h (p_h - G), M = k_theta (phi - theta).
+    pub const WRENCH: &str = "the wrench is that of the springs";
+    /// |T| <= mu_s N.
+    pub const CONE: &str = "friction is in its cone";
+    /// N >= 0.
+    pub const PUSH: &str = "surfaces do not pull";
+    /// No wrench where `held` is false.
+    pub const IDLE: &str = "a hand that does not hold gives no wrench";
+    /// A body that is not held, whose hand is out of range or not finite, or that no motion can balance, is where it was.
+    pub const RESTS: &str = "a body that nothing moves stays";
+    /// `held` changes with the events `grasp` and `release`.
+    pub const HOLD: &str = "grasp and release are told";
+    /// A contact is where it came to, as long as nothing happens.
+    pub const STICKS: &str = "a contact that sticks stays";
+    /// A slip begins where the contacts at their old places can bear the load no longer.
+    pub const SLIP_BEGINS: &str = "a slip begins where static friction gives way";
+    /// There, at their new places, |T| = mu_d N against the motion.
+    pub const SLIP_ENDS: &str = "a slip ends at mu_d N";
+    /// After several slips: somewhere on the hand's way of this frame |T| = mu_d N at the places where the contacts are now.
+    pub const SLIP_LAST: &str = "the last slip of a frame ends at mu_d N";
+    /// Nowhere between the two places |T| <= mu_d N, nor is balance lost.
+    pub const SLIP_FIRST: &str = "a slip ends at the first place it can";
+}
+
+/// One law on one frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Finding {
+    /// The law.
+    pub law: &'static str,
+    /// How far the frame is from it, relative to its scale; 0 where it holds exactly.
+    pub residual: f64,
+    /// The residual up to which it holds.
+    pub bound: f64,
+}
+
+impl Finding {
+    pub(crate) fn new(law: &'static str, residual: f64, bound: f64) -> Self {
+        Self {
+            law,
+            residual,
+            bound: bound.max(f64::MIN_POSITIVE),
+        }
+    }
+
+    /// A law that holds or does not.
+    pub(crate) fn whether(law: &'static str, holds: bool) -> Self {
+        Self::new(law, if holds { 0.0 } else { f64::INFINITY }, 1.0)
+    }
+
+    /// The residual in units of its bound; infinite where it is not a number.
+    pub fn severity(&self) -> f64 {
+        let severity = self.residual / self.bound;
+        if severity.is_nan() {
+            f64::INFINITY
+        } else {
+            severity
+        }
+    }
+
+    /// The law holds.
+    pub fn holds(&self) -> bool {
+        self.severity() <= 1.0
+    }
+}
+
+/// What is allowed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Forces and reactions, relative to the largest force in the frame, moments to that force × L; none finer than 64
+    /// roundings of coordinate × stiffness.
+    pub residual: f64,
+    /// Gaps and places, relative to L; none finer than 64 roundings of the farthest coordinate.
+    pub gap: f64,
+    /// They are relative to the farthest coordinate, or L × theta, where that is more than L.
+    pub far: bool,
+    /// Begin and end of slips: forces, relative to the largest force in the frame and the one before, none finer than 64
+    /// roundings of coordinate × stiffness. Tighter than the balance, as a slip that is a part of its length too short
+    /// leaves only that part of (mu_s - mu_d) N. Over the scenes of `stiction trade` slips of the
+    /// solver that are lawful stay below a tenth of it, or below the 64 roundings.
+    pub slip: f64,
+    /// Half the spacing of the trace's numbers near 1: the error of one rounding.
+    pub rounding: f64,
+}
+
+impl Bounds {
+    /// Of a trace of f64 values.
+    pub const DOUBLE: Self = Self {
+        residual: 1e-6,
+        gap: 1e-6,
+        far: false,
+        slip: 1e-9,
+        rounding: f64::EPSILON / 2.0,
+    };
+    /// Of a trace of f32 values, from a solver in f32 or fixed point.
+    pub const SINGLE: Self = Self {
+        residual: 2e-3,
+        gap: 2e-5,
+        far: true,
+        slip: 1e-4,
+        rounding: f32::EPSILON as f64 / 2.0,
+    };
+}

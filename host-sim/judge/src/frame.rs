@@ -1,0 +1,146 @@
+//! A record of a trace: SI units, world frame, angles unwrapped.
+
+macro_rules! named {
+    ($(#[$doc:meta])* $kind:ident { $($(#[$text:meta])* $variant:ident = $name:literal,)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        pub enum $kind { $($(#[$text])* $variant,)* }
+
+        impl $kind {
+            /// All names in a trace.
+            pub const NAMES: &[&str] = &[$($name),*];
+
+            /// By its name in a trace.
+            pub fn named(name: &str) -> Option<Self> {
+                match name {
+                    $($name => Some(Self::$variant),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+named! {
+    /// The contact state.
+    State {
+        /// No contact.
+        NonContact = "non-contact",
+        /// One vertex on one surface.
+        SingleVertex = "single-vertex",
+        /// Two vertices on one surface.
+        Edge = "edge",
+        /// Two vertices on two surfaces.
+        TwoVertex = "two-vertex",
+        /// One vertex on two surfaces.
+        Corner = "corner",
+        /// Three or more contacts.
+        Locked = "locked",
+    }
+}
+
+named! {
+    /// What happened in a frame.
+    Event {
+        /// A vertex came to a surface.
+        Touch = "touch",
+        /// A contact opened.
+        Lift = "lift",
+        /// A slip ended at mu_d N.
+        Slip = "slip",
+        /// The body left an edge and turns about one of its vertices.
+        Tip = "tip",
+        /// A second vertex came to the surface of the first.
+        Land = "land",
+        /// The rotation branch folded.
+        Snap = "snap",
+        /// Three or more contacts fix the body.
+        Jam = "jam",
+        /// The hand took hold of the body.
+        Grasp = "grasp",
+        /// The hand let go of the body.
+        Release = "release",
+    }
+}
+
+named! {
+    /// What limited the answer.
+    Status {
+        /// Nothing.
+        Ok = "ok",
+        /// Too many slips, or too small ones: the rest of the frame was one jump of the hand.
+        EventLimit = "event-limit",
+        /// A search ended at its bound.
+        IterationLimit = "iteration-limit",
+        /// No motion is consistent: the body stays, out of balance.
+        Ambiguous = "ambiguous",
+        /// The hand was out of range; the last pose is held.
+        Saturated = "saturated",
+        /// The hand's sample was not finite; the last pose is held.
+        HeldLast = "held-last",
+    }
+}
+
+/// A vertex of the body on a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Index into [`Scene::vertices`](crate::Scene::vertices).
+    pub vertex: usize,
+    /// Index into [`Scene::surfaces`](crate::Scene::surfaces).
+    pub surface: usize,
+    /// Where they touch (m).
+    pub point: [f64; 2],
+    /// N (N), on the body along the surface's normal.
+    pub normal: f64,
+    /// T (N), on the body along the tangent (n_y, -n_x).
+    pub friction: f64,
+}
+
+impl Contact {
+    /// Which vertex on which surface.
+    pub(crate) const fn pair(&self) -> (usize, usize) {
+        (self.vertex, self.surface)
+    }
+}
+
+/// One record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Time (s).
+    pub t: f64,
+    /// Hand: x, y (m), phi (rad).
+    pub hand: [f64; 3],
+    /// The hand holds the body.
+    pub held: bool,
+    /// Body: x, y (m), theta (rad).
+    pub pose: [f64; 3],
+    /// Depth coordinate (m).
+    pub depth: f64,
+    /// The contact state.
+    pub state: State,
+    /// The contacts.
+    pub contacts: Vec<Contact>,
+    /// False where the format had no room for all contacts.
+    pub complete: bool,
+    /// Force (N) and moment about the holding point (N·m) of the hand's springs on the body.
+    pub wrench: [f64; 3],
+    /// Slips that ended at mu_d N.
+    pub slips: u32,
+    /// What happened, in order; a run of equal events counts once.
+    pub events: Vec<Event>,
+    /// What limited the answer.
+    pub status: Status,
+}
+
+impl Frame {
+    /// The same vertices are on the same surfaces as in another frame.
+    pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
+        self.contacts.len() == other.contacts.len()
+            && (self.contacts.iter()).all(|contact| other.contact(contact.pair()).is_some())
+    }
+
+    /// The contact of a vertex and a surface.
+    pub(crate) fn contact(&self, pair: (usize, usize)) -> Option<&Contact> {
+        self.contacts.iter().find(|contact| contact.pair() == pair)
+    }
+}

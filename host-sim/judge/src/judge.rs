@@ -1,0 +1,221 @@
+//! Frame after frame: what is remembered of those before, and the laws that follow from it.
+
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Event, Frame, Status};
+use crate::model::{Grip, Model};
+use crate::scene::Scene;
+use crate::slip::{self, Step};
+use crate::still;
+use crate::vector::{Vec2, distance};
+
+/// How the hand goes from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Evolution {
+    /// Straight: a slip begins anywhere on its way.
+    #[default]
+    Path,
+    /// It jumps: a slip begins at the end.
+    Frame,
+}
+
+/// Judges the frames of one trace, in their order.
+#[derive(Clone, Debug)]
+pub struct Judge {
+    model: Model,
+    bounds: Bounds,
+    evolution: Evolution,
+    last: Option<Frame>,
+    /// The last one left the body out of balance, and said so.
+    unbalanced: bool,
+    hold: Hold,
+    /// Vertex, surface and the place where the contact came to, of contacts that stick.
+    anchors: Vec<((usize, usize), Vec2)>,
+}
+
+/// What is known of the hand's hold.
+#[derive(Clone, Copy, Debug, Default)]
+struct Hold {
+    grip: Option<Grip>,
+    /// The hand has held the body before.
+    was_held: bool,
+}
+
+impl Judge {
+    /// Of a trace whose first frame is still to come.
+    pub fn new(scene: Scene, bounds: Bounds, evolution: Evolution) -> Self {
+        Self {
+            model: Model::new(scene),
+            bounds,
+            evolution,
+            last: None,
+            unbalanced: false,
+            hold: Hold::default(),
+            anchors: Vec::new(),
+        }
+    }
+
+    /// The laws of a frame alone, of a body that is held at the scene's holding point for the first time, or not at all.
+    pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
+        let grip = (self.model.scene.holding_point).map(|point| Grip { point, offset: 0.0 });
+        self.still(frame, grip.filter(|_| frame.held).as_ref())
+    }
+
+    /// Every law on the next frame.
+    pub fn next(&mut self, frame: Frame) -> Vec<Finding> {
+        let finite = still::finite(&frame);
+        if !finite.holds() {
+            // Neither it nor what follows from it can be judged; the frame before stays the last one.
+            return vec![finite];
+        }
+        let told = self.take_hold(&frame);
+        let grip = self.hold.grip;
+        let mut findings = self.still(&frame, grip.as_ref());
+        findings.push(told);
+        findings.extend(self.rests(&frame));
+        findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
+        findings.extend(self.sticks(&frame));
+        if let (Some(last), Some(grip), false) = (&self.last, &grip, self.unbalanced) {
+            let step = Step {
+                model: &self.model,
+                bounds: &self.bounds,
+                evolution: self.evolution,
+                grip,
+                last,
+                next: &frame,
+            };
+            findings.extend(slip::findings(&step));
+        }
+        self.unbalanced = self.leaves_unbalanced(&frame);
+        self.last = Some(frame);
+        findings
+    }
+
+    fn still(&self, frame: &Frame, grip: Option<&Grip>) -> Vec<Finding> {
+        let mut findings = vec![still::finite(frame)];
+        findings.extend(still::names(frame));
+        findings.extend(still::geometry(&self.model, &self.bounds, frame));
+        match grip {
+            _ if self.leaves_unbalanced(frame) => {}
+            Some(grip) => findings.extend(still::statics(&self.model, &self.bounds, grip, frame)),
+            None => findings.push(still::idle(frame)),
+        }
+        findings
+    }
+
+    /// The body is out of balance and says so (STATICS 9, rule 8), or stays as it was when it last said so.
+    fn leaves_unbalanced(&self, frame: &Frame) -> bool {
+        let repeats = matches!(frame.status, Status::Saturated | Status::HeldLast);
+        frame.status == Status::Ambiguous || (repeats && self.unbalanced)
+    }
+
+    /// Follows the hold: the scene's holding point at first, where it gives one; otherwise where the hand is when it takes
+    /// hold, in the pose of the frame before.
+    fn take_hold(&mut self, frame: &Frame) -> Finding {
+        let grasps = frame.events.contains(&Event::Grasp);
+        let was_held = self.hold.grip.is_some();
+        let mut told = match (was_held, frame.held) {
+            (true, false) => frame.events.contains(&Event::Release) && !grasps,
+            (true, true) => !grasps,
+            (false, false) => !grasps,
+            (false, true) => true,
+        };
+        if !frame.held {
+            self.hold.grip = None;
+        } else if !was_held {
+            let given = self.model.scene.holding_point;
+            let grip = match given {
+                Some(point) if !self.hold.was_held && !grasps => Grip { point, offset: 0.0 },
+                _ => {
+                    told = grasps;
+                    self.taken(frame)
+                }
+            };
+            self.hold = Hold {
+                grip: Some(grip),
+                was_held: true,
+            };
+        }
+        Finding::whether(law::HOLD, told)
+    }
+
+    /// The hold of a hand that takes the body where it is. At the start a vertex that is near a surface is set onto it
+    /// first; then the springs tell by how much.
+    fn taken(&self, frame: &Frame) -> Grip {
+        let Some(last) = &self.last else {
+            let grip = Grip::taken(self.model.scene.start, frame.hand);
+            let [fx, fy, moment] = frame.wrench;
+            let stiffness = self.model.scene.stiffness_translation;
+            let holding = [
+                frame.hand[0] - fx / stiffness,
+                frame.hand[1] - fy / stiffness,
+            ];
+            let told = Grip {
+                point: Grip::taken(frame.pose, [holding[0], holding[1], 0.0]).point,
+                offset: match self.model.scene.stiffness_rotation {
+                    0.0 => grip.offset,
+                    stiffness => frame.hand[2] - frame.pose[2] - moment / stiffness,
+                },
+            };
+            let shift = distance(told.point, grip.point)
+                .max(self.model.size * (told.offset - grip.offset).abs());
+            let near = shift <= 4.0 * START * self.model.size;
+            return if near && !frame.contacts.is_empty() {
+                told
+            } else {
+                grip
+            };
+        };
+        Grip::taken(last.pose, frame.hand)
+    }
+
+    /// A body that nothing moves is where it was.
+    fn rests(&self, frame: &Frame) -> Option<Finding> {
+        let stays = match frame.status {
+            Status::Saturated | Status::HeldLast => true,
+            Status::Ambiguous => frame.events.is_empty(),
+            _ => false,
+        };
+        let before = match &self.last {
+            Some(last) if stays || !frame.held => last.pose,
+            // What is near a surface at the start is set onto it.
+            None if !frame.held && frame.contacts.is_empty() => self.model.scene.start,
+            _ => return None,
+        };
+        let moved = distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
+            .max(self.model.size * (frame.pose[2] - before[2]).abs());
+        let scale = self.model.length_scale(frame, &self.bounds);
+        Some(Finding::new(law::RESTS, moved / scale, self.bounds.gap))
+    }
+
+    /// Contacts stay where they came to, as long as nothing happens that could move them (mu_s > mu_d).
+    fn sticks(&mut self, frame: &Frame) -> Option<Finding> {
+        let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
+        let is_quiet = !frame.events.iter().any(moves)
+            && !matches!(frame.status, Status::EventLimit | Status::IterationLimit);
+        let scale = self.model.length_scale(frame, &self.bounds);
+        let mut farthest: Option<f64> = None;
+        let mut anchors = Vec::with_capacity(frame.contacts.len());
+        for contact in &frame.contacts {
+            let known = (self.anchors.iter()).find(|(pair, _)| *pair == contact.pair());
+            let jumps = self.model.surface(contact).jumps();
+            let anchor = match known {
+                Some((_, anchor)) if is_quiet && jumps => {
+                    let moved = distance(*anchor, contact.point);
+                    farthest = Some(farthest.unwrap_or(0.0).max(moved));
+                    *anchor
+                }
+                _ => contact.point,
+            };
+            anchors.push((contact.pair(), anchor));
+        }
+        self.anchors = anchors;
+        farthest.map(|moved| Finding::new(law::STICKS, moved / scale, 2.0 * self.bounds.gap))
+    }
+}
+
+/// A vertex this near to a surface, of the body size, touches it from the beginning.
+const START: f64 = 1e-5;
+
+fn later(last: &Frame, frame: &Frame) -> Finding {
+    Finding::whether(law::TIME, frame.t > last.t)
+}

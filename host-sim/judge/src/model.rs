@@ -1,0 +1,173 @@
+//! The scene with what follows from it, the hand's hold, and the forces on the body: hand, weight and reactions
+//! (N, N·m, world frame).
+
+use crate::finding::Bounds;
+use crate::frame::{Contact, Frame};
+use crate::scene::{Scene, Surface, centroid, size};
+use crate::vector::{Vec2, add, cross, dot, length, scaled, sub};
+
+/// A scene with its size and centroid.
+#[derive(Clone, Debug)]
+pub(crate) struct Model {
+    pub(crate) scene: Scene,
+    /// L (m)
+    pub(crate) size: f64,
+    centroid: Vec2,
+    /// The surface farthest from the origin (m).
+    farthest: f64,
+}
+
+/// Where the hand holds the body.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Grip {
+    /// g (m), body frame.
+    pub(crate) point: Vec2,
+    /// phi - theta at which the rotational spring rests (rad).
+    pub(crate) offset: f64,
+}
+
+impl Grip {
+    /// Of a body that is taken hold of where it is.
+    pub(crate) fn taken(pose: [f64; 3], hand: [f64; 3]) -> Self {
+        let from_origin = [hand[0] - pose[0], hand[1] - pose[1]];
+        Self {
+            point: crate::vector::turned(from_origin, -pose[2]),
+            offset: hand[2] - pose[2],
+        }
+    }
+}
+
+/// A force and the moment about the holding point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Wrench {
+    pub(crate) force: Vec2,
+    pub(crate) moment: f64,
+}
+
+/// The forces and moments that residuals of a frame are relative to.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scale {
+    /// Of forces (N).
+    pub(crate) force: f64,
+    /// Of what comes from moments, as a force: moment / L (N).
+    pub(crate) moment: f64,
+}
+
+impl Model {
+    pub(crate) fn new(scene: Scene) -> Self {
+        let offsets = scene.surfaces.iter().map(|surface| surface.offset.abs());
+        Self {
+            size: size(&scene.vertices),
+            centroid: centroid(&scene.vertices),
+            farthest: offsets.fold(0.0, f64::max),
+            scene,
+        }
+    }
+
+    pub(crate) fn surface(&self, contact: &Contact) -> &Surface {
+        &self.scene.surfaces[contact.surface]
+    }
+
+    /// Where the vertex of a contact is.
+    pub(crate) fn vertex(&self, pose: [f64; 3], contact: &Contact) -> Vec2 {
+        Scene::place(pose, self.scene.vertices[contact.vertex])
+    }
+
+    /// G
+    pub(crate) fn holding_point(&self, pose: [f64; 3], grip: &Grip) -> Vec2 {
+        Scene::place(pose, grip.point)
+    }
+
+    /// From the body's origin to its centroid (m), body frame.
+    pub(crate) fn centroid(&self) -> Vec2 {
+        self.centroid
+    }
+
+    /// The weight (N).
+    pub(crate) fn weight(&self) -> Vec2 {
+        [0.0, -self.scene.weight]
+    }
+
+    /// What the hand's springs give.
+    pub(crate) fn springs(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {
+        let way = sub([hand[0], hand[1]], self.holding_point(pose, grip));
+        Wrench {
+            force: scaled(way, self.scene.stiffness_translation),
+            moment: self.scene.stiffness_rotation * (hand[2] - grip.offset - pose[2]),
+        }
+    }
+
+    /// Springs and weight together: what the contacts have to bear.
+    pub(crate) fn load(&self, pose: [f64; 3], hand: [f64; 3], grip: &Grip) -> Wrench {
+        let springs = self.springs(pose, hand, grip);
+        let lever = sub(
+            Scene::place(pose, self.centroid),
+            self.holding_point(pose, grip),
+        );
+        Wrench {
+            force: add(springs.force, self.weight()),
+            moment: springs.moment + cross(lever, self.weight()),
+        }
+    }
+
+    /// N n + T t (N)
+    pub(crate) fn reaction(&self, contact: &Contact) -> Vec2 {
+        let surface = self.surface(contact);
+        add(
+            scaled(surface.normal, contact.normal),
+            scaled(surface.tangent(), contact.friction),
+        )
+    }
+
+    /// The farthest coordinate of body and surfaces (m).
+    fn extent(&self, frame: &Frame) -> f64 {
+        let [x, y, _] = frame.pose;
+        let points = frame.contacts.iter().flat_map(|contact| contact.point);
+        [x, y, self.farthest]
+            .into_iter()
+            .chain(points)
+            .fold(self.size, |most, x| most.max(x.abs()))
+    }
+
+    /// The same, and how far a vertex goes when the body turns by its whole angle.
+    fn reach(&self, frame: &Frame) -> f64 {
+        self.extent(frame).max(self.size * frame.pose[2].abs())
+    }
+
+    /// 64 roundings of that (m).
+    pub(crate) fn carried(&self, frame: &Frame, bounds: &Bounds) -> f64 {
+        64.0 * bounds.rounding * self.reach(frame)
+    }
+
+    /// The length that gaps are relative to (m).
+    pub(crate) fn length_scale(&self, frame: &Frame, bounds: &Bounds) -> f64 {
+        let far = if bounds.far { self.reach(frame) } else { 0.0 };
+        let carried = self.carried(frame, bounds) / bounds.gap;
+        self.size.max(far).max(carried)
+    }
+
+    /// What forces and moments of a frame are relative to; `bound`: the residual that is allowed.
+    pub(crate) fn scale(&self, frame: &Frame, grip: &Grip, bound: f64, rounding: f64) -> Scale {
+        let springs = self.springs(frame.pose, frame.hand, grip);
+        let largest = (frame.contacts.iter())
+            .map(|contact| contact.normal.hypot(contact.friction))
+            .fold(length(springs.force).max(self.scene.weight), f64::max);
+        let carried = 64.0 * rounding / bound;
+        let turns = frame.pose[2].abs().max(frame.hand[2].abs()).max(1.0);
+        let [x, y, _] = frame.hand;
+        let extent = self.extent(frame).max(x.abs()).max(y.abs());
+        let floor = carried * self.scene.stiffness_translation * extent;
+        let force = largest.max(floor).max(f64::MIN_POSITIVE);
+        let moment = (springs.moment.abs() / self.size)
+            .max(carried * self.scene.stiffness_rotation * turns / self.size);
+        Scale {
+            force,
+            moment: force.max(moment),
+        }
+    }
+}
+
+/// The normal and the tangential part of the reaction that bears a force, on a surface.
+pub(crate) fn borne(force: Vec2, surface: &Surface) -> (f64, f64) {
+    (-dot(force, surface.normal), -dot(force, surface.tangent()))
+}

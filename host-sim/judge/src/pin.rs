@@ -1,0 +1,143 @@
+//! A vertex that is pinned at a place while the body turns about it in balance of moments (STATICS 3.1): the balance that
+//! continues the one before, and the friction in it.
+
+use crate::model::{Grip, Model, borne};
+use crate::scene::Surface;
+use crate::vector::{Vec2, add, cross, dot, scaled, sub, turned};
+
+/// The largest turn (rad) that is taken in one step.
+const STEP: f64 = 0.05;
+/// The finest part of a way that is looked at.
+const FINEST: u32 = 24;
+
+/// A vertex that touches a surface, and who holds the body.
+#[derive(Clone, Copy)]
+pub(crate) struct Foot<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) grip: &'a Grip,
+    pub(crate) vertex: usize,
+    pub(crate) surface: &'a Surface,
+}
+
+/// A foot at a place, with the hand at a pose.
+#[derive(Clone, Copy)]
+pub(crate) struct Pin<'a> {
+    foot: Foot<'a>,
+    at: Vec2,
+    hand: [f64; 3],
+}
+
+impl<'a> Foot<'a> {
+    pub(crate) const fn pinned(self, at: Vec2, hand: [f64; 3]) -> Pin<'a> {
+        Pin {
+            foot: self,
+            at,
+            hand,
+        }
+    }
+}
+
+impl Pin<'_> {
+    /// Rd and the lever of the weight.
+    fn levers(&self, theta: f64) -> (Vec2, Vec2) {
+        let model = self.foot.model;
+        let vertex = model.scene.vertices[self.foot.vertex];
+        let lever = |to: Vec2| turned(sub(to, vertex), theta);
+        (lever(self.foot.grip.point), lever(model.centroid()))
+    }
+
+    /// The moment about the foot (N·m), the left side of (E1), and how it falls with theta: what it costs to turn.
+    fn moment(&self, theta: f64) -> (f64, f64) {
+        let (scene, weight) = (&self.foot.model.scene, self.foot.model.weight());
+        let (lever, heavy) = self.levers(theta);
+        let pull = scaled(
+            sub([self.hand[0], self.hand[1]], self.at),
+            scene.stiffness_translation,
+        );
+        let k = scene.stiffness_rotation;
+        let couple = k * (self.hand[2] - self.foot.grip.offset - theta);
+        (
+            couple + cross(lever, pull) + cross(heavy, weight),
+            k + dot(lever, pull) + dot(heavy, weight),
+        )
+    }
+
+    /// N and T of the surface on the foot (N).
+    pub(crate) fn reaction(&self, theta: f64) -> (f64, f64) {
+        let (lever, _) = self.levers(theta);
+        let model = self.foot.model;
+        let way = sub(sub([self.hand[0], self.hand[1]], self.at), lever);
+        let spring = scaled(way, model.scene.stiffness_translation);
+        borne(add(spring, model.weight()), self.foot.surface)
+    }
+
+    /// The balance next to an angle, on the same stable branch.
+    fn near(&self, theta: f64) -> Option<f64> {
+        let mut at = theta;
+        for _ in 0..12 {
+            let (moment, stiffness) = self.moment(at);
+            if stiffness <= 0.0 {
+                return None;
+            }
+            let step = moment / stiffness;
+            at += step;
+            if (at - theta).abs() > STEP {
+                return None;
+            }
+            if step.abs() <= 4.0 * f64::EPSILON * at.abs().max(1.0) {
+                break;
+            }
+        }
+        (self.moment(at).1 > 0.0).then_some(at)
+    }
+
+    /// The first balance in the direction of the moment, searched in small steps.
+    pub(crate) fn downhill(&self, theta: f64) -> f64 {
+        if let Some(balance) = self.near(theta) {
+            return balance;
+        }
+        let direction = self.moment(theta).0.signum();
+        let (mut from, mut to) = (theta, theta);
+        // Over two turns there is a balance, or there is none.
+        while direction * self.moment(to).0 > 0.0 && (to - theta).abs() < 14.0 {
+            from = to;
+            to += direction * STEP / 16.0;
+        }
+        for _ in 0..60 {
+            let middle = f64::midpoint(from, to);
+            if direction * self.moment(middle).0 > 0.0 {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        to
+    }
+
+    /// Two angles are on one stable branch.
+    pub(crate) fn on_one_branch(&self, a: f64, b: f64) -> bool {
+        (b - a).abs() <= STEP * STEP
+            || (0..=16).all(|i| self.moment(a + (b - a) * f64::from(i) / 16.0).1 > 0.0)
+    }
+}
+
+/// Follows the balance along a way from its beginning (part 0) to a part: the angle there, `None` where the branch folds.
+pub(crate) fn follow<'a>(pin: impl Fn(f64) -> Pin<'a>, theta: f64, part: f64) -> Option<f64> {
+    if let Some(balance) = pin(part).near(theta) {
+        return Some(balance);
+    }
+    let (mut at, mut balance, mut step) = (0.0, theta, part / 2.0);
+    let finest = part / f64::from(1 << FINEST);
+    while at < part {
+        let to = (at + step).min(part);
+        match pin(to).near(balance) {
+            Some(found) => {
+                (at, balance) = (to, found);
+                step *= 2.0;
+            }
+            None if step <= finest => return None,
+            None => step /= 2.0,
+        }
+    }
+    Some(balance)
+}

@@ -1,0 +1,290 @@
+//! What a judge needs of a scene file: body, springs, surfaces, the initial holding point. SI units; keys of which it needs
+//! nothing are for the program that runs the scene to check.
+
+use std::ops::Range;
+use std::path::Path;
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use crate::error::InputError;
+use crate::vector::{Vec2, add, cross, distance, length, scaled, sub, turned};
+
+/// A scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Vertices of the body (m), body frame, counter-clockwise; 1: a point, 2: a rod.
+    pub vertices: Vec<[f64; 2]>,
+    /// The pose of the body before the first record: x, y (m), theta (rad), of the body frame in the world.
+    pub start: [f64; 3],
+    /// W (N), at the centroid, along world -y.
+    pub weight: f64,
+    /// The initial holding point g (m), body frame; `None`: taken from the hand at the grasp.
+    pub holding_point: Option<[f64; 2]>,
+    /// k_h (N/m)
+    pub stiffness_translation: f64,
+    /// k_theta (N·m/rad)
+    pub stiffness_rotation: f64,
+    /// The surfaces.
+    pub surfaces: Vec<Surface>,
+}
+
+/// A fixed half-plane: the free side is `normal`·p >= `offset`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Its name in traces.
+    pub name: String,
+    /// Unit normal n to the free side.
+    pub normal: [f64; 2],
+    /// b (m)
+    pub offset: f64,
+    /// mu_s
+    pub friction_static: f64,
+    /// mu_d
+    pub friction_dynamic: f64,
+}
+
+impl Surface {
+    /// t = (n_y, -n_x)
+    pub(crate) fn tangent(&self) -> Vec2 {
+        [self.normal[1], -self.normal[0]]
+    }
+
+    /// Sticking and sliding are told apart.
+    pub(crate) fn jumps(&self) -> bool {
+        self.friction_static > self.friction_dynamic
+    }
+}
+
+#[derive(Deserialize)]
+struct Document {
+    body: Body,
+    #[serde(default)]
+    grasp: Grasp,
+    spring: Spring,
+    #[serde(default)]
+    friction: Friction,
+    #[serde(default)]
+    surface: Vec<Spanned<SurfaceEntry>>,
+}
+
+#[derive(Deserialize)]
+struct Body {
+    vertices: Option<Spanned<Vec<[f64; 2]>>>,
+    rectangle: Option<Spanned<[f64; 2]>>,
+    start: Spanned<[f64; 3]>,
+    weight: Option<Spanned<f64>>,
+}
+
+#[derive(Default, Deserialize)]
+struct Grasp {
+    point: Option<Spanned<[f64; 2]>>,
+}
+
+#[derive(Deserialize)]
+struct Spring {
+    translation: Spanned<f64>,
+    rotation: Spanned<f64>,
+}
+
+#[derive(Default, Deserialize)]
+struct Friction {
+    #[serde(rename = "static")]
+    stick: Option<Spanned<f64>>,
+    dynamic: Option<Spanned<f64>>,
+}
+
+#[derive(Deserialize)]
+struct SurfaceEntry {
+    name: Option<String>,
+    normal: Spanned<[f64; 2]>,
+    offset: Spanned<f64>,
+    #[serde(rename = "static")]
+    stick: Option<f64>,
+    dynamic: Option<f64>,
+}
+
+/// The text of a scene, for messages with its lines.
+struct Text<'a> {
+    file: &'a Path,
+    text: &'a str,
+}
+
+impl Text<'_> {
+    fn error(&self, place: Option<Range<usize>>, problem: &str) -> InputError {
+        let Some(place) = place else {
+            return InputError::of_file(self.file, problem);
+        };
+        let before = self.text.get(..place.start).unwrap_or(self.text);
+        let line = 1 + before.matches('\n').count() as u64;
+        InputError::in_line(self.file, line, problem)
+    }
+
+    fn number(&self, key: &str, given: &Spanned<f64>, least: f64) -> Result<f64, InputError> {
+        let value = *given.get_ref();
+        if value.is_finite() && value >= least {
+            return Ok(value);
+        }
+        let allowed = if least.is_finite() {
+            format!("a finite number of at least {least:?}")
+        } else {
+            "a finite number".to_owned()
+        };
+        let problem = format!("`{key}` is {value:?}, allowed: {allowed}");
+        Err(self.error(Some(given.span()), &problem))
+    }
+
+    fn numbers<const N: usize>(
+        &self,
+        key: &str,
+        given: &Spanned<[f64; N]>,
+    ) -> Result<[f64; N], InputError> {
+        let values = *given.get_ref();
+        if values.iter().all(|value| value.is_finite()) {
+            return Ok(values);
+        }
+        let problem = format!("`{key}` is {values:?}, allowed: finite numbers");
+        Err(self.error(Some(given.span()), &problem))
+    }
+
+    fn vertices(&self, body: &Body) -> Result<Vec<Vec2>, InputError> {
+        match (&body.vertices, &body.rectangle) {
+            (Some(given), None) => {
+                let vertices = given.get_ref();
+                let finite = vertices.iter().flatten().all(|x| x.is_finite());
+                if finite && !vertices.is_empty() {
+                    return Ok(vertices.clone());
+                }
+                let problem = "`body.vertices`: allowed: at least one, each of two finite numbers";
+                Err(self.error(Some(given.span()), problem))
+            }
+            (None, Some(given)) => {
+                let [x, y] = self
+                    .numbers("body.rectangle", given)?
+                    .map(|side| side / 2.0);
+                Ok(vec![[-x, -y], [x, -y], [x, y], [-x, y]])
+            }
+            _ => {
+                let problem = "[body], allowed: one of `vertices` and `rectangle`";
+                Err(self.error(None, problem))
+            }
+        }
+    }
+
+    fn surface(
+        &self,
+        i: usize,
+        given: &Spanned<SurfaceEntry>,
+        default: &Friction,
+    ) -> Result<Surface, InputError> {
+        let surface = given.get_ref();
+        let key = |name: &str| format!("surface[{i}].{name}");
+        let normal = self.numbers(&key("normal"), &surface.normal)?;
+        let size = length(normal);
+        if size == 0.0 {
+            let problem = format!("`{}` is zero, allowed: a direction", key("normal"));
+            return Err(self.error(Some(surface.normal.span()), &problem));
+        }
+        let friction = |name: &str, own: Option<f64>, default: &Option<Spanned<f64>>| {
+            let value = own.or(default.as_ref().map(|value| *value.get_ref()));
+            match value {
+                Some(mu) if mu >= 0.0 && mu.is_finite() => Ok(mu),
+                _ => {
+                    let problem = format!(
+                        "surface {i} has no usable `{name}` friction, allowed: a finite number of at least 0, here or in \
+                         [friction]"
+                    );
+                    Err(self.error(Some(given.span()), &problem))
+                }
+            }
+        };
+        Ok(Surface {
+            name: surface.name.clone().unwrap_or_else(|| i.to_string()),
+            normal: normal.map(|x| x / size),
+            offset: self.number(&key("offset"), &surface.offset, f64::NEG_INFINITY)?,
+            friction_static: friction("static", surface.stick, &default.stick)?,
+            friction_dynamic: friction("dynamic", surface.dynamic, &default.dynamic)?,
+        })
+    }
+}
+
+impl Scene {
+    /// Reads a scene file.
+    ///
+    /// # Errors
+    /// The file cannot be read, or as [`Scene::parse`].
+    pub fn read(file: &Path) -> Result<Self, InputError> {
+        let text = std::fs::read_to_string(file)
+            .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))?;
+        Self::parse(file, &text)
+    }
+
+    /// Reads a scene from text; `file` is its name in messages.
+    ///
+    /// # Errors
+    /// It is not TOML, or a key that is needed is missing, of the wrong type or out of range.
+    pub fn parse(file: &Path, text: &str) -> Result<Self, InputError> {
+        let source = Text { file, text };
+        let document: Document = toml::from_str(text)
+            .map_err(|error| source.error(error.span(), error.message().trim_end()))?;
+        let Document { body, spring, .. } = &document;
+        let weight = body.weight.as_ref();
+        let surfaces = document.surface.iter().enumerate();
+        let scene = Self {
+            vertices: source.vertices(body)?,
+            start: source.numbers("body.start", &body.start)?,
+            weight: weight.map_or(Ok(0.0), |given| source.number("body.weight", given, 0.0))?,
+            holding_point: (document.grasp.point.as_ref())
+                .map(|given| source.numbers("grasp.point", given))
+                .transpose()?,
+            stiffness_translation: source.number(
+                "spring.translation",
+                &spring.translation,
+                f64::MIN_POSITIVE,
+            )?,
+            stiffness_rotation: source.number("spring.rotation", &spring.rotation, 0.0)?,
+            surfaces: surfaces
+                .map(|(i, given)| source.surface(i, given, &document.friction))
+                .collect::<Result<_, _>>()?,
+        };
+        for (i, surface) in scene.surfaces.iter().enumerate() {
+            if scene.surfaces[..i].iter().any(|s| s.name == surface.name) {
+                let place = document.surface.get(i).map(Spanned::span);
+                let problem = format!("a second surface is named {:?}", surface.name);
+                return Err(source.error(place, &problem));
+            }
+        }
+        Ok(scene)
+    }
+
+    /// Where a point of the body frame is in the world, for a pose of the body.
+    pub(crate) fn place(pose: [f64; 3], point: Vec2) -> Vec2 {
+        add([pose[0], pose[1]], turned(point, pose[2]))
+    }
+}
+
+/// L (m) of a body: the largest distance of two vertices; 1 for a point.
+pub fn size(vertices: &[[f64; 2]]) -> f64 {
+    let pairs = (vertices.iter()).flat_map(|&a| vertices.iter().map(move |&b| distance(a, b)));
+    let largest = pairs.fold(0.0, f64::max);
+    if largest > 0.0 { largest } else { 1.0 }
+}
+
+/// The centroid of a body (m), body frame: of the polygon's area; of a point or a rod, the mean of the vertices.
+pub fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
+    let first = vertices.first().copied().unwrap_or_default();
+    let (mut twice_area, mut sum) = (0.0, [0.0; 2]);
+    for pair in vertices.windows(2) {
+        let [a, b] = [pair[0], pair[1]].map(|vertex| sub(vertex, first));
+        let twice = cross(a, b);
+        twice_area += twice;
+        sum = add(sum, scaled(add(a, b), twice));
+    }
+    if vertices.len() < 3 || twice_area == 0.0 {
+        let all = vertices
+            .iter()
+            .fold([0.0; 2], |all, &vertex| add(all, vertex));
+        return scaled(all, 1.0 / vertices.len().max(1) as f64);
+    }
+    add(first, scaled(sum, 1.0 / (3.0 * twice_area)))
+}

@@ -1,0 +1,268 @@
+//! Slips, from the frame before and the hand's straight way: where they begin and where they end (STATICS 3.2, 4, 5, 7).
+//!
+//! In a frame with a single slip and nothing else the contacts stick at their old places until static friction gives way;
+//! there the hand is frozen, the contacts go to their new places and stick for the rest of the frame. So with the old
+//! places and the hand's way comes the part tau of it at which the slip begins, and with the new places the balance at tau,
+//! in which |T| = mu_d N must hold. Nothing of it is taken from the solver.
+//!
+//! **Tolerance.** Places are known to the rounding of the trace and forces so to that of coordinate × stiffness, and tau to
+//! within the parts tau_- <= tau <= tau_+ at which the old contacts come that near to the limit of static friction and are
+//! that far beyond it. A slip is lawful if its end is one for some tau between. Where the limit is met steeply, as mostly,
+//! that is a point; where it is met at a grazing angle, what is not known about tau is not held against the trace.
+
+use crate::brace::Brace;
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Contact, Event, Frame, State, Status};
+use crate::judge::Evolution;
+use crate::model::{Grip, Model, borne};
+use crate::onset::Way;
+use crate::pin::{Foot, follow};
+use crate::vector::{Vec2, between, dot, sub};
+use vertex::Slide;
+
+mod vertex;
+
+/// A solver that lists no more events than this may have left out what came after the last one.
+const EVENTS: usize = 16;
+
+/// A frame and the one before.
+#[derive(Clone, Copy)]
+pub(crate) struct Step<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) bounds: &'a Bounds,
+    pub(crate) evolution: Evolution,
+    pub(crate) grip: &'a Grip,
+    pub(crate) last: &'a Frame,
+    pub(crate) next: &'a Frame,
+}
+
+/// The laws of slips on a frame; none where they do not apply.
+pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
+    if step.is_single() {
+        return step.single();
+    }
+    step.last_of_several().into_iter().collect()
+}
+
+impl<'a> Step<'a> {
+    /// A single slip of contacts that were there, and are there still, and nothing else.
+    fn is_single(&self) -> bool {
+        let (last, next) = (self.last, self.next);
+        next.events == [Event::Slip]
+            && next.slips == 1
+            && next.status == Status::Ok
+            && next.complete
+            && last.held
+            && next.held
+            && next.has_contacts_of(last)
+            && (next.contacts.iter()).all(|contact| self.model.surface(contact).jumps())
+    }
+
+    fn hand(&self, part: f64) -> [f64; 3] {
+        between(self.last.hand, self.next.hand, part)
+    }
+
+    /// A force relative to the largest in both frames, and what is allowed.
+    fn finding(&self, law: &'static str, force: f64, is_braced: bool) -> Finding {
+        let Bounds { slip, rounding, .. } = *self.bounds;
+        let scale = |frame| {
+            let scale = self.model.scale(frame, self.grip, slip, rounding);
+            if is_braced { scale.moment } else { scale.force }
+        };
+        Finding::new(law, force / scale(self.last).max(scale(self.next)), slip)
+    }
+
+    fn single(&self) -> Vec<Finding> {
+        match (self.next.state, self.next.contacts.as_slice()) {
+            (State::SingleVertex, [contact]) => self.vertex(contact),
+            (State::Edge, [contact, _]) => self.edge(contact),
+            (State::TwoVertex, [first, second]) => self.two_vertex([first, second]),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The direction along t in which a contact has gone, if it has: farther than rounding.
+    fn direction(&self, contact: &Contact) -> Option<f64> {
+        let before = self.last.contact(contact.pair())?;
+        let way = sub(contact.point, before.point);
+        let along = dot(way, self.model.surface(contact).tangent());
+        (along.abs() > self.model.carried(self.next, self.bounds)).then(|| along.signum())
+    }
+
+    /// A vertex that turns in balance of moments (E1) while it sticks and while it slips.
+    fn vertex(&self, contact: &Contact) -> Vec<Finding> {
+        let before = self.last.contact(contact.pair());
+        let (Some(before), Some(sign)) = (before, self.direction(contact)) else {
+            return Vec::new();
+        };
+        let slide = Slide {
+            step: self,
+            foot: self.foot(contact),
+            from: before.point,
+            to: contact.point,
+            sign,
+        };
+        let (fixed, sliding) = (|part| slide.fixed(part), |part| slide.sliding(part));
+        let (mut findings, tau) = self.ends(Way(&fixed), Way(&sliding), false);
+        findings.extend(tau.map(|tau| {
+            let undriven = slide.undriven(tau).unwrap_or(f64::INFINITY);
+            self.finding(law::SLIP_FIRST, undriven.max(0.0), false)
+        }));
+        findings
+    }
+
+    fn foot(&self, contact: &Contact) -> Foot<'a> {
+        Foot {
+            model: self.model,
+            grip: self.grip,
+            vertex: contact.vertex,
+            surface: self.model.surface(contact),
+        }
+    }
+
+    /// An edge, whose frictions act along one line: the sums of both count (E4).
+    fn edge(&self, contact: &Contact) -> Vec<Finding> {
+        let Some(sign) = self.direction(contact) else {
+            return Vec::new();
+        };
+        let surface = self.model.surface(contact);
+        let reaction = |pose, part| {
+            let load = self.model.load(pose, self.hand(part), self.grip);
+            borne(load.force, surface)
+        };
+        let fixed = |part| {
+            let reaction = reaction(self.last.pose, part);
+            Some(static_excess(reaction, surface.friction_static))
+        };
+        let sliding = |part| {
+            let reaction = reaction(self.next.pose, part);
+            Some(drive(reaction, surface.friction_dynamic, sign))
+        };
+        self.ends(Way(&fixed), Way(&sliding), false).0
+    }
+
+    /// Two vertices on two surfaces: the interval of (E5), and (E6).
+    fn two_vertex(&self, contacts: [&'a Contact; 2]) -> Vec<Finding> {
+        if contacts
+            .iter()
+            .all(|contact| self.direction(contact).is_none())
+        {
+            return Vec::new();
+        }
+        let brace = |frame: &Frame| Brace {
+            model: self.model,
+            grip: self.grip,
+            pose: frame.pose,
+            contacts,
+        };
+        let (old, new) = (brace(self.last), brace(self.next));
+        let holding = |frame: &Frame| self.model.holding_point(frame.pose, self.grip);
+        let way: Vec2 = sub(holding(self.next), holding(self.last));
+        let motion = (way, self.next.pose[2] - self.last.pose[2]);
+        let fixed = |part| Some(old.static_excess(self.hand(part)));
+        let sliding = |part| Some(new.drive(self.hand(part), motion));
+        self.ends(Way(&fixed), Way(&sliding), true).0
+    }
+
+    /// Begin and end of a slip, and the part of the hand's way at which it happened. `fixed`: by how much static friction
+    /// falls short at the old places; `sliding`: what drives the slip on, at the new ones (N).
+    fn ends(
+        &self,
+        fixed: Way<'_>,
+        sliding: Way<'_>,
+        is_braced: bool,
+    ) -> (Vec<Finding>, Option<f64>) {
+        let allowed = self.allowed(is_braced);
+        let window = match self.evolution {
+            Evolution::Frame if fixed.at(1.0) >= -allowed => Ok([1.0; 3]),
+            Evolution::Frame => Err(fixed.at(1.0)),
+            Evolution::Path => fixed.reaches(-allowed, 0.0).map(|first| {
+                let at_limit = fixed.reaches(0.0, first).unwrap_or(1.0);
+                [
+                    first,
+                    at_limit,
+                    fixed.reaches(allowed, at_limit).unwrap_or(1.0),
+                ]
+            }),
+        };
+        let begins = |short: f64| self.finding(law::SLIP_BEGINS, short, is_braced);
+        let [first, at_limit, last] = match window {
+            Ok(window) => window,
+            Err(highest) => return (vec![begins(-highest)], None),
+        };
+        let nearest = |a: f64, b: f64| {
+            if sliding.at(a).abs() <= sliding.at(b).abs() {
+                a
+            } else {
+                b
+            }
+        };
+        let mut tau = at_limit;
+        if sliding.at(tau).abs() > allowed {
+            let changes = (sliding.at(first) > 0.0) != (sliding.at(last) > 0.0);
+            tau = nearest(tau, nearest(first, last));
+            if changes && sliding.at(first).is_finite() && sliding.at(last).is_finite() {
+                tau = sliding.zero((first, last));
+            }
+        }
+        let ends = self.finding(law::SLIP_ENDS, sliding.at(tau).abs(), is_braced);
+        (vec![begins(0.0), ends], Some(tau))
+    }
+
+    /// The force (N) that the bound on slips allows.
+    fn allowed(&self, is_braced: bool) -> f64 {
+        let unit = self.finding(law::SLIP_ENDS, 1.0, is_braced);
+        unit.bound / unit.residual
+    }
+
+    /// After other events the contacts are where the last slip left them, and stick from there on. A slip in the course of
+    /// which a contact opens may end out of balance, and the body turn after it: it is left out.
+    fn last_of_several(&self) -> Option<Finding> {
+        let (last, next) = (self.last, self.next);
+        let contact = next.contacts.first()?;
+        let surface = self.model.surface(contact);
+        let is_last = next.events.last() == Some(&Event::Slip) && next.events.len() < EVENTS;
+        let opens = |event: &Event| matches!(event, Event::Lift | Event::Tip);
+        if !is_last || next.events.iter().any(opens) {
+            return None;
+        }
+        if next.status != Status::Ok || !next.held || !surface.jumps() {
+            return None;
+        }
+        if !matches!(next.state, State::SingleVertex | State::Edge) {
+            return None;
+        }
+        let foot = self.foot(contact);
+        let reaction = |back: f64| -> Option<(f64, f64)> {
+            if next.state == State::Edge {
+                let load = self.model.load(next.pose, self.hand(1.0 - back), self.grip);
+                return Some(borne(load.force, surface));
+            }
+            let pin = |back: f64| foot.pinned(contact.point, self.hand(1.0 - back));
+            Some(pin(back).reaction(follow(pin, next.pose[2], back)?))
+        };
+        // A hand that jumps, or takes hold, does all of it at its end; but the first touch is on its way.
+        let jumps = self.evolution == Evolution::Frame && !last.contacts.is_empty();
+        let left = [1.0, -1.0].map(|sign| {
+            let excess = |back| Some(drive(reaction(back)?, surface.friction_dynamic, sign));
+            let end = Way(&excess).at(0.0);
+            if jumps || !last.held {
+                return end.abs();
+            }
+            let towards_zero = |back| excess(back).map(|excess| -end.signum() * excess);
+            let found = Way(&towards_zero).reaches(-self.allowed(false), 0.0);
+            found.map_or_else(|highest| -highest, |_| 0.0)
+        });
+        Some(self.finding(law::SLIP_LAST, left[0].min(left[1]), false))
+    }
+}
+
+/// By how much (N) a reaction (N, T) lies outside a cone.
+fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
+    (friction.abs() - mu * normal) / mu.hypot(1.0)
+}
+
+/// By how much (N) a contact that slides along `sign`·t is driven on: -sign T - mu_d N.
+fn drive((normal, friction): (f64, f64), mu: f64, sign: f64) -> f64 {
+    (-sign * friction - mu * normal) / mu.hypot(1.0)
+}

@@ -1,0 +1,84 @@
+//! The slip of a single vertex (STATICS 3.2): it sticks at its old place while the hand goes on, slides to the new one while the
+//! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
+
+use super::{Step, drive, static_excess};
+use crate::judge::Evolution;
+use crate::pin::{Foot, Pin, follow};
+use crate::vector::{Vec2, add, scaled, sub};
+
+/// Places that are looked at on the way of a slip.
+const PLACES: u32 = 64;
+
+/// A vertex that slid from a place to another one, along `sign`·t.
+pub(super) struct Slide<'a> {
+    pub(super) step: &'a Step<'a>,
+    pub(super) foot: Foot<'a>,
+    pub(super) from: Vec2,
+    pub(super) to: Vec2,
+    pub(super) sign: f64,
+}
+
+impl<'a> Slide<'a> {
+    /// Pinned at the old place, and at the new one, with the hand at a part of its way.
+    fn before(&self, part: f64) -> Pin<'a> {
+        self.foot.pinned(self.from, self.step.hand(part))
+    }
+
+    fn after(&self, part: f64) -> Pin<'a> {
+        self.foot.pinned(self.to, self.step.hand(part))
+    }
+
+    /// The angle at the old place: the one of the frame before, continued.
+    fn angle_before(&self, part: f64) -> Option<f64> {
+        let theta = self.step.last.pose[2];
+        match self.step.evolution {
+            Evolution::Path => follow(|part| self.before(part), theta, part),
+            Evolution::Frame => Some(self.before(part).downhill(theta)),
+        }
+    }
+
+    /// The angle at the new place: the one of this frame, followed back.
+    fn angle_after(&self, part: f64) -> Option<f64> {
+        follow(
+            |back| self.after(1.0 - back),
+            self.step.next.pose[2],
+            1.0 - part,
+        )
+    }
+
+    /// By how much static friction falls short at the old place (N).
+    pub(super) fn fixed(&self, part: f64) -> Option<f64> {
+        let reaction = self.before(part).reaction(self.angle_before(part)?);
+        Some(static_excess(reaction, self.foot.surface.friction_static))
+    }
+
+    /// What drives the slip on at the new place (N).
+    pub(super) fn sliding(&self, part: f64) -> Option<f64> {
+        Some(self.drive(&self.after(part), self.angle_after(part)?))
+    }
+
+    fn drive(&self, pin: &Pin<'_>, theta: f64) -> f64 {
+        drive(
+            pin.reaction(theta),
+            self.foot.surface.friction_dynamic,
+            self.sign,
+        )
+    }
+
+    /// By how much the drive falls short somewhere on the way from the old place to the new one (N). `None` where the
+    /// balance is lost on the way, or leads to another angle than the one at the new place.
+    pub(super) fn undriven(&self, part: f64) -> Option<f64> {
+        let way = sub(self.to, self.from);
+        let hand = self.step.hand(part);
+        let at = |u: f64| self.foot.pinned(add(self.from, scaled(way, u)), hand);
+        let mut theta = self.angle_before(part)?;
+        let mut least = f64::INFINITY;
+        for place in 1..=PLACES {
+            let [begin, end] = [place - 1, place].map(|i| f64::from(i) / f64::from(PLACES));
+            theta = follow(|u| at(begin + (end - begin) * u), theta, 1.0)?;
+            least = least.min(self.drive(&at(end), theta));
+        }
+        let after = self.angle_after(part)?;
+        at(1.0).on_one_branch(theta, after).then_some(-least)
+    }
+}

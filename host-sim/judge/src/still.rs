@@ -1,0 +1,110 @@
+//! The laws of one frame: geometry and balance, from nothing but the scene, the hold and the frame.
+
+use std::collections::BTreeSet;
+
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Contact, Frame, State};
+use crate::model::{Grip, Model};
+use crate::scene::Scene;
+use crate::vector::{add, cross, distance, dot, length, sub};
+
+/// Every number is finite.
+pub(crate) fn finite(frame: &Frame) -> Finding {
+    let contact = |c: &Contact| [c.point[0], c.point[1], c.normal, c.friction];
+    let holds = [frame.t, frame.depth]
+        .into_iter()
+        .chain(frame.hand)
+        .chain(frame.pose)
+        .chain(frame.wrench)
+        .chain(frame.contacts.iter().flat_map(contact))
+        .all(f64::is_finite);
+    Finding::whether(law::FINITE, holds)
+}
+
+/// The state's name, and contacts that are there twice.
+pub(crate) fn names(frame: &Frame) -> [Finding; 2] {
+    let contacts = &frame.contacts;
+    let pairs: BTreeSet<_> = contacts.iter().map(Contact::pair).collect();
+    let vertices: BTreeSet<_> = contacts.iter().map(|c| c.vertex).collect();
+    let surfaces: BTreeSet<_> = contacts.iter().map(|c| c.surface).collect();
+    let expected = match (contacts.len(), vertices.len(), surfaces.len()) {
+        _ if !frame.complete => State::Locked,
+        (0, ..) => State::NonContact,
+        (1, ..) => State::SingleVertex,
+        (2, 1, _) => State::Corner,
+        (2, _, 1) => State::Edge,
+        (2, ..) => State::TwoVertex,
+        _ => State::Locked,
+    };
+    [
+        Finding::whether(law::NAME, frame.state == expected),
+        Finding::whether(law::ONCE, pairs.len() == contacts.len()),
+    ]
+}
+
+/// Vertices, surfaces and contacts.
+pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
+    let size = model.length_scale(frame, bounds);
+    let (mut inside, mut off, mut apart) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for &vertex in &model.scene.vertices {
+        let place = Scene::place(frame.pose, vertex);
+        for surface in &model.scene.surfaces {
+            inside = inside.max(surface.offset - dot(surface.normal, place));
+        }
+    }
+    for contact in &frame.contacts {
+        let place = model.vertex(frame.pose, contact);
+        let surface = model.surface(contact);
+        off = off.max((dot(surface.normal, place) - surface.offset).abs());
+        apart = apart.max(distance(place, contact.point));
+    }
+    let mut findings = vec![(law::OUTSIDE, inside)];
+    if !frame.contacts.is_empty() {
+        findings.extend([(law::ON_SURFACE, off), (law::AT_VERTEX, apart)]);
+    }
+    let finding = |(law, length)| Finding::new(law, length / size, bounds.gap);
+    findings.into_iter().map(finding).collect()
+}
+
+/// Springs, balance, friction. Without all contacts: the springs alone, and the contacts that are known.
+pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> Vec<Finding> {
+    let scale = model.scale(frame, grip, bounds.residual, bounds.rounding);
+    let springs = model.springs(frame.pose, frame.hand, grip);
+    let load = model.load(frame.pose, frame.hand, grip);
+    let holding = model.holding_point(frame.pose, grip);
+    let (mut force, mut moment) = (load.force, load.moment);
+    let (mut outside, mut pulling) = (0.0_f64, 0.0_f64);
+    for contact in &frame.contacts {
+        let reaction = model.reaction(contact);
+        force = add(force, reaction);
+        moment += cross(sub(model.vertex(frame.pose, contact), holding), reaction);
+        let mu = model.surface(contact).friction_static;
+        outside = outside.max((contact.friction.abs() - mu * contact.normal) / mu.hypot(1.0));
+        pulling = pulling.max(-contact.normal);
+    }
+    let [fx, fy, told] = frame.wrench;
+    let wrench = (distance([fx, fy], springs.force) / scale.force)
+        .max((told - springs.moment).abs() / (scale.moment * model.size));
+    // Two reactions and more share a load whose moment decides between them.
+    let of_reaction = if frame.contacts.len() > 1 {
+        scale.moment
+    } else {
+        scale.force
+    };
+    let mut findings = vec![(law::WRENCH, wrench)];
+    if !frame.contacts.is_empty() {
+        findings.push((law::CONE, outside / of_reaction));
+        findings.push((law::PUSH, pulling / of_reaction));
+    }
+    if frame.complete {
+        findings.push((law::FORCES, length(force) / scale.force));
+        findings.push((law::MOMENTS, moment.abs() / (scale.moment * model.size)));
+    }
+    let finding = |(law, residual)| Finding::new(law, residual, bounds.residual);
+    findings.into_iter().map(finding).collect()
+}
+
+/// No hand, no wrench.
+pub(crate) fn idle(frame: &Frame) -> Finding {
+    Finding::whether(law::IDLE, frame.wrench == [0.0; 3])
+}

@@ -1,0 +1,128 @@
+//! Reads a trace record by record, JSON Lines or CSV, and names file, line and key where it cannot.
+
+mod json;
+mod table;
+
+use std::borrow::Borrow;
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use crate::error::InputError;
+use crate::frame::{Event, Frame, State, Status};
+use crate::scene::Scene;
+
+/// A trace that is being read: an iterator over its frames, each with its line, counted from 1.
+pub struct Trace {
+    file: PathBuf,
+    names: Names,
+    lines: Lines,
+    failed: bool,
+}
+
+enum Lines {
+    Json(json::Lines),
+    Table(Box<table::Rows>),
+}
+
+/// A line, counted from 1, and its frame or what is wrong with it.
+type Line = (u64, Result<Frame, String>);
+
+impl Trace {
+    /// Opens a trace of a scene; its format is told by the extension, `jsonl` or `csv`.
+    ///
+    /// # Errors
+    /// The file cannot be read, is neither, or its header lacks a column.
+    pub fn open(file: &Path, scene: &Scene) -> Result<Self, InputError> {
+        let open = || {
+            File::open(file)
+                .map(|opened| BufReader::with_capacity(1 << 16, opened))
+                .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))
+        };
+        let lines = match file.extension().and_then(|extension| extension.to_str()) {
+            Some("jsonl") => Lines::Json(json::Lines::new(open()?)),
+            Some("csv") => {
+                let rows = table::Rows::new(open()?);
+                let in_header = |problem| InputError::in_line(file, 1, problem);
+                Lines::Table(Box::new(rows.map_err(in_header)?))
+            }
+            _ => {
+                let problem = "allowed: a trace whose name ends in .jsonl or .csv";
+                return Err(InputError::of_file(file, problem));
+            }
+        };
+        Ok(Self {
+            file: file.to_owned(),
+            names: Names {
+                surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
+                vertices: scene.vertices.len(),
+            },
+            lines,
+            failed: false,
+        })
+    }
+}
+
+impl Iterator for Trace {
+    type Item = Result<(u64, Frame), InputError>;
+
+    /// The next frame; nothing after an error.
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        let (line, result) = match &mut self.lines {
+            Lines::Json(lines) => lines.next(&self.names)?,
+            Lines::Table(rows) => rows.next(&self.names)?,
+        };
+        self.failed = result.is_err();
+        let frame = result.map(|frame| (line, frame));
+        Some(frame.map_err(|problem| InputError::in_line(&self.file, line, problem)))
+    }
+}
+
+/// What a scene calls its surfaces, and how many vertices its body has.
+struct Names {
+    surfaces: Vec<String>,
+    vertices: usize,
+}
+
+impl Names {
+    /// The index of the surface of a contact.
+    fn surface(&self, contact: usize, name: &str) -> Result<usize, String> {
+        (self.surfaces.iter().position(|known| known == name)).ok_or_else(|| {
+            unknown(
+                &format!("the `surface` of contact {contact}"),
+                name,
+                &self.surfaces,
+            )
+        })
+    }
+
+    /// The index of the vertex of a contact.
+    fn vertex(&self, contact: usize, vertex: usize) -> Result<usize, String> {
+        if vertex < self.vertices {
+            return Ok(vertex);
+        }
+        let most = self.vertices.saturating_sub(1);
+        Err(format!(
+            "the `vertex` of contact {contact} is {vertex}, allowed: 0 to {most}"
+        ))
+    }
+}
+
+fn unknown<S: Borrow<str>>(what: &str, name: &str, known: &[S]) -> String {
+    format!("{what} is {name:?}, allowed: {}", known.join(", "))
+}
+
+fn state(name: &str) -> Result<State, String> {
+    State::named(name).ok_or_else(|| unknown("`state`", name, State::NAMES))
+}
+
+fn event(name: &str) -> Result<Event, String> {
+    Event::named(name).ok_or_else(|| unknown("one of `events`", name, Event::NAMES))
+}
+
+fn status(name: &str) -> Result<Status, String> {
+    Status::named(name).ok_or_else(|| unknown("`status`", name, Status::NAMES))
+}

@@ -1,0 +1,127 @@
+//! JSON Lines: an object per line. A number that is not finite is `null`, as JSON writers put it.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+
+use serde::{Deserialize, Deserializer};
+
+use super::{Line, Names, event, state, status};
+use crate::frame::{Contact, Frame};
+
+#[derive(Deserialize)]
+struct Object<'a> {
+    #[serde(deserialize_with = "number")]
+    t: f64,
+    hand: [Option<f64>; 3],
+    held: bool,
+    pose: [Option<f64>; 3],
+    #[serde(default, deserialize_with = "number")]
+    depth: f64,
+    #[serde(borrow)]
+    state: Cow<'a, str>,
+    #[serde(borrow)]
+    contacts: Vec<Entry<'a>>,
+    wrench: [Option<f64>; 3],
+    slips: u32,
+    #[serde(borrow)]
+    events: Vec<Cow<'a, str>>,
+    #[serde(borrow)]
+    status: Cow<'a, str>,
+}
+
+#[derive(Deserialize)]
+struct Entry<'a> {
+    vertex: usize,
+    #[serde(borrow)]
+    surface: Cow<'a, str>,
+    point: [Option<f64>; 2],
+    #[serde(deserialize_with = "number")]
+    normal: f64,
+    #[serde(deserialize_with = "number")]
+    friction: f64,
+}
+
+fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+    Ok(finite(Option::deserialize(deserializer)?))
+}
+
+fn finite(number: Option<f64>) -> f64 {
+    number.unwrap_or(f64::NAN)
+}
+
+pub(super) struct Lines {
+    file: BufReader<File>,
+    text: Vec<u8>,
+    line: u64,
+}
+
+impl Lines {
+    pub(super) fn new(file: BufReader<File>) -> Self {
+        Self {
+            file,
+            text: Vec::new(),
+            line: 0,
+        }
+    }
+
+    /// The next line that is not blank, with its number.
+    pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
+        loop {
+            self.text.clear();
+            self.line += 1;
+            match self.file.read_until(b'\n', &mut self.text) {
+                Ok(0) => return None,
+                Ok(_) if self.text.trim_ascii().is_empty() => {}
+                Ok(_) => break,
+                Err(error) => return Some((self.line, Err(format!("cannot be read: {error}")))),
+            }
+        }
+        Some((self.line, frame(&self.text, names)))
+    }
+}
+
+fn frame(text: &[u8], names: &Names) -> Result<Frame, String> {
+    let object: Object<'_> = serde_json::from_slice(text).map_err(|error| problem(text, &error))?;
+    let contact = |(i, entry): (usize, &Entry<'_>)| {
+        Ok(Contact {
+            vertex: names.vertex(i, entry.vertex)?,
+            surface: names.surface(i, &entry.surface)?,
+            point: entry.point.map(finite),
+            normal: entry.normal,
+            friction: entry.friction,
+        })
+    };
+    let contacts = object.contacts.iter().enumerate().map(contact);
+    let events = object.events.iter().map(|name| event(name));
+    Ok(Frame {
+        t: object.t,
+        hand: object.hand.map(finite),
+        held: object.held,
+        pose: object.pose.map(finite),
+        depth: object.depth,
+        state: state(&object.state)?,
+        contacts: contacts.collect::<Result<_, String>>()?,
+        complete: true,
+        wrench: object.wrench.map(finite),
+        slips: object.slips,
+        events: events.collect::<Result<_, String>>()?,
+        status: status(&object.status)?,
+    })
+}
+
+/// What is wrong with a line, and after which key.
+fn problem(text: &[u8], error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or_default();
+    let column = error.column();
+    let before = String::from_utf8_lossy(text.get(..column).unwrap_or(text));
+    let key = before.rfind("\":").and_then(|end| {
+        let start = before[..end].rfind('"')?;
+        Some(format!(", near `{}`", &before[start + 1..end]))
+    });
+    format!(
+        "{message}, at column {column}{}; allowed: a JSON object with the keys of a trace",
+        key.unwrap_or_default()
+    )
+}

@@ -1,0 +1,189 @@
+//! CSV: a header and a row per frame, up to four contacts in it. Where a row says in its column `contacts` that there were
+//! more, or has four and no such column, the frame is marked as not complete.
+
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::BufReader;
+
+use csv::{Reader, StringRecord};
+
+use super::{Line, Names, event, state, status};
+use crate::frame::{Contact, Frame, State};
+
+/// Contacts in a row.
+const CONTACTS: usize = 4;
+
+/// Where a column is; `None` where it is absent and may be.
+type Column = Option<usize>;
+
+struct Columns {
+    scalars: HashMap<&'static str, usize>,
+    depth: Column,
+    count: Column,
+    contacts: [Option<[usize; 6]>; CONTACTS],
+}
+
+const SCALARS: [&str; 15] = [
+    "t",
+    "hand_x",
+    "hand_y",
+    "hand_phi",
+    "held",
+    "pose_x",
+    "pose_y",
+    "pose_theta",
+    "state",
+    "wrench_x",
+    "wrench_y",
+    "wrench_moment",
+    "slips",
+    "events",
+    "status",
+];
+const CONTACT: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
+
+pub(super) struct Rows {
+    reader: Reader<BufReader<File>>,
+    columns: Columns,
+    row: StringRecord,
+}
+
+impl Rows {
+    pub(super) fn new(file: BufReader<File>) -> Result<Self, String> {
+        let mut reader = Reader::from_reader(file);
+        let header = reader.headers().map_err(|error| error.to_string())?;
+        let find = |name: &str| header.iter().position(|column| column == name);
+        let need =
+            |name: &str| find(name).ok_or_else(|| format!("the header has no column `{name}`"));
+        let mut columns = Columns {
+            scalars: HashMap::new(),
+            depth: find("depth"),
+            count: find("contacts"),
+            contacts: [None; CONTACTS],
+        };
+        for name in SCALARS {
+            columns.scalars.insert(name, need(name)?);
+        }
+        for (k, contact) in columns.contacts.iter_mut().enumerate() {
+            if find(&format!("c{k}_vertex")).is_none() {
+                break;
+            }
+            let mut places = [0; CONTACT.len()];
+            for (place, name) in places.iter_mut().zip(CONTACT) {
+                *place = need(&format!("c{k}_{name}"))?;
+            }
+            *contact = Some(places);
+        }
+        Ok(Self {
+            reader,
+            columns,
+            row: StringRecord::new(),
+        })
+    }
+
+    /// The next row, with its line.
+    pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
+        match self.reader.read_record(&mut self.row) {
+            Ok(false) => None,
+            Ok(true) => {
+                let line = self.row.position().map_or(0, csv::Position::line);
+                Some((line, self.columns.frame(&self.row, names)))
+            }
+            Err(error) => {
+                let line = error.position().map_or(0, csv::Position::line);
+                Some((
+                    line,
+                    Err(format!("not a row of a trace: {}", plain(&error))),
+                ))
+            }
+        }
+    }
+}
+
+/// The message without the line, which is said already.
+fn plain(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => format!("{len} columns, allowed: {expected_len}, as in the header"),
+        _ => error.to_string(),
+    }
+}
+
+impl Columns {
+    fn frame(&self, row: &StringRecord, names: &Names) -> Result<Frame, String> {
+        let text = |name: &str| {
+            self.scalars
+                .get(name)
+                .and_then(|&i| row.get(i))
+                .unwrap_or("")
+        };
+        let value = |name: &str| number(name, text(name));
+        let three = |names: [&str; 3]| -> Result<[f64; 3], String> {
+            Ok([value(names[0])?, value(names[1])?, value(names[2])?])
+        };
+        let mut contacts = Vec::new();
+        for (k, places) in self.contacts.iter().flatten().enumerate() {
+            let field = |i: usize| row.get(places[i]).unwrap_or("");
+            if field(0).is_empty() {
+                break;
+            }
+            let value = |i: usize| {
+                let number = field(i).parse();
+                number.map_err(|_| not_a_number(&format!("c{k}_{}", CONTACT[i]), field(i)))
+            };
+            contacts.push(Contact {
+                vertex: names.vertex(k, count("vertex", field(0))?)?,
+                surface: names.surface(k, field(1))?,
+                point: [value(2)?, value(3)?],
+                normal: value(4)?,
+                friction: value(5)?,
+            });
+        }
+        let state = state(text("state"))?;
+        let in_all = match self.count.and_then(|i| row.get(i)) {
+            Some(field) => count("contacts", field)?,
+            None if contacts.len() == CONTACTS && state == State::Locked => CONTACTS + 1,
+            None => contacts.len(),
+        };
+        Ok(Frame {
+            t: value("t")?,
+            hand: three(["hand_x", "hand_y", "hand_phi"])?,
+            held: flag(text("held"))?,
+            pose: three(["pose_x", "pose_y", "pose_theta"])?,
+            depth: (self.depth.and_then(|i| row.get(i)))
+                .map_or(Ok(0.0), |field| number("depth", field))?,
+            state,
+            complete: in_all <= contacts.len(),
+            contacts,
+            wrench: three(["wrench_x", "wrench_y", "wrench_moment"])?,
+            slips: u32::try_from(count("slips", text("slips"))?)
+                .map_err(|error| format!("`slips`: {error}"))?,
+            events: (text("events").split_whitespace())
+                .map(event)
+                .collect::<Result<_, _>>()?,
+            status: status(text("status"))?,
+        })
+    }
+}
+
+fn number(key: &str, text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| not_a_number(key, text))
+}
+
+fn not_a_number(key: &str, text: &str) -> String {
+    format!("`{key}` is {text:?}, allowed: a number")
+}
+
+fn count(key: &str, text: &str) -> Result<usize, String> {
+    text.parse()
+        .map_err(|_| format!("`{key}` is {text:?}, allowed: a whole number of at least 0"))
+}
+
+fn flag(text: &str) -> Result<bool, String> {
+    match text {
+        "true" | "1" => Ok(true),
+        "false" | "0" => Ok(false),
+        _ => Err(format!("`held` is {text:?}, allowed: true, false")),
+    }
+}

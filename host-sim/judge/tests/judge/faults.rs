@@ -1,0 +1,367 @@
+//! Faults in a lawful trace: each is found, by the name of its law.
+
+use std::collections::BTreeSet;
+
+use proptest::prelude::*;
+use stiction_judge::{Event, Evolution, Frame, Scene, State, Status, law};
+
+use crate::drag::{Drag, LAWFUL, drag, drag_scene, first_slip};
+use crate::write::{broken, judged, lines};
+
+/// The laws that the dragged box breaks after something was done to one of its frames.
+fn after(frame: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
+    let mut frames = drag(LAWFUL);
+    fault(&mut frames[frame]);
+    broken(&drag_scene(), Evolution::Path, &frames)
+}
+
+/// A frame in which the box sticks, and where the release begins.
+const STICKS: usize = 5;
+const RELEASED: usize = 42;
+
+fn only(law: &'static str) -> BTreeSet<&'static str> {
+    BTreeSet::from([law])
+}
+
+#[test]
+fn dragged_box_is_lawful_in_both_evolutions() {
+    let scene = drag_scene();
+    let none = BTreeSet::new();
+    assert_eq!(broken(&scene, Evolution::Path, &drag(LAWFUL)), none);
+    let jumps = Drag {
+        jumps: true,
+        ..LAWFUL
+    };
+    assert_eq!(broken(&scene, Evolution::Frame, &drag(jumps)), none);
+}
+
+#[test]
+fn force_and_moment_out_of_balance_are_found() {
+    let force = after(STICKS, |frame| frame.contacts[0].normal += 1e-4);
+    assert_eq!(force, BTreeSet::from([law::FORCES, law::MOMENTS]));
+    let moment = after(STICKS, |frame| {
+        frame.contacts[0].normal += 1e-4;
+        frame.contacts[1].normal -= 1e-4;
+    });
+    assert_eq!(moment, only(law::MOMENTS));
+}
+
+#[test]
+fn reactions_that_friction_cannot_give_are_found() {
+    let cone = after(STICKS, |frame| {
+        frame.contacts[0].friction += 3.0;
+        frame.contacts[1].friction -= 3.0;
+    });
+    assert_eq!(cone, only(law::CONE));
+    let pull = after(STICKS, |frame| {
+        let [first, second] = [frame.contacts[0].normal, frame.contacts[1].normal];
+        frame.contacts[0].normal = -0.01;
+        frame.contacts[1].normal = first + second + 0.01;
+    });
+    assert!(pull.contains(law::PUSH), "{pull:?}");
+}
+
+#[test]
+fn wrench_that_is_not_the_springs_is_found() {
+    assert_eq!(
+        after(STICKS, |frame| frame.wrench[1] *= 1.0001),
+        only(law::WRENCH)
+    );
+    assert_eq!(
+        after(STICKS, |frame| frame.wrench[2] += 1e-4),
+        only(law::WRENCH)
+    );
+    // The hand took hold anew, at another point and turned.
+    assert_eq!(
+        after(RELEASED + 3, |frame| frame.wrench[0] += 1e-3),
+        only(law::WRENCH)
+    );
+}
+
+#[test]
+fn places_that_are_not_those_of_the_pose_are_found() {
+    let inside = after(STICKS, |frame| frame.pose[1] -= 1e-5);
+    assert!(
+        inside.contains(law::OUTSIDE) && inside.contains(law::AT_VERTEX),
+        "{inside:?}"
+    );
+    let off = after(STICKS, |frame| frame.pose[1] += 1e-5);
+    assert!(
+        off.contains(law::ON_SURFACE) && !off.contains(law::OUTSIDE),
+        "{off:?}"
+    );
+    let point = after(STICKS, |frame| frame.contacts[0].point[0] += 1e-6);
+    assert!(point.contains(law::AT_VERTEX), "{point:?}");
+    let vertex = after(STICKS, |frame| frame.contacts[0].vertex = 2);
+    assert!(vertex.contains(law::AT_VERTEX), "{vertex:?}");
+}
+
+#[test]
+fn wrong_label_and_doubled_contact_are_found() {
+    assert_eq!(
+        after(STICKS, |frame| frame.state = State::TwoVertex),
+        only(law::NAME)
+    );
+    let twice = after(STICKS, |frame| {
+        let mut second = frame.contacts[0];
+        (second.normal, second.friction) = (0.0, 0.0);
+        frame.contacts.push(second);
+        frame.state = State::Locked;
+    });
+    assert_eq!(twice, only(law::ONCE));
+}
+
+#[test]
+fn numbers_and_times_that_make_no_sense_are_found() {
+    assert_eq!(
+        after(STICKS, |frame| frame.pose[1] = f64::NAN),
+        only(law::FINITE)
+    );
+    assert_eq!(
+        after(STICKS, |frame| frame.depth = f64::INFINITY),
+        only(law::FINITE)
+    );
+    assert_eq!(after(STICKS, |frame| frame.t -= 1.0), only(law::TIME));
+}
+
+#[test]
+fn contact_that_moves_without_an_event_is_found() {
+    let slip = first_slip(&drag(LAWFUL));
+    let silent = after(slip, |frame| (frame.slips, frame.events) = (0, Vec::new()));
+    assert_eq!(silent, only(law::STICKS));
+}
+
+/// As engines with regularised friction do: far below the bound in a frame, but never back.
+#[test]
+fn contact_that_creeps_is_found() {
+    let mut frames = drag(LAWFUL);
+    frames.truncate(first_slip(&frames));
+    for (i, frame) in frames.iter_mut().enumerate() {
+        let crept = 1e-7 * i as f64;
+        frame.pose[0] += crept;
+        frame.hand[0] += crept;
+        frame.contacts.iter_mut().for_each(|c| c.point[0] += crept);
+    }
+    assert_eq!(
+        broken(&drag_scene(), Evolution::Path, &frames),
+        only(law::STICKS)
+    );
+}
+
+#[test]
+fn slip_that_ends_a_hundredth_off_is_found() {
+    for (slides, jumps) in [(0.99, false), (1.01, false), (0.99, true), (1.01, true)] {
+        let evolution = if jumps {
+            Evolution::Frame
+        } else {
+            Evolution::Path
+        };
+        let frames = drag(Drag {
+            slides,
+            jumps,
+            ..LAWFUL
+        });
+        assert_eq!(
+            broken(&drag_scene(), evolution, &frames),
+            only(law::SLIP_ENDS)
+        );
+    }
+}
+
+#[test]
+fn slip_that_begins_early_is_found() {
+    for jumps in [false, true] {
+        let evolution = if jumps {
+            Evolution::Frame
+        } else {
+            Evolution::Path
+        };
+        let frames = drag(Drag {
+            breaks_at: 0.8,
+            jumps,
+            ..LAWFUL
+        });
+        let laws = broken(&drag_scene(), evolution, &frames);
+        assert_eq!(laws, only(law::SLIP_BEGINS), "{jumps}");
+        // In the right frame, but not where it should.
+        let frames = drag(Drag {
+            breaks_at: 0.99,
+            stride: 0.0011,
+            ..LAWFUL
+        });
+        let laws = broken(&drag_scene(), Evolution::Path, &frames);
+        assert!(laws.contains(law::SLIP_ENDS), "{laws:?}");
+    }
+}
+
+/// With path evolution a slip begins on the way; a trace of jumps is another one.
+#[test]
+fn jumps_are_not_the_path() {
+    let jumps = Drag {
+        jumps: true,
+        ..LAWFUL
+    };
+    let laws = broken(&drag_scene(), Evolution::Path, &drag(jumps));
+    assert_eq!(laws, only(law::SLIP_ENDS));
+    let laws = broken(&drag_scene(), Evolution::Frame, &drag(LAWFUL));
+    assert_eq!(laws, only(law::SLIP_ENDS));
+}
+
+#[test]
+fn last_slip_of_several_is_judged() {
+    // One frame that leads over two slips and more: the second one, or a later one, ends at mu_d N somewhere on its way.
+    let (scene, whole) = (drag_scene(), drag(LAWFUL));
+    let slips: Vec<usize> = (0..RELEASED).filter(|&i| whole[i].slips > 0).collect();
+    let mut frames = whole[..slips[0]].to_vec();
+    let mut end = whole[slips[2]].clone();
+    end.slips = 3;
+    frames.push(end);
+    assert_eq!(broken(&scene, Evolution::Path, &frames), BTreeSet::new());
+    // 3 mm short of where a third slip could have ended.
+    let mut short = whole[..slips[0]].to_vec();
+    let mut end = whole[slips[0] - 1].clone();
+    (end.slips, end.events, end.t) = (2, vec![Event::Slip], end.t + 1.0);
+    (end.hand[0], end.pose[0]) = (end.hand[0] - 0.005, end.pose[0] - 0.005);
+    end.contacts.iter_mut().for_each(|c| c.point[0] -= 0.005);
+    short.push(end);
+    assert_eq!(
+        broken(&scene, Evolution::Frame, &short),
+        only(law::SLIP_LAST)
+    );
+}
+
+#[test]
+fn hold_that_is_not_told_is_found() {
+    assert_eq!(
+        after(RELEASED, |frame| frame.events.clear()),
+        only(law::HOLD)
+    );
+    assert_eq!(
+        after(RELEASED + 2, |frame| frame.events.clear()),
+        only(law::HOLD)
+    );
+    assert_eq!(
+        after(RELEASED, |frame| frame.wrench[0] = 1e-3),
+        only(law::IDLE)
+    );
+}
+
+#[test]
+fn body_that_moves_by_itself_is_found() {
+    let away = |frame: &mut Frame| {
+        frame.pose[0] += 1e-5;
+        frame.contacts.iter_mut().for_each(|c| c.point[0] += 1e-5);
+    };
+    let released = after(RELEASED + 1, away);
+    assert!(released.contains(law::RESTS), "{released:?}");
+    for status in [Status::HeldLast, Status::Saturated, Status::Ambiguous] {
+        // The frame before again: a hand that is not used, a body that nothing can balance.
+        let again = |moves: bool| {
+            let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
+            let mut frame = frames[STICKS].clone();
+            (frame.t, frame.status) = (frame.t + 1.0, status);
+            if moves {
+                away(&mut frame);
+            }
+            frames.push(frame);
+            broken(&drag_scene(), Evolution::Path, &frames)
+        };
+        assert_eq!(again(false), BTreeSet::new());
+        assert!(again(true).contains(law::RESTS), "{status:?}");
+    }
+    // Out of balance is what `ambiguous` says; nothing else may say so.
+    let unbalanced = |status| {
+        after(STICKS, |frame| {
+            (frame.status, frame.contacts[0].normal) = (status, 0.1);
+        })
+    };
+    assert_eq!(unbalanced(Status::Ambiguous), BTreeSet::new());
+    assert!(unbalanced(Status::EventLimit).contains(law::FORCES));
+    // As long as the hand is not used nothing changes about that.
+    let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
+    let mut frame = frames[STICKS].clone();
+    frame.contacts[0].normal = 0.1;
+    for status in [Status::Ambiguous, Status::HeldLast, Status::HeldLast] {
+        (frame.t, frame.status) = (frame.t + 1.0, status);
+        frames.push(frame.clone());
+    }
+    assert_eq!(
+        broken(&drag_scene(), Evolution::Path, &frames),
+        BTreeSet::new()
+    );
+}
+
+/// Number `which` of a frame, and what makes a difference to it (m, N).
+fn number(frame: &mut Frame, which: usize) -> (&mut f64, f64) {
+    match which {
+        0..3 => (&mut frame.pose[which], 0.1),
+        3..6 => (&mut frame.hand[which - 3], 0.1),
+        6..8 => (&mut frame.wrench[which - 6], 6.0),
+        8 => (&mut frame.wrench[2], 0.6),
+        _ => {
+            let contact = &mut frame.contacts[which % 2];
+            match (which - 9) / 2 {
+                0 => (&mut contact.point[0], 0.1),
+                1 => (&mut contact.point[1], 0.1),
+                2 => (&mut contact.normal, 6.0),
+                _ => (&mut contact.friction, 6.0),
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+
+    /// Any number of any frame that the hand holds, off by a part in 10⁴ and more.
+    #[test]
+    fn any_number_that_is_off_is_found(
+        frame in 0..RELEASED,
+        which in 0..17_usize,
+        magnitude in -4.0..0.0_f64,
+        up in any::<bool>(),
+    ) {
+        let laws = after(frame, |frame| {
+            let (number, scale) = number(frame, which);
+            *number += scale * 10_f64.powf(magnitude) * if up { 1.0 } else { -1.0 };
+        });
+        prop_assert!(!laws.is_empty());
+    }
+}
+
+/// A scene says less than it could.
+#[test]
+fn holding_point_comes_from_the_hand_where_the_scene_has_none() {
+    let scene = Scene {
+        holding_point: None,
+        ..drag_scene()
+    };
+    let mut frames = drag(LAWFUL);
+    // Taken where it is: the first hand is at the point that the scene would name.
+    frames[0].events = vec![Event::Grasp];
+    assert_eq!(broken(&scene, Evolution::Path, &frames), BTreeSet::new());
+    frames[0].events.clear();
+    assert_eq!(broken(&scene, Evolution::Path, &frames), only(law::HOLD));
+}
+
+/// A row of CSV has room for four contacts: what more there may be is not held against the balance.
+#[test]
+fn contacts_that_a_row_has_no_room_for_are_not_held_against_it() {
+    let mut scene = drag_scene();
+    scene.surfaces[1].normal = [0.0, -1.0];
+    scene.surfaces[1].offset = -0.06;
+    let mut frame = drag(LAWFUL)[1].clone();
+    for vertex in [2, 3] {
+        let mut contact = frame.contacts[0];
+        (contact.vertex, contact.surface) = (vertex, 1);
+        contact.point = [if vertex == 2 { 0.05 } else { -0.05 }, 0.06];
+        frame.contacts.push(contact);
+    }
+    frame.state = State::Locked;
+    let broken = |format: &str| {
+        let text = lines(format, &scene, std::slice::from_ref(&frame)).join("\n");
+        let survey = judged(&scene, Evolution::Path, format, &text).expect("a trace");
+        survey.laws[law::WRENCH].broken + survey.laws.get(law::FORCES).map_or(0, |law| law.broken)
+    };
+    assert_eq!((broken("jsonl"), broken("csv")), (1, 0));
+}

@@ -1,0 +1,212 @@
+//! Slips with known answers (STATICS 11, and whole evolutions to 12 digits): lawful where they end at the first root, found
+//! where they end at another one.
+
+use std::collections::BTreeSet;
+
+use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
+
+use crate::write::{broken, frame, scene};
+
+const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
+
+/// A body whose vertex 0, its origin, stands at `x` on the floor; all forces from the springs.
+fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
+    let [gx, gy] = scene.holding_point.expect("a point");
+    let (sin, cos) = theta.sin_cos();
+    let lever = [cos * gx - sin * gy, sin * gx + cos * gy];
+    let k = scene.stiffness_translation;
+    let force = [k * (hand[0] - x - lever[0]), k * (hand[1] - lever[1])];
+    Frame {
+        state: State::SingleVertex,
+        contacts: vec![Contact {
+            vertex: 0,
+            surface: 0,
+            point: [x, 0.0],
+            normal: -force[1],
+            friction: -force[0],
+        }],
+        wrench: [
+            force[0],
+            force[1],
+            scene.stiffness_rotation * (hand[2] - theta),
+        ],
+        ..frame(0.0, hand, [x, 0.0, theta])
+    }
+}
+
+/// The laws that a slip breaks which begins at one place and angle and ends at another, the hand at rest.
+fn slip(scene: &Scene, hand: [f64; 3], ends: [[f64; 2]; 2]) -> BTreeSet<&'static str> {
+    let [before, after] = ends.map(|[x, theta]| standing(scene, hand, x, theta));
+    let after = Frame {
+        t: 1.0,
+        slips: 1,
+        events: vec![Event::Slip],
+        ..after
+    };
+    let [path, jump] =
+        EVOLUTIONS.map(|evolution| broken(scene, evolution, &[before.clone(), after.clone()]));
+    assert_eq!(path, jump);
+    path
+}
+
+/// STATICS 11: k_h 500, k_theta 0.5, D 0.06, mu_d 0.3, the hand 0.02 above the floor, Phi = 1.2. A slip that begins where the
+/// lever is at `psi`, which mu_s is made for, and ends at another angle.
+fn of_section_11(begin: f64, end: f64) -> BTreeSet<&'static str> {
+    const HAND: [f64; 3] = [0.0, 0.02, 1.2];
+    let place = |psi: f64| (0.02 * psi.cos() + (1.2 - psi) / 60.0) / psi.sin();
+    let mut scene = scene(
+        "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [0.06, 0.0]\n\
+         [spring]\ntranslation = 500.0\nrotation = 0.5\n\
+         [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\nstatic = 9.0\ndynamic = 0.3\n",
+    );
+    let contact = standing(&scene, HAND, -place(begin), begin).contacts[0];
+    scene.surfaces[0].friction_static = (contact.friction / contact.normal).abs();
+    slip(&scene, HAND, [begin, end].map(|psi| [-place(psi), psi]))
+}
+
+#[test]
+fn slips_of_section_11_end_at_the_first_root() {
+    assert_eq!(of_section_11(0.4, 0.540_336_797_9), BTreeSet::new());
+    assert_eq!(of_section_11(1.0, 0.624_560_421_9), BTreeSet::new());
+    assert_eq!(of_section_11(2.6, 2.385_415_897_0), BTreeSet::new());
+}
+
+/// At all three roots |T| = mu_d N against the motion, in balance: only the way there tells them apart.
+#[test]
+fn slip_that_ends_at_a_wrong_root_is_found() {
+    for wrong in [1.335_960_925_5, 0.624_560_421_9] {
+        assert_eq!(of_section_11(2.6, wrong), BTreeSet::from([law::SLIP_FIRST]));
+    }
+}
+
+#[test]
+fn slip_of_a_vertex_that_ends_a_hundredth_off_is_found() {
+    // In balance all the way, so that nothing but the end is wrong.
+    let (begin, end) = (2.6, 2.385_415_897_0_f64);
+    for part in [0.99, 1.01] {
+        let laws = of_section_11(begin, begin + part * (end - begin));
+        assert!(laws.contains(law::SLIP_ENDS), "{part}: {laws:?}");
+    }
+}
+
+/// Hand x at the trigger, theta before, length of the slip, theta after: a triangle on its tip, k_h = 1, held at (0, 1).
+struct Case {
+    friction: [f64; 2],
+    stiffness: f64,
+    height: f64,
+    trigger: [f64; 2],
+    slip: f64,
+    after: f64,
+}
+
+const CASES: [Case; 3] = [
+    Case {
+        friction: [0.6, 0.3],
+        stiffness: 0.5,
+        height: 0.6,
+        trigger: [0.665_709_348_072, -0.534_471_960_851],
+        slip: 0.158_969_736_777,
+        after: -0.426_407_124_356,
+    },
+    Case {
+        friction: [0.4, 0.1],
+        stiffness: 5.0,
+        height: 0.9,
+        trigger: [0.048_146_810_078_8, -0.008_160_218_401_16],
+        slip: 0.036_106_251_048_7,
+        after: -0.002_040_768_683_41,
+    },
+    Case {
+        friction: [1.5, 0.5],
+        stiffness: 0.05,
+        height: 0.3,
+        trigger: [1.002_754_204_33, -1.221_701_091_26],
+        slip: 0.040_468_811_310_5,
+        after: -1.208_599_322_15,
+    },
+];
+
+#[test]
+fn known_slips_are_lawful() {
+    for case in CASES {
+        let [stick, glide] = case.friction;
+        let scene = scene(&format!(
+            "[body]\nvertices = [[0.0, 0.0], [0.5, 2.0], [-0.5, 2.0]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [0.0, 1.0]\n\
+             [spring]\ntranslation = 1.0\nrotation = {:?}\n\
+             [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\nstatic = {stick:?}\ndynamic = {glide:?}\n",
+            case.stiffness
+        ));
+        let [x, before] = case.trigger;
+        let hand = [x, case.height, 0.0];
+        let laws = slip(&scene, hand, [[0.0, before], [case.slip, case.after]]);
+        assert_eq!(laws, BTreeSet::new());
+    }
+}
+
+/// A rod of length 2 between floor and wall, at an angle `theta`, under a load of 2; the hand's angle is that at which it slips
+/// from theta = 1 (k = 1, k_theta = 4, mu 0.4 / 0.2). The ratio T/N that both contacts need, the same for both, is found by
+/// bisection.
+fn leaning(theta: f64) -> Frame {
+    let (sin, cos) = theta.sin_cos();
+    let start = 1.0_f64;
+    let hand = [-start.cos(), start.sin() - 2.0, 0.905_464_288_398];
+    let force = [hand[0] + cos, hand[1] - sin];
+    let reactions = |mu: f64| {
+        // Force balance: F_x + mu N_1 - N_2 = 0, F_y + N_1 + mu N_2 = 0.
+        let foot = -(force[1] + mu * force[0]) / (1.0 + mu * mu);
+        [foot, force[0] + mu * foot]
+    };
+    let moment = |mu: f64| {
+        let [foot, head] = reactions(mu);
+        // The feet are at ∓(cos, sin) from the middle, where it is held.
+        4.0 * (hand[2] - theta) + (-cos * foot + sin * mu * foot) + (cos * mu * head + sin * head)
+    };
+    let (mut low, mut high) = (-0.5, 0.5);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if (moment(middle) > 0.0) == (moment(low) > 0.0) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let contact = |vertex: usize, point: [f64; 2]| Contact {
+        vertex,
+        surface: vertex,
+        point,
+        normal: reactions(low)[vertex],
+        friction: low * reactions(low)[vertex],
+    };
+    Frame {
+        state: State::TwoVertex,
+        contacts: vec![contact(0, [-2.0 * cos, 0.0]), contact(1, [0.0, 2.0 * sin])],
+        wrench: [force[0], force[1], 4.0 * (hand[2] - theta)],
+        ..frame(0.0, hand, [-2.0 * cos, 0.0, theta])
+    }
+}
+
+#[test]
+fn known_slip_of_a_ladder_is_lawful_and_a_hundredth_more_is_not() {
+    let scene = scene(
+        "[body]\nvertices = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [1.0, 0.0]\n\
+         [spring]\ntranslation = 1.0\nrotation = 4.0\n[friction]\nstatic = 0.4\ndynamic = 0.2\n\
+         [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\n\
+         [[surface]]\nname = \"wall\"\nnormal = [-1.0, 0.0]\noffset = 0.0\n",
+    );
+    let end = 0.761_291_830_571_f64;
+    for evolution in EVOLUTIONS {
+        let slip = |part: f64| {
+            let after = Frame {
+                t: 1.0,
+                slips: 1,
+                events: vec![Event::Slip],
+                ..leaning(1.0 + part * (end - 1.0))
+            };
+            broken(&scene, evolution, &[leaning(1.0), after])
+        };
+        assert_eq!(slip(1.0), BTreeSet::new());
+        for part in [0.99, 1.01] {
+            assert_eq!(slip(part), BTreeSet::from([law::SLIP_ENDS]), "{part}");
+        }
+    }
+}

@@ -1,0 +1,8 @@
+//! The judge against traces that are lawful by closed forms, and against the same with a fault in them: each must be found,
+//! by the name of its law, in both formats.
+
+mod drag;
+mod faults;
+mod known;
+mod unusable;
+mod write;

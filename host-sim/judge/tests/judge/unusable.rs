@@ -1,0 +1,184 @@
+//! Scenes and traces that cannot be judged: the message names the line, what is wrong there and what is allowed.
+
+use std::path::Path;
+
+use stiction_judge::{Evolution, Scene};
+
+use crate::drag::{LAWFUL, SCENE, drag, drag_scene};
+use crate::write::{FORMATS, judged, lines};
+
+/// The message about a trace one line of which was changed; lines are counted from 1, the header not.
+fn message(format: &str, record: usize, change: impl Fn(&str) -> String) -> String {
+    let scene = drag_scene();
+    let mut lines = lines(format, &scene, &drag(LAWFUL));
+    let line = record - usize::from(format == "jsonl");
+    lines[line] = change(&lines[line]);
+    let text = lines.join("\n");
+    let error = judged(&scene, Evolution::Path, format, &text).expect_err("an error");
+    let error = error.to_string();
+    let place = format!("trace.{format}, line {}: ", line + 1);
+    assert!(error.contains(&place), "{error}");
+    error
+}
+
+#[test]
+fn unknown_names_are_told_with_the_known_ones() {
+    for format in FORMATS {
+        for (known, wrong, expected) in [
+            (
+                "floor",
+                "flor",
+                "the `surface` of contact 0 is \"flor\", allowed: floor, wall",
+            ),
+            (
+                "edge",
+                "ege",
+                "`state` is \"ege\", allowed: non-contact, single-vertex",
+            ),
+            (
+                "ok",
+                "fine",
+                "`status` is \"fine\", allowed: ok, event-limit",
+            ),
+        ] {
+            let error = message(format, 7, |line| line.replacen(known, wrong, 1));
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+    let error = message("jsonl", 7, |line| line.replace("[]", r#"["slide"]"#));
+    assert!(
+        error.contains("one of `events` is \"slide\", allowed: touch, lift"),
+        "{error}"
+    );
+}
+
+#[test]
+fn vertex_that_the_body_does_not_have() {
+    let error = message("jsonl", 3, |line| {
+        line.replacen(r#""vertex":1"#, r#""vertex":4"#, 1)
+    });
+    assert!(
+        error.contains("the `vertex` of contact 1 is 4, allowed: 0 to 3"),
+        "{error}"
+    );
+    let error = message("csv", 3, |line| line.replacen(",0,floor", ",-1,floor", 1));
+    assert!(error.contains("\"-1\", allowed: a whole number"), "{error}");
+}
+
+#[test]
+fn line_that_is_cut_in_half() {
+    for format in FORMATS {
+        for part in [2, 3, 5, 40] {
+            let error = message(format, 9, |line| line[..line.len() / part].to_owned());
+            assert!(error.contains("allowed: "), "{error}");
+        }
+    }
+}
+
+#[test]
+fn value_of_the_wrong_type_is_told_with_its_key() {
+    let error = message("jsonl", 4, |line| line.replacen("true", "1", 1));
+    assert!(
+        error.contains("expected a boolean") && error.contains("near `held`"),
+        "{error}"
+    );
+    let error = message("jsonl", 4, |line| line.replacen("\"pose\"", "\"pos\"", 1));
+    assert!(error.contains("missing field `pose`"), "{error}");
+    let error = message("csv", 4, |line| line.replacen("true", "yes", 1));
+    assert!(
+        error.contains("`held` is \"yes\", allowed: true, false"),
+        "{error}"
+    );
+}
+
+#[test]
+fn header_without_a_column() {
+    let error = message("csv", 0, |line| line.replacen("pose_theta", "theta", 1));
+    assert!(
+        error.contains("the header has no column `pose_theta`"),
+        "{error}"
+    );
+}
+
+#[test]
+fn trace_that_is_not_there_or_not_a_trace() {
+    let scene = drag_scene();
+    for (name, expected) in [
+        ("absent.jsonl", "absent.jsonl: cannot be read"),
+        (
+            "trace.txt",
+            "trace.txt: allowed: a trace whose name ends in .jsonl or .csv",
+        ),
+    ] {
+        let error = stiction_judge::Trace::open(Path::new(name), &scene).err();
+        let error = error.expect("an error").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+/// The message about a scene after a change.
+fn of_scene(from: &str, to: &str) -> String {
+    let text = SCENE.replacen(from, to, 1);
+    assert_ne!(text, SCENE);
+    let error = Scene::parse(Path::new("scene.toml"), &text).expect_err("an error");
+    error.to_string()
+}
+
+#[test]
+fn scene_that_lacks_what_is_needed() {
+    for (from, to, expected) in [
+        (
+            "start = [0.0, 0.0, 0.0]",
+            "",
+            "scene.toml, line 2: missing field `start`",
+        ),
+        ("start = [0.0, 0.0, 0.0]", "start = [0.0, 0.0]", "line 4: "),
+        (
+            "translation = 500.0",
+            "translation = 0.0",
+            "line 11: `spring.translation` is 0.0, allowed: ",
+        ),
+        (
+            "weight = 1",
+            "weight = nan",
+            "line 5: `body.weight` is NaN, allowed: a finite number of at least 0.0",
+        ),
+        (
+            "weight = 1",
+            "weight = \"1\"",
+            "line 5: invalid type: string",
+        ),
+        (
+            "dynamic = 0.3",
+            "",
+            "line 18: surface 0 has no usable `dynamic` friction",
+        ),
+        (
+            "normal = [0.0, 2.0]",
+            "normal = [0.0, 0.0]",
+            "line 20: `surface[0].normal` is zero",
+        ),
+        (
+            "name = \"wall\"",
+            "name = \"floor\"",
+            "a second surface is named \"floor\"",
+        ),
+        ("[grasp]", "[grasp", "line 7: "),
+        (
+            "vertices",
+            "corners",
+            "[body], allowed: one of `vertices` and `rectangle`",
+        ),
+    ] {
+        let error = of_scene(from, to);
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
+/// What only the program that runs a scene needs is not looked at.
+#[test]
+fn keys_that_a_judge_does_not_need_are_passed_over() {
+    let text = format!("{SCENE}\n[hand]\nrate = \"often\"\n[more]\nkey = 1\n");
+    let scene = Scene::parse(Path::new("scene.toml"), &text).expect("a scene");
+    assert_eq!(scene, drag_scene());
+}

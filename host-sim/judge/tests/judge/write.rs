@@ -1,0 +1,220 @@
+//! Frames as text of a trace, and what the judge says of it.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Judge, Scene, State, Status};
+use stiction_judge::{InputError, Survey, Trace};
+use tempfile::TempDir;
+
+/// The formats.
+pub(crate) const FORMATS: [&str; 2] = ["jsonl", "csv"];
+
+pub(crate) fn scene(text: &str) -> Scene {
+    Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+}
+
+/// A frame without contacts, at rest.
+pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
+    Frame {
+        t,
+        hand,
+        held: true,
+        pose,
+        depth: 0.0,
+        state: State::NonContact,
+        contacts: Vec::new(),
+        complete: true,
+        wrench: [0.0; 3],
+        slips: 0,
+        events: Vec::new(),
+        status: Status::Ok,
+    }
+}
+
+fn state(state: State) -> &'static str {
+    match state {
+        State::NonContact => "non-contact",
+        State::SingleVertex => "single-vertex",
+        State::Edge => "edge",
+        State::TwoVertex => "two-vertex",
+        State::Corner => "corner",
+        State::Locked => "locked",
+    }
+}
+
+fn event(event: Event) -> &'static str {
+    match event {
+        Event::Touch => "touch",
+        Event::Lift => "lift",
+        Event::Slip => "slip",
+        Event::Tip => "tip",
+        Event::Land => "land",
+        Event::Snap => "snap",
+        Event::Jam => "jam",
+        Event::Grasp => "grasp",
+        Event::Release => "release",
+    }
+}
+
+fn status(status: Status) -> &'static str {
+    match status {
+        Status::Ok => "ok",
+        Status::EventLimit => "event-limit",
+        Status::IterationLimit => "iteration-limit",
+        Status::Ambiguous => "ambiguous",
+        Status::Saturated => "saturated",
+        Status::HeldLast => "held-last",
+    }
+}
+
+/// A number as JSON has it: one that is not finite is null.
+fn digits(x: f64) -> String {
+    if x.is_finite() {
+        format!("{x:?}")
+    } else {
+        "null".to_owned()
+    }
+}
+
+fn list(numbers: &[f64]) -> String {
+    let numbers: Vec<_> = numbers.iter().map(|&x| digits(x)).collect();
+    format!("[{}]", numbers.join(","))
+}
+
+fn object(scene: &Scene, frame: &Frame) -> String {
+    let contact = |c: &Contact| {
+        format!(
+            r#"{{"vertex":{},"surface":{:?},"point":{},"normal":{},"friction":{}}}"#,
+            c.vertex,
+            scene.surfaces[c.surface].name,
+            list(&c.point),
+            digits(c.normal),
+            digits(c.friction)
+        )
+    };
+    let contacts: Vec<_> = frame.contacts.iter().map(contact).collect();
+    let events: Vec<_> = frame
+        .events
+        .iter()
+        .map(|&e| format!("{:?}", event(e)))
+        .collect();
+    format!(
+        r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?},"more":1}}"#,
+        digits(frame.t),
+        list(&frame.hand),
+        frame.held,
+        list(&frame.pose),
+        digits(frame.depth),
+        state(frame.state),
+        contacts.join(","),
+        list(&frame.wrench),
+        frame.slips,
+        events.join(","),
+        status(frame.status)
+    )
+}
+
+fn row(scene: &Scene, frame: &Frame) -> String {
+    let numbers = |list: &[f64]| {
+        list.iter()
+            .map(|x| format!("{x:?}"))
+            .collect::<Vec<_>>()
+            .join(",")
+    };
+    let events: Vec<_> = frame.events.iter().map(|&e| event(e)).collect();
+    let mut row = format!(
+        "{:?},{},{},{},{:?},{},{},{},{},{}",
+        frame.t,
+        numbers(&frame.hand),
+        frame.held,
+        numbers(&frame.pose),
+        frame.depth,
+        state(frame.state),
+        numbers(&frame.wrench),
+        frame.slips,
+        events.join(" "),
+        status(frame.status)
+    );
+    for k in 0..4 {
+        match frame.contacts.get(k) {
+            None => row.push_str(",,,,,,"),
+            Some(c) => write!(
+                row,
+                ",{},{},{},{:?},{:?}",
+                c.vertex,
+                scene.surfaces[c.surface].name,
+                numbers(&c.point),
+                c.normal,
+                c.friction
+            )
+            .expect("a string"),
+        }
+    }
+    row
+}
+
+fn header() -> String {
+    let mut header = "t,hand_x,hand_y,hand_phi,held,pose_x,pose_y,pose_theta,depth,state,wrench_x,wrench_y,wrench_moment,\
+                      slips,events,status"
+        .to_owned();
+    for k in 0..4 {
+        for column in ["vertex", "surface", "x", "y", "normal", "friction"] {
+            write!(header, ",c{k}_{column}").expect("a string");
+        }
+    }
+    header
+}
+
+/// The lines of a trace; in CSV the first one is the header.
+pub(crate) fn lines(format: &str, scene: &Scene, frames: &[Frame]) -> Vec<String> {
+    match format {
+        "csv" => std::iter::once(header())
+            .chain(frames.iter().map(|frame| row(scene, frame)))
+            .collect(),
+        _ => frames.iter().map(|frame| object(scene, frame)).collect(),
+    }
+}
+
+/// A file of a folder that lasts as long as it.
+pub(crate) fn file(format: &str, text: &str) -> (TempDir, PathBuf) {
+    let folder = TempDir::new().expect("a temporary folder");
+    let file = folder.path().join(format!("trace.{format}"));
+    std::fs::write(&file, text).expect("a file in it");
+    (folder, file)
+}
+
+/// What the judge says of the text of a trace.
+pub(crate) fn judged(
+    scene: &Scene,
+    evolution: Evolution,
+    format: &str,
+    text: &str,
+) -> Result<Survey, InputError> {
+    let (_folder, file) = file(format, text);
+    let mut judge = Judge::new(scene.clone(), Bounds::DOUBLE, evolution);
+    let mut survey = Survey::new(1);
+    for frame in Trace::open(&file, scene)? {
+        let (line, frame) = frame?;
+        survey.add(line, frame.t, &judge.next(frame));
+    }
+    Ok(survey)
+}
+
+/// The laws that frames break, the same in both formats.
+pub(crate) fn broken(
+    scene: &Scene,
+    evolution: Evolution,
+    frames: &[Frame],
+) -> BTreeSet<&'static str> {
+    let [json, csv] = FORMATS.map(|format| {
+        let text = lines(format, scene, frames).join("\n") + "\n";
+        let survey = judged(scene, evolution, format, &text).expect("a trace");
+        assert_eq!(survey.frames, frames.len() as u64);
+        let laws = survey.laws.iter().filter(|(_, law)| law.broken > 0);
+        laws.map(|(name, _)| *name).collect::<BTreeSet<_>>()
+    });
+    assert_eq!(json, csv);
+    json
+}

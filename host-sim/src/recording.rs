@@ -1,0 +1,316 @@
+//! A recording: a scene, how it is run, every sample of the hand and every answer, so that a run can be repeated bit for bit
+//! and told from one that differs. A text file of JSON Lines, numbers printed so that they read back to the same value:
+//!
+//! ```text
+//! {"recording":1,"build":"...","number":"f32","evolution":"path","tolerance":0.0,"events":128,
+//!  "friction":true,"weight":true,"name":"box.toml","scene":"[body]\n..."}
+//! {"sample":{"t":0.0,"position":[x,y],"turns":0,"rest":0.1,"depth":0.0,"held":true},"answer":{record of the trace}}
+//! ```
+//!
+//! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
+//! parts the solver has. The first sample starts the scene.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+use stiction_core::{Angle, Hand};
+use tempfile::NamedTempFile;
+
+use crate::hand_path::Sample;
+use crate::record::{Frame, Run};
+use crate::scene_file::SceneFile;
+use crate::settings::Settings;
+use crate::trace::{Record, part};
+
+/// The version of the format.
+const VERSION: u32 = 1;
+
+/// What was run, and what made the recording.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Head {
+    pub(crate) recording: u32,
+    /// The program, or the board, its version and the machine.
+    pub(crate) build: String,
+    /// As on the command line.
+    pub(crate) number: String,
+    pub(crate) evolution: String,
+    /// Of the searches (rad).
+    pub(crate) tolerance: f64,
+    /// Events of a frame that are told apart.
+    pub(crate) events: u8,
+    /// The solver has friction.
+    pub(crate) friction: bool,
+    /// The solver has weight.
+    pub(crate) weight: bool,
+    /// The name of the scene file.
+    pub(crate) name: String,
+    /// Its text.
+    pub(crate) scene: String,
+}
+
+/// A sample as it is written.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    t: f64,
+    position: [Option<f64>; 2],
+    turns: i32,
+    rest: Option<f64>,
+    depth: Option<f64>,
+    held: bool,
+}
+
+impl Written {
+    fn new(sample: &Sample) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let hand = &sample.hand;
+        Self {
+            t: sample.t,
+            position: hand.position.map(finite),
+            turns: hand.angle.turns,
+            rest: finite(hand.angle.rest),
+            depth: finite(hand.depth),
+            held: hand.held,
+        }
+    }
+
+    fn sample(self) -> Sample {
+        let value = |given: Option<f64>| given.unwrap_or(f64::NAN);
+        Sample {
+            t: self.t,
+            hand: Hand {
+                position: self.position.map(value),
+                angle: Angle {
+                    turns: self.turns,
+                    rest: value(self.rest),
+                },
+                depth: value(self.depth),
+                held: self.held,
+            },
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct LineOut<'a> {
+    sample: Written,
+    answer: Option<Record<'a>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LineIn {
+    sample: Written,
+    answer: Option<Box<RawValue>>,
+}
+
+/// The program that runs, and the machine.
+pub(crate) fn this_build() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let (arch, os) = (std::env::consts::ARCH, std::env::consts::OS);
+    format!("stiction {version}, {arch}, {os}")
+}
+
+impl Head {
+    /// Of a run of this program.
+    pub(crate) fn new(scene: &SceneFile, settings: &Settings) -> Self {
+        let (file, text) = (scene.source().file(), scene.source().text());
+        Self {
+            recording: VERSION,
+            build: this_build(),
+            number: settings.number.name().to_owned(),
+            evolution: settings.evolution.name().to_owned(),
+            tolerance: settings.tolerance,
+            events: settings.events,
+            friction: true,
+            weight: true,
+            name: file
+                .file_name()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned(),
+            scene: text.to_owned(),
+        }
+    }
+}
+
+/// A recording that is being written; it appears in its place with [`RecordingWriter::finish`], or not at all.
+#[derive(Debug)]
+pub(crate) struct RecordingWriter {
+    place: PathBuf,
+    surfaces: Vec<String>,
+    single: bool,
+    writer: BufWriter<NamedTempFile>,
+}
+
+impl RecordingWriter {
+    /// Begins the recording of `run` that is to stand at `place`.
+    ///
+    /// # Errors
+    /// The folder of `place` cannot be written to.
+    pub(crate) fn create(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
+        let mut writer = BufWriter::new(part(place)?);
+        serde_json::to_writer(&mut writer, head)?;
+        writer.write_all(b"\n")?;
+        Ok(Self {
+            place: place.to_owned(),
+            surfaces: run.surface_names(),
+            single: run.number.is_single(),
+            writer,
+        })
+    }
+
+    /// Adds a sample and its answer.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
+        let line = LineOut {
+            sample: Written::new(sample),
+            answer: answer.map(|frame| Record::new(frame, &self.surfaces, self.single)),
+        };
+        serde_json::to_writer(&mut self.writer, &line)?;
+        self.writer.write_all(b"\n")
+    }
+
+    /// Puts the whole recording in its place.
+    ///
+    /// # Errors
+    /// The file cannot be written or moved.
+    pub(crate) fn finish(self) -> io::Result<()> {
+        let file = self
+            .writer
+            .into_inner()
+            .map_err(io::IntoInnerError::into_error)?;
+        file.persist(&self.place)?;
+        Ok(())
+    }
+}
+
+/// Why a recording cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordingError {
+    /// The system does not give it.
+    #[error("{}: cannot be read: {error}", file.display())]
+    Read {
+        /// The recording.
+        file: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// A line is not as it must be.
+    #[error("{}, line {line}: {problem}", file.display())]
+    Line {
+        /// The recording.
+        file: PathBuf,
+        /// Counted from 1.
+        line: usize,
+        /// What is wrong, and what is allowed.
+        problem: String,
+    },
+}
+
+/// A recording that is read sample by sample.
+#[derive(Debug)]
+pub(crate) struct Recording {
+    file: PathBuf,
+    line: usize,
+    reader: BufReader<File>,
+    pub(crate) head: Head,
+}
+
+impl Recording {
+    /// Opens a recording and reads its head.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none.
+    pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
+        let cannot_read = |error| RecordingError::Read {
+            file: file.to_owned(),
+            error,
+        };
+        let mut reader = BufReader::new(File::open(file).map_err(cannot_read)?);
+        let mut text = String::new();
+        reader.read_line(&mut text).map_err(cannot_read)?;
+        let error = |problem: String| RecordingError::Line {
+            file: file.to_owned(),
+            line: 1,
+            problem,
+        };
+        let head: Head = serde_json::from_str(&text)
+            .map_err(|e| error(format!("{}, allowed: the head of a recording", plain(&e))))?;
+        if head.recording != VERSION {
+            let (found, program) = (head.recording, &head.build);
+            let problem = format!(
+                "`recording` is {found} (made by {program}), allowed: {VERSION}, the version of the format that this program reads"
+            );
+            return Err(error(problem));
+        }
+        Ok(Self {
+            file: file.to_owned(),
+            line: 1,
+            reader,
+            head,
+        })
+    }
+
+    /// The next sample with the text of its answer; nothing at the end.
+    ///
+    /// # Errors
+    /// The file cannot be read, or the line is no sample.
+    pub(crate) fn next(&mut self) -> Result<Option<(Sample, Option<String>)>, RecordingError> {
+        let mut text = String::new();
+        let count = self
+            .reader
+            .read_line(&mut text)
+            .map_err(|error| RecordingError::Read {
+                file: self.file.clone(),
+                error,
+            })?;
+        if count == 0 {
+            return Ok(None);
+        }
+        self.line += 1;
+        let line: LineIn = serde_json::from_str(&text).map_err(|error| {
+            self.error(format!(
+                "{}, allowed: a sample and its answer",
+                plain(&error)
+            ))
+        })?;
+        let answer = line.answer.map(|answer| answer.get().to_owned());
+        Ok(Some((line.sample.sample(), answer)))
+    }
+
+    /// A problem in the line that was read last.
+    pub(crate) fn error(&self, problem: String) -> RecordingError {
+        RecordingError::Line {
+            file: self.file.clone(),
+            line: self.line,
+            problem,
+        }
+    }
+
+    /// The line that was read last.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The names of the file and of the scene in it.
+    pub(crate) fn scene_name(&self) -> PathBuf {
+        PathBuf::from(format!("{}, scene {}", self.file.display(), self.head.name))
+    }
+}
+
+/// What serde_json says, without its place in a text of a single line.
+fn plain(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    match text.strip_suffix(&place) {
+        Some(problem) => format!("{problem}, column {}", error.column()),
+        None => text,
+    }
+}

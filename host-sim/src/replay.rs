@@ -1,0 +1,211 @@
+//! `stiction replay`: a recording through the solver again, every answer compared bit for bit with the recorded one.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use serde_json::Value;
+use stiction_core::{
+    Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, State, narrow_hand,
+};
+use stiction_scene::{InputError, Source};
+
+use crate::files::{Files, WriteError};
+use crate::hand_path::Sample;
+use crate::number::Number;
+use crate::record::{Frame, Run};
+use crate::recording::{Head, Recording, RecordingError, this_build};
+use crate::report;
+use crate::run::{evolution_named, parse_trace};
+use crate::scene_file::{HostSolver, SceneFile};
+use crate::trace::{Format, Record};
+
+/// The arguments of `stiction replay`.
+#[derive(Args, Clone, Debug)]
+pub struct ReplayArgs {
+    /// Recording, of `run --record` or `board --verify --record`
+    pub recording: PathBuf,
+    /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
+    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    pub out: Option<(PathBuf, Format)>,
+    /// Recording to write: the same samples with the answers of now
+    #[arg(long, value_name = "FILE")]
+    pub record: Option<PathBuf>,
+    /// Nothing where all is the same
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// Why a replay gave nothing.
+#[derive(Debug, thiserror::Error)]
+pub enum ReplayError {
+    /// The recording cannot be used.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
+    /// Its scene cannot be used.
+    #[error(transparent)]
+    Scene(#[from] InputError),
+    /// A file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+}
+
+/// Replays a recording and says whether every answer is the same. False where one differs.
+///
+/// # Errors
+/// A recording that cannot be used, or output that cannot be written.
+pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
+    let mut recording = Recording::open(&args.recording)?;
+    let head = recording.head.clone();
+    let (scene, run) = read(&recording)?;
+    let mut solver = stepper(&head, &run, &scene)?;
+    let surfaces = run.surface_names();
+    let head_now = Head {
+        build: this_build(),
+        ..head.clone()
+    };
+    let mut files = Files::trace(args.out.as_ref(), &run)?.with_recording(
+        args.record.as_ref(),
+        &head_now,
+        &run,
+    )?;
+    let (mut count, mut compared, mut first) = (0_u64, 0_u64, None);
+    while let Some((sample, recorded)) = recording.next()? {
+        let frame = solver.step(&sample);
+        count += 1;
+        if let Some(recorded) = recorded {
+            compared += 1;
+            let record = Record::new(&frame, &surfaces, run.number.is_single());
+            let differs = || difference(&recorded, &record);
+            first = first.or_else(|| Some((recording.line(), sample.t, differs()?)));
+        }
+        files.write(&sample, Some(&frame))?;
+    }
+    if count == 0 {
+        let problem = "no sample follows the head, allowed: at least one".to_owned();
+        return Err(recording.error(problem).into());
+    }
+    files.finish()?;
+    let build = &head.build;
+    match first {
+        Some((line, t, difference)) => {
+            report::print(&format!(
+                "frame {} differs (line {line}, t = {t} s): {difference}\n  recorded by {build}, now {}\n",
+                line - 2,
+                this_build()
+            ));
+            Ok(false)
+        }
+        None => {
+            if !args.quiet {
+                report::print(&format!(
+                    "{compared} of {count} frames compared, the same bits; recorded by {build}\n"
+                ));
+            }
+            Ok(true)
+        }
+    }
+}
+
+/// The scene of a recording and what is run.
+fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
+    let head = &recording.head;
+    let number = Number::from_str(&head.number, false).map_err(|_| {
+        let allowed = Number::ALL.map(Number::name).join(", ");
+        recording.error(format!("`number` is {:?}, allowed: {allowed}", head.number))
+    })?;
+    let evolution = evolution_named(&head.evolution).ok_or_else(|| {
+        let allowed = Evolution::ALL.map(Evolution::name).join(", ");
+        recording.error(format!(
+            "`evolution` is {:?}, allowed: {allowed}",
+            head.evolution
+        ))
+    })?;
+    let source = Source::new(recording.scene_name(), head.scene.as_str());
+    let scene = SceneFile::parse(source, number)?;
+    let run = Run::of(&scene, number, evolution);
+    Ok((scene, run))
+}
+
+/// A solver with its state.
+trait Stepper {
+    /// The answer to the next sample; the first one starts the scene.
+    fn step(&mut self, sample: &Sample) -> Frame;
+}
+
+struct Stepped<R: Real, M: Model> {
+    solver: HostSolver<R, M>,
+    state: Option<State<R>>,
+}
+
+impl<R: Real<Si: SiFloat>, M: Model> Stepper for Stepped<R, M> {
+    fn step(&mut self, sample: &Sample) -> Frame {
+        let hand = narrow_hand(&sample.hand);
+        let (state, output) = match self.state.take() {
+            None => self.solver.start(hand),
+            Some(mut state) => {
+                let output = self.solver.step(&mut state, hand);
+                (state, output)
+            }
+        };
+        let frame = Frame::new(sample.t, &self.solver, &state, &output);
+        self.state = Some(state);
+        frame
+    }
+}
+
+/// The solver of a recording: its number type, with the parts that it had.
+fn stepper(head: &Head, run: &Run, scene: &SceneFile) -> Result<Box<dyn Stepper>, InputError> {
+    match run.number {
+        Number::F32 => with_parts::<f32>(head, run, scene),
+        Number::Fixed => with_parts::<Fixed>(head, run, scene),
+        // No board computes in f64.
+        Number::F64 => stepped::<f64, Full>(head, run, scene),
+    }
+}
+
+fn with_parts<R: Real<Si: SiFloat> + 'static>(
+    head: &Head,
+    run: &Run,
+    scene: &SceneFile,
+) -> Result<Box<dyn Stepper>, InputError> {
+    match (head.friction, head.weight) {
+        (true, true) => stepped::<R, Full>(head, run, scene),
+        (true, false) => stepped::<R, Parts<true, false>>(head, run, scene),
+        (false, true) => stepped::<R, Parts<false, true>>(head, run, scene),
+        (false, false) => stepped::<R, Parts<false, false>>(head, run, scene),
+    }
+}
+
+fn stepped<R: Real<Si: SiFloat> + 'static, M: Model + 'static>(
+    head: &Head,
+    run: &Run,
+    scene: &SceneFile,
+) -> Result<Box<dyn Stepper>, InputError> {
+    let solver = Solver::new(scene.scene_in::<R, M>()?, run.evolution)
+        .with_tolerance(R::Si::narrow(head.tolerance))
+        .with_event_limit(head.events);
+    Ok(Box::new(Stepped {
+        solver,
+        state: None,
+    }))
+}
+
+/// The first field in which an answer is not the recorded one, with both values; the texts are equal where the bits are.
+fn difference(recorded: &str, record: &Record<'_>) -> Option<String> {
+    let now = serde_json::to_string(record).unwrap_or_default();
+    if now == recorded {
+        return None;
+    }
+    let fields = |text: &str| serde_json::from_str::<serde_json::Map<String, Value>>(text);
+    let (Ok(was), Ok(is)) = (fields(recorded), fields(&now)) else {
+        return Some(format!("recorded {recorded}, now {now}"));
+    };
+    // A field that is missing on one side, or another order of fields, is a difference of the whole.
+    let differs = is
+        .iter()
+        .find(|(key, value)| was.get(*key).is_some_and(|old| old != *value));
+    Some(match differs {
+        Some((key, value)) => format!("{key}: recorded {}, now {value}", was[key]),
+        None => format!("recorded {recorded}, now {now}"),
+    })
+}

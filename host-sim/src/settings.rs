@@ -1,0 +1,102 @@
+//! How a scene is run, as the options of `stiction run` say it: the hand's path, the number type, the evolution, the rate and
+//! the dials of the solver.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Args;
+use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
+use stiction_scene::InputError;
+
+use crate::hand_path::Sample;
+use crate::number::Number;
+use crate::record::Frame;
+use crate::run::{evolution_parser, parse_rate};
+use crate::scene_file::SceneFile;
+use crate::simulate::simulate;
+
+/// What may be chosen besides the scene.
+#[derive(Args, Clone, Debug)]
+pub struct Settings {
+    /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
+    #[arg(long, value_name = "FILE")]
+    pub hand: Option<PathBuf>,
+    /// Number type of the solver
+    #[arg(long, value_enum, default_value_t = Number::F32)]
+    pub number: Number,
+    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    #[arg(long, default_value = "path", value_parser = evolution_parser())]
+    pub evolution: Evolution,
+    /// Hand frames per second, instead of the rate in the scene file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    pub rate: Option<f64>,
+    /// Tolerance of the solver's searches (rad, 0 to 0.01); 0: exact
+    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = parse_tolerance)]
+    pub tolerance: f64,
+    /// Events of a frame that are told apart (1 to 128)
+    #[arg(long, value_name = "N", default_value_t = MAX_EVENT_LIMIT, value_parser = parse_events)]
+    pub events: u8,
+}
+
+/// What `stiction run` takes where nothing is said.
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            hand: None,
+            number: Number::F32,
+            evolution: Evolution::Path,
+            rate: None,
+            tolerance: 0.0,
+            events: MAX_EVENT_LIMIT,
+        }
+    }
+}
+
+/// A tolerance (rad) that the solver takes as it is.
+pub(crate) fn parse_tolerance(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(radians) if (0.0..=0.01).contains(&radians) => Ok(radians),
+        _ => Err("allowed: a number from 0 to 0.01".to_owned()),
+    }
+}
+
+/// An event limit of a frame.
+pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
+    match text.parse() {
+        Ok(events) if (1..=MAX_EVENT_LIMIT).contains(&events) => Ok(events),
+        _ => Err(format!(
+            "allowed: a whole number from 1 to {MAX_EVENT_LIMIT}"
+        )),
+    }
+}
+
+impl Settings {
+    /// Runs a scene over the hand's motion and gives every frame to `sink`; returns the time that the solver's steps took.
+    ///
+    /// # Errors
+    /// The scene is refused, or the first error of `sink`.
+    pub fn simulate<E: From<InputError>>(
+        &self,
+        scene: &SceneFile,
+        samples: impl Iterator<Item = Sample>,
+        sink: impl FnMut(Frame) -> Result<(), E>,
+    ) -> Result<Duration, E> {
+        match self.number {
+            Number::F32 => self.simulate_in::<f32, E>(scene, samples, sink),
+            Number::F64 => self.simulate_in::<f64, E>(scene, samples, sink),
+            Number::Fixed => self.simulate_in::<Fixed, E>(scene, samples, sink),
+        }
+    }
+
+    fn simulate_in<R: Real<Si: SiFloat>, E: From<InputError>>(
+        &self,
+        scene: &SceneFile,
+        samples: impl Iterator<Item = Sample>,
+        sink: impl FnMut(Frame) -> Result<(), E>,
+    ) -> Result<Duration, E> {
+        let solver = Solver::new(scene.scene::<R>()?, self.evolution)
+            .with_tolerance(R::Si::narrow(self.tolerance))
+            .with_event_limit(self.events);
+        simulate(solver, samples, sink)
+    }
+}

@@ -1,0 +1,269 @@
+//! What a sweep may vary: the keys of a scene file, and `run.` with the options of `stiction run`. From a key and a value to
+//! the scene's TOML and the settings of the run.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+use stiction_core::Evolution;
+use toml::{Table, Value};
+
+use crate::number::Number;
+use crate::run::{evolution_named, parse_rate};
+use crate::settings::{Settings, parse_events, parse_tolerance};
+
+/// What a key takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Number,
+    Numbers,
+    Text,
+}
+
+/// Keys of a scene file; those of a surface stand behind `surface.NAME.`.
+const SCENE: [(&str, Kind); 15] = [
+    ("body.vertices", Kind::Numbers),
+    ("body.rectangle", Kind::Numbers),
+    ("body.start", Kind::Numbers),
+    ("body.weight", Kind::Number),
+    ("grasp.point", Kind::Numbers),
+    ("grasp.reach", Kind::Number),
+    ("spring.translation", Kind::Number),
+    ("spring.rotation", Kind::Number),
+    ("friction.static", Kind::Number),
+    ("friction.dynamic", Kind::Number),
+    ("hand.rate", Kind::Number),
+    ("hand.keyframes", Kind::Numbers),
+    ("hand.plane", Kind::Text),
+    ("hand.scale", Kind::Number),
+    ("hand.origin", Kind::Numbers),
+];
+const SURFACE: [(&str, Kind); 4] = [
+    ("normal", Kind::Numbers),
+    ("offset", Kind::Number),
+    ("static", Kind::Number),
+    ("dynamic", Kind::Number),
+];
+const RUN: [(&str, Dial); 6] = [
+    ("run.hand", Dial::Hand),
+    ("run.number", Dial::Number),
+    ("run.evolution", Dial::Evolution),
+    ("run.rate", Dial::Rate),
+    ("run.tolerance", Dial::Tolerance),
+    ("run.events", Dial::Events),
+];
+
+/// An option of `stiction run`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dial {
+    Hand,
+    Number,
+    Evolution,
+    Rate,
+    Tolerance,
+    Events,
+}
+
+/// A key that is varied.
+#[derive(Clone, Debug)]
+pub(super) struct Key {
+    name: String,
+    place: Place,
+}
+
+#[derive(Clone, Debug)]
+enum Place {
+    Run(Dial),
+    /// Names of tables, names or indices of surfaces, indices into arrays.
+    Scene(Vec<String>, Kind),
+}
+
+/// All that may be varied, for messages.
+pub(super) fn all() -> String {
+    let run = RUN.iter().map(|(name, _)| (*name).to_owned());
+    let scene = SCENE.iter().map(|(name, _)| (*name).to_owned());
+    let surface = SURFACE
+        .iter()
+        .map(|(name, _)| format!("surface.NAME.{name}"));
+    let names: Vec<String> = scene.chain(surface).chain(run).collect();
+    format!("{}, and .0, .1, ... behind arrays", names.join(", "))
+}
+
+impl Key {
+    /// The key of a name; `None` where there is none.
+    pub(super) fn parse(name: &str) -> Option<Self> {
+        let place = match RUN.iter().find(|(known, _)| *known == name) {
+            Some((_, dial)) => Place::Run(*dial),
+            None => scene_place(name)?,
+        };
+        let name = name.to_owned();
+        Some(Self { name, place })
+    }
+
+    /// As it is written.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// A value as this key has it: whole numbers become numbers where it takes numbers.
+    ///
+    /// # Errors
+    /// What is allowed, where the key cannot take such a value.
+    pub(super) fn value(&self, value: Value) -> Result<Value, String> {
+        let whole = matches!(self.place, Place::Run(Dial::Events));
+        let value = match value {
+            Value::Integer(number) if !whole => Value::Float(number as f64),
+            value => value,
+        };
+        match &self.place {
+            Place::Run(dial) => set_dial(*dial, &value, Path::new(""), &mut Settings::default())?,
+            Place::Scene(_, kind) => {
+                let (fits, allowed) = match kind {
+                    Kind::Number => (
+                        value.as_float().is_some_and(f64::is_finite),
+                        "finite numbers",
+                    ),
+                    Kind::Numbers => (value.is_array(), "arrays of numbers"),
+                    Kind::Text => (value.is_str(), "texts"),
+                };
+                if !fits {
+                    return Err(allowed.to_owned());
+                }
+            }
+        }
+        Ok(value)
+    }
+
+    /// Whether the values are numbers, of which there is one between any two.
+    pub(super) fn is_continuous(&self) -> bool {
+        match self.place {
+            Place::Run(dial) => matches!(dial, Dial::Rate | Dial::Tolerance),
+            Place::Scene(_, kind) => kind == Kind::Number,
+        }
+    }
+
+    /// Whether the values are files of recorded paths of the hand.
+    pub(super) fn is_hand(&self) -> bool {
+        matches!(self.place, Place::Run(Dial::Hand))
+    }
+
+    /// Puts a value in its place; files of the run are relative to `folder`.
+    ///
+    /// # Errors
+    /// What is wrong with the scene, where it has no such place.
+    pub(super) fn set(
+        &self,
+        value: &Value,
+        folder: &Path,
+        scene: &mut Table,
+        settings: &mut Settings,
+    ) -> Result<(), String> {
+        match &self.place {
+            Place::Run(dial) => set_dial(*dial, value, folder, settings),
+            Place::Scene(path, _) => match path.split_first() {
+                Some((section, rest)) => {
+                    let new = || Value::Table(Table::new());
+                    set_in(
+                        scene.entry(section).or_insert_with(new),
+                        section,
+                        rest,
+                        value,
+                    )
+                }
+                None => Ok(()),
+            },
+        }
+    }
+}
+
+/// The place of a key of the scene file, with indices into arrays behind it or without.
+fn scene_place(name: &str) -> Option<Place> {
+    let mut base = name;
+    let mut indices = Vec::new();
+    loop {
+        if let Some((path, kind)) = whole_place(base) {
+            let kind = match (kind, indices.len()) {
+                (kind, 0) => kind,
+                (Kind::Numbers, _) => Kind::Number,
+                _ => return None,
+            };
+            let path = path.into_iter().chain(indices.into_iter().rev());
+            return Some(Place::Scene(path.map(str::to_owned).collect(), kind));
+        }
+        let (rest, index) = base.rsplit_once('.')?;
+        index.parse::<usize>().ok()?;
+        indices.push(index);
+        base = rest;
+    }
+}
+
+fn whole_place(name: &str) -> Option<(Vec<&str>, Kind)> {
+    if let Some(rest) = name.strip_prefix("surface.") {
+        let (surface, key) = rest.rsplit_once('.')?;
+        let (_, kind) = SURFACE.iter().find(|(known, _)| *known == key)?;
+        return Some((vec!["surface", surface, key], *kind));
+    }
+    let (_, kind) = SCENE.iter().find(|(known, _)| *known == name)?;
+    Some((name.split('.').collect(), *kind))
+}
+
+/// Puts a value below `node`, which is called `name`.
+fn set_in(node: &mut Value, name: &str, path: &[String], value: &Value) -> Result<(), String> {
+    let Some((step, rest)) = path.split_first() else {
+        *node = value.clone();
+        return Ok(());
+    };
+    match node {
+        Value::Table(table) => {
+            let new = || value.clone();
+            set_in(table.entry(step).or_insert_with(new), step, rest, value)
+        }
+        Value::Array(array) => {
+            let index = array.iter().position(|entry| is_called(entry, step));
+            let index = index.or_else(|| step.parse().ok());
+            match index.and_then(|index| array.get_mut(index)) {
+                Some(entry) => set_in(entry, step, rest, value),
+                None => Err(format!("has no {name} {step:?}")),
+            }
+        }
+        _ => Err(format!("has no {step:?} in `{name}`")),
+    }
+}
+
+fn is_called(entry: &Value, name: &str) -> bool {
+    entry.get("name").and_then(Value::as_str) == Some(name)
+}
+
+/// Takes a value as the option of `stiction run` takes it.
+fn set_dial(
+    dial: Dial,
+    value: &Value,
+    folder: &Path,
+    settings: &mut Settings,
+) -> Result<(), String> {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Float(number) => format!("{number:?}"),
+        other => other.to_string(),
+    };
+    match dial {
+        Dial::Hand if value.is_str() => settings.hand = Some(folder.join(text)),
+        Dial::Hand => return Err("texts, each the name of a file".to_owned()),
+        Dial::Number => {
+            settings.number = Number::from_str(&text, false)
+                .map_err(|_| Number::ALL.map(Number::name).join(", "))?;
+        }
+        Dial::Evolution => {
+            settings.evolution = evolution_named(&text)
+                .ok_or_else(|| Evolution::ALL.map(Evolution::name).join(", "))?;
+        }
+        Dial::Rate => settings.rate = Some(parse_rate(&text).map_err(bare)?),
+        Dial::Tolerance => settings.tolerance = parse_tolerance(&text).map_err(bare)?,
+        Dial::Events => settings.events = parse_events(&text).map_err(bare)?,
+    }
+    Ok(())
+}
+
+/// What is allowed, without the word.
+fn bare(message: String) -> String {
+    message.trim_start_matches("allowed: ").to_owned()
+}

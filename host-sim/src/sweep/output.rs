@@ -1,0 +1,248 @@
+//! The table on disk: rows are added in order, each with one write, so that a killed run leaves whole rows and at most one
+//! that is cut. The next run finds what the rows were made from in a file beside the table, and goes on where they end.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, ErrorKind, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use fs4::TryLockError;
+
+/// Why rows cannot be added.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The table, or the file beside it, cannot be read or written.
+    #[error("{}: cannot be written: {error}", place.display())]
+    Write {
+        /// The file.
+        place: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// Another process writes to it.
+    #[error("{}: another sweep is writing to it, allowed: one at a time, or another --out", .0.display())]
+    Busy(PathBuf),
+    /// No sweep wrote it.
+    #[error(
+        "{}: is there already and {} is not, so no sweep wrote it, allowed: another --out, or a file that is not there",
+        place.display(), beside.display()
+    )]
+    Stranger {
+        /// The table.
+        place: PathBuf,
+        /// What would be beside it.
+        beside: PathBuf,
+    },
+    /// The rows belong to another sweep.
+    #[error(
+        "{}: its rows were made from other input ({changed}), allowed: the input of before, another --out, or to delete {}",
+        place.display(), place.display()
+    )]
+    Changed {
+        /// The table.
+        place: PathBuf,
+        /// Which input.
+        changed: String,
+    },
+    /// A row is not where it has to be.
+    #[error(
+        "{}, line {line}: is not {expected}, allowed: the file as the sweep left it, another --out, or to delete it",
+        place.display()
+    )]
+    Edited {
+        /// The table.
+        place: PathBuf,
+        /// The line, counted from 1.
+        line: u64,
+        /// What has to be there.
+        expected: String,
+    },
+}
+
+/// The rows that are to stand in a table.
+#[derive(Clone, Debug)]
+pub(super) struct Rows {
+    /// The first line; the tables of all shards but the first have none.
+    pub(super) header: Option<Vec<u8>>,
+    /// The index of the first row.
+    pub(super) first: u64,
+    /// From one index to the next.
+    pub(super) step: u64,
+    /// How many there are.
+    pub(super) count: u64,
+}
+
+impl Rows {
+    /// The index of row `k`.
+    pub(super) fn index(&self, k: u64) -> u64 {
+        self.first + k * self.step
+    }
+}
+
+/// A table that rows are added to. As long as it lives nobody else adds any.
+#[derive(Debug)]
+pub(super) struct Output {
+    file: File,
+    place: PathBuf,
+    rows: u64,
+}
+
+impl Output {
+    /// Opens the table at `place`, or begins it; `inputs`: what the rows are made from, line by line.
+    ///
+    /// # Errors
+    /// What is there belongs to something else, or it cannot be written.
+    pub(super) fn open(place: &Path, inputs: &str, rows: &Rows) -> Result<Self, OutputError> {
+        let cannot_write = write_error(place);
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(place)
+            .map_err(&cannot_write)?;
+        match fs4::FileExt::try_lock(&file) {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(OutputError::Busy(place.to_owned())),
+            // Some file systems of clusters know no locks.
+            Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return Err(cannot_write(error)),
+        }
+        let mut output = Self {
+            file,
+            place: place.to_owned(),
+            rows: 0,
+        };
+        let beside = beside(place);
+        let there = output.file.metadata().map_err(&cannot_write)?;
+        if !there.is_file() {
+            let error = io::Error::new(ErrorKind::InvalidInput, "it is not a file on a disk");
+            return Err(cannot_write(error));
+        }
+        if there.len() == 0 {
+            write_whole(&beside, inputs).map_err(write_error(&beside))?;
+        } else {
+            output.compare(&beside, inputs)?;
+        }
+        let whole = output.take_stock(rows)?;
+        output.file.set_len(whole).map_err(&cannot_write)?;
+        (output.file.seek(io::SeekFrom::Start(whole))).map_err(&cannot_write)?;
+        if let (0, Some(header)) = (whole, &rows.header) {
+            output.write(header)?;
+        }
+        Ok(output)
+    }
+
+    /// How many rows are there.
+    pub(super) fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Adds a row, which is in the hands of the system then.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
+        self.write(row)?;
+        self.rows += 1;
+        Ok(())
+    }
+
+    fn write(&mut self, line: &[u8]) -> Result<(), OutputError> {
+        self.file.write_all(line).map_err(write_error(&self.place))
+    }
+
+    /// Whether the rows were made from the same.
+    fn compare(&self, beside: &Path, inputs: &str) -> Result<(), OutputError> {
+        let before = match std::fs::read_to_string(beside) {
+            Ok(before) => before,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let (place, beside) = (self.place.clone(), beside.to_owned());
+                return Err(OutputError::Stranger { place, beside });
+            }
+            Err(error) => return Err(write_error(beside)(error)),
+        };
+        if before == inputs {
+            return Ok(());
+        }
+        // A line is "what: which".
+        let names = |text: &str, other: &str| -> Vec<String> {
+            let lines = text
+                .lines()
+                .filter(|line| !other.lines().any(|known| known == *line));
+            let name = |line: &str| line.split(':').next().unwrap_or_default().to_owned();
+            lines.map(name).collect()
+        };
+        let mut changed = names(inputs, &before);
+        changed.extend(names(&before, inputs));
+        changed.sort();
+        changed.dedup();
+        Err(OutputError::Changed {
+            place: self.place.clone(),
+            changed: changed.join(", "),
+        })
+    }
+
+    /// Counts the rows, each of which must be the one that belongs there; returns how many bytes are whole lines.
+    fn take_stock(&mut self, rows: &Rows) -> Result<u64, OutputError> {
+        let place = self.place.clone();
+        let mut reader = BufReader::new(&self.file);
+        let (mut line, mut whole, mut text) = (0, 0, Vec::new());
+        loop {
+            text.clear();
+            let length = reader.read_until(b'\n', &mut text);
+            let length = length.map_err(write_error(&place))?;
+            if !text.ends_with(b"\n") {
+                return Ok(whole);
+            }
+            line += 1;
+            let is_header = line == 1 && rows.header.is_some();
+            let (fits, expected) = if is_header {
+                (rows.header.as_ref() == Some(&text), "the header".to_owned())
+            } else {
+                let index = rows.index(self.rows);
+                let fits =
+                    self.rows < rows.count && text.starts_with(format!("{index},").as_bytes());
+                (fits, format!("the row of index {index}"))
+            };
+            if !fits {
+                return Err(OutputError::Edited {
+                    place,
+                    line,
+                    expected,
+                });
+            }
+            whole += length as u64;
+            self.rows += u64::from(!is_header);
+        }
+    }
+}
+
+fn write_error(place: &Path) -> impl Fn(io::Error) -> OutputError {
+    let place = place.to_owned();
+    move |error| OutputError::Write {
+        place: place.clone(),
+        error,
+    }
+}
+
+/// Where it stands what the rows of a table were made from.
+fn beside(place: &Path) -> PathBuf {
+    let mut name = place.as_os_str().to_owned();
+    name.push(".sweep");
+    name.into()
+}
+
+/// Writes a file that is there as a whole or not at all.
+fn write_whole(place: &Path, text: &str) -> io::Result<()> {
+    let folder = match place.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let mut file = tempfile::Builder::new()
+        .prefix(".stiction-")
+        .suffix(".part")
+        .make_in(folder, |path| File::create_new(path))?;
+    file.write_all(text.as_bytes())?;
+    file.persist(place)?;
+    Ok(())
+}

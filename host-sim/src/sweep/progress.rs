@@ -1,0 +1,60 @@
+//! How far a sweep is, on standard error: a bar on a terminal, else a line every ten seconds.
+
+use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
+
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
+
+/// Rows done of all.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    /// When the last line was written, where there is no terminal.
+    told: Option<Instant>,
+    begun: Instant,
+    before: u64,
+}
+
+impl Progress {
+    const INTERVAL: Duration = Duration::from_secs(10);
+
+    /// `done` of `total` rows are there already.
+    pub(super) fn new(done: u64, total: u64, quiet: bool) -> Self {
+        let template = "{bar:40} {pos} of {len} rows, {per_sec}, {eta} left";
+        let style = ProgressStyle::with_template(template);
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = match quiet {
+            true => ProgressBar::hidden(),
+            false => ProgressBar::new(total).with_style(style),
+        };
+        bar.set_position(done);
+        bar.reset_eta();
+        let now = Instant::now();
+        Self {
+            told: (!quiet && !io::stderr().is_terminal()).then_some(now),
+            bar,
+            begun: now,
+            before: done,
+        }
+    }
+
+    /// `done` rows are there.
+    pub(super) fn set(&mut self, done: u64, total: u64) {
+        self.bar.set_position(done);
+        let Some(told) = &mut self.told else {
+            return;
+        };
+        if told.elapsed() < Self::INTERVAL {
+            return;
+        }
+        *told = Instant::now();
+        let rate = (done - self.before) as f64 / self.begun.elapsed().as_secs_f64();
+        let left = HumanDuration(Duration::from_secs_f64((total - done) as f64 / rate));
+        eprintln!("{done} of {total} rows, {rate:.1}/s, {left} left");
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,200 @@
+//! Recordings: what is run again gives the same bits, what does not is named; every fault that was found is kept as one.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{Folder, SCENE, scene_with_path, text};
+
+/// Runs the program; its exit status and what it said.
+fn said(folder: &Folder, arguments: &[&str]) -> (Option<i32>, String) {
+    let output = folder.stiction(arguments);
+    let all = text(&output.stdout) + &text(&output.stderr);
+    (output.status.code(), all)
+}
+
+/// A recording of the small scene.
+fn recorded(options: &[&str]) -> Folder {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    let run = [
+        "run",
+        "scene.toml",
+        "--record",
+        "recording.jsonl",
+        "--out",
+        "trace.jsonl",
+    ];
+    let (status, message) = said(&folder, &[&run[..], options].concat());
+    assert_eq!(status, Some(0), "{message}");
+    folder
+}
+
+#[test]
+fn a_recording_gives_the_same_bits_again() {
+    for number in ["f64", "f32", "fixed"] {
+        for evolution in ["path", "frame"] {
+            let options = ["--number", number, "--evolution", evolution];
+            let dials = ["--rate", "777", "--tolerance", "0.001", "--events", "3"];
+            let folder = recorded(&[&options[..], &dials].concat());
+            let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
+            let (status, message) = said(
+                &folder,
+                &[&["replay", "recording.jsonl"][..], &again].concat(),
+            );
+            assert_eq!(status, Some(0), "{message}");
+            assert!(
+                message.contains("778 of 778 frames compared, the same bits"),
+                "{message}"
+            );
+            assert_eq!(folder.read("trace.jsonl"), folder.read("again.jsonl"));
+            assert_eq!(
+                folder.read("recording.jsonl"),
+                folder.read("again-recording.jsonl")
+            );
+        }
+    }
+}
+
+/// A sample that is not finite, and a hand that lets go.
+#[test]
+fn a_recording_keeps_what_a_tracker_lost() {
+    let folder = Folder::new();
+    folder.write("scene.toml", scene_with_path("hand.csv", ""));
+    let hand =
+        "t,x,y,phi,held\n0,0.2,0.14,0.5,1\n1,nan,0.1,inf,1\n2,0.2,0.1,0.5,0\n3,0.2,0.1,0.5,1\n";
+    folder.write("hand.csv", hand);
+    let (status, message) = said(
+        &folder,
+        &["run", "scene.toml", "--record", "recording.jsonl"],
+    );
+    assert_eq!(status, Some(0), "{message}");
+    assert!(
+        folder
+            .read("recording.jsonl")
+            .contains(r#""position":[null,0.1]"#)
+    );
+    assert!(folder.read("recording.jsonl").contains("held-last"));
+    // A recording needs nothing beside it.
+    fs::remove_file(folder.file("hand.csv")).expect("the path");
+    let (status, message) = said(&folder, &["replay", "recording.jsonl"]);
+    assert_eq!(status, Some(0), "{message}");
+}
+
+#[test]
+fn the_first_frame_that_differs_is_named() {
+    let folder = recorded(&[]);
+    let recording = folder.read("recording.jsonl");
+    let lines: Vec<&str> = recording.lines().collect();
+    // The sample that the hand has moved by a last digit, and the answer that was something else.
+    let changes = [
+        (
+            4,
+            r#""position":[0.2,"#,
+            r#""position":[0.20000002,"#,
+            "hand: recorded [0.2,",
+        ),
+        (
+            5,
+            r#""status":"ok""#,
+            r#""status":"ambiguous""#,
+            r#"status: recorded "ambiguous", now "ok""#,
+        ),
+    ];
+    for (line, from, to, difference) in changes {
+        let mut changed: Vec<String> = lines.iter().map(ToString::to_string).collect();
+        changed[line - 1] = changed[line - 1].replacen(from, to, 1);
+        folder.write("changed.jsonl", changed.join("\n") + "\n");
+        let (status, message) = said(&folder, &["replay", "changed.jsonl"]);
+        assert_eq!(status, Some(1), "{message}");
+        let place = format!("frame {} differs (line {line}, t = ", line - 2);
+        assert!(
+            message.starts_with(&place) && message.contains(difference),
+            "{message}"
+        );
+    }
+    // An answer that did not come is not compared.
+    let lost = recording.replacen(lines[3], &without_answer(lines[3]), 1);
+    folder.write("lost.jsonl", lost);
+    let (status, message) = said(&folder, &["replay", "lost.jsonl"]);
+    assert_eq!(status, Some(0), "{message}");
+    assert!(message.contains("10 of 11 frames compared"), "{message}");
+}
+
+/// A line of a recording whose answer did not come.
+fn without_answer(line: &str) -> String {
+    let end = line.find(r#","answer":"#).expect("an answer");
+    format!(r#"{},"answer":null}}"#, &line[..end])
+}
+
+#[test]
+fn what_is_no_recording_is_refused_with_its_line() {
+    let folder = recorded(&[]);
+    let recording = folder.read("recording.jsonl");
+    let head = recording.lines().next().expect("a head").to_owned();
+    let cases = [
+        (String::new(), "line 1: "),
+        ("nonsense\n".to_owned(), "line 1: "),
+        (folder.read("trace.jsonl"), "line 1: "),
+        (head.clone() + "\n", "line 1: no sample follows the head"),
+        (
+            recording.replacen(r#""recording":1"#, r#""recording":2"#, 1),
+            "allowed: 1, the version",
+        ),
+        (
+            recording.replacen(r#""number":"f32""#, r#""number":"f16""#, 1),
+            "`number` is \"f16\", allowed: ",
+        ),
+        (
+            recording.replacen(r#""evolution":"path""#, r#""evolution":"way""#, 1),
+            "`evolution` is \"way\", allowed: ",
+        ),
+        (
+            recording.replacen("translation = 500.0", "translation = 0.0", 1),
+            "`spring.translation` is 0.0, allowed: ",
+        ),
+        (recording[..recording.len() - 20].to_owned(), "line 12: "),
+        (
+            recording.replacen(r#""sample""#, r#""simple""#, 1),
+            "line 2: unknown field `simple`",
+        ),
+        (
+            recording.replacen(r#""turns":0"#, r#""turns":0.5"#, 1),
+            "line 2: ",
+        ),
+    ];
+    for (content, expected) in cases {
+        folder.write("bad.jsonl", content);
+        let (status, message) = said(
+            &folder,
+            &["replay", "bad.jsonl", "--out", "bad-trace.jsonl"],
+        );
+        assert_eq!(status, Some(2), "{expected}: {message}");
+        assert!(
+            message.contains("bad.jsonl") && message.contains(expected),
+            "{expected}: {message}"
+        );
+        assert!(!folder.names().contains(&"bad-trace.jsonl".to_owned()));
+    }
+    let (status, message) = said(&folder, &["replay", "absent.jsonl"]);
+    assert_eq!(status, Some(2));
+    assert!(
+        message.contains("absent.jsonl: cannot be read"),
+        "{message}"
+    );
+}
+
+/// `tests/recordings`: faults that fuzzing, a board or a user found. They give the bits of now.
+#[test]
+fn kept_faults_give_the_same_bits() {
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recordings");
+    let mut count = 0;
+    for entry in fs::read_dir(kept).expect("the folder of recordings") {
+        let file = entry.expect("an entry").path();
+        let (status, message) = said(&Folder::new(), &["replay", &file.to_string_lossy()]);
+        assert_eq!(status, Some(0), "{}: {message}", file.display());
+        count += 1;
+    }
+    assert!(count > 0, "no recordings");
+}

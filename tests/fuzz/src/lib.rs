@@ -1,0 +1,19 @@
+//! Any bytes, and what must hold for them: [`wire`] (a line to a board and from it), [`scene_file`], [`hand_path`], and
+//! [`solver`] (a scene, its parameters and a hand's path: every frame obeys the laws). Each takes bytes and panics where
+//! something does not hold. cargo-fuzz looks for such bytes; what it has found, and what reaches far into the code, is kept
+//! under `corpus/` and checked by the tests.
+//!
+//! ```sh
+//! cargo fuzz run --fuzz-dir tests/fuzz --features libfuzzer --sanitizer none solver
+//! ```
+
+mod hand_path;
+mod scene_file;
+mod solver;
+mod station;
+mod wire;
+
+pub use hand_path::hand_path;
+pub use scene_file::scene_file;
+pub use solver::{as_files, solver};
+pub use wire::wire;

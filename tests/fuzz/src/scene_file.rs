@@ -1,0 +1,67 @@
+//! Text as a scene file: it is refused with a message that names the file, or it makes a scene that every number type
+//! starts, or refuses with such a message, and code that goes into a board.
+
+use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
+use stiction_host_sim::number::Number;
+use stiction_host_sim::scene_file::{Motion, SceneFile};
+use stiction_scene::{InputError, Source};
+
+/// # Panics
+/// Where something does not hold.
+pub fn scene_file(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return;
+    };
+    for number in Number::ALL {
+        let source = Source::new("scene.toml", text);
+        match SceneFile::parse(source, number) {
+            Err(error) => is_clear(&error),
+            Ok(scene) => match number {
+                Number::F32 => starts::<f32>(&scene),
+                Number::F64 => starts::<f64>(&scene),
+                Number::Fixed => starts::<Fixed>(&scene),
+            },
+        }
+    }
+}
+
+/// A scene that is taken starts with a body where the file has it.
+fn starts<R: Real<Si: SiFloat>>(file: &SceneFile) {
+    if let Some(Motion::Keyframes(path)) = &file.hand.motion {
+        let times: Vec<_> = path.frames(None).map(|sample| sample.t).collect();
+        assert!(times.is_sorted_by(|a, b| a < b), "times increase");
+    }
+    let scene = match file.scene::<R>() {
+        Err(error) => return is_clear(&error),
+        Ok(scene) => scene,
+    };
+    let solver = Solver::new(scene, Evolution::Path);
+    let (_, output) = solver.start(Hand::default());
+    let [x, y] = output.position.map(SiFloat::widen);
+    let (theta, length) = (output.angle.radians().widen(), size(file));
+    assert!(
+        [x, y, theta].iter().all(|number| number.is_finite()),
+        "{output:?}"
+    );
+    assert_eq!(output.status, Status::Ok, "nobody holds it");
+    let [x0, y0, _] = file.start;
+    let off = (x - x0).hypot(y - y0);
+    let allowed = 1e-4 * (length + x0.abs() + y0.abs());
+    assert!(off <= allowed, "the body starts {off} from its place");
+}
+
+/// The largest distance of a vertex from the body's origin.
+fn size(file: &SceneFile) -> f64 {
+    let far = file.vertices.iter().map(|[x, y]| x.hypot(*y));
+    far.fold(0.0, f64::max)
+}
+
+/// A message names the file and is no longer than a screen.
+pub(crate) fn is_clear(error: &InputError) {
+    let message = error.to_string();
+    assert!(
+        message.contains("scene.toml") || message.contains("path."),
+        "{message}"
+    );
+    assert!(message.chars().count() < 2000, "{message}");
+}

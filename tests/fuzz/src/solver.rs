@@ -1,0 +1,108 @@
+//! Bytes as a scene, its parameters and a hand's path, and the laws on every frame of it in every number type.
+
+mod case;
+mod draw;
+
+use case::Case;
+use stiction_core::{Fixed, Hand, Solver, State};
+use stiction_tests::laws::{Bounds, Finding, judge_within, judged, law};
+use stiction_tests::run::planar;
+use stiction_tests::{Frame, Number};
+
+/// # Panics
+/// Where a law does not hold.
+pub fn solver(bytes: &[u8]) {
+    if let Some(case) = Case::read(bytes) {
+        follow::<f32>(&case);
+        follow::<Fixed>(&case);
+        follow::<f64>(&case);
+    }
+}
+
+/// The case of these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` for too few bytes.
+pub fn as_files(bytes: &[u8]) -> Option<(String, String, String)> {
+    Case::read(bytes).map(|case| case.as_files())
+}
+
+/// All frames of a case; none where its scene is refused.
+fn follow<R: Number>(case: &Case) {
+    let Ok(scene) = case.setup.scene::<R>() else {
+        return;
+    };
+    let solver = Solver::new(scene, case.evolution)
+        .with_tolerance(R::si(case.tolerance))
+        .with_event_limit(case.event_limit);
+    let frame = |state: &State<R>, output| Frame::new(&solver, state, &output);
+    let (mut state, output) = solver.start(hand::<R>(case.home));
+    let mut judge = judge_within::<R>(&case.setup, case.evolution, bounds::<R>());
+    let mut last = frame(&state, output);
+    holds::<R>(case, judge.next(judged(0, &last)), (&last, &last));
+    for (i, to) in (1..).zip(case.hands()) {
+        let mut twin = state.clone();
+        let output = solver.step(&mut state, hand::<R>(to));
+        let next = frame(&state, output);
+        let output = solver.step(&mut twin, hand::<R>(to));
+        assert_eq!(next, frame(&twin, output), "the same bits again");
+        holds::<R>(case, judge.next(judged(i, &next)), (&last, &next));
+        last = next;
+    }
+}
+
+/// A hand at x, y (m), phi (rad) that holds or does not.
+fn hand<R: Number>((pose, held): ([f64; 3], bool)) -> Hand<R::Si> {
+    let hand = planar::<R>(pose);
+    if held { hand } else { hand.released() }
+}
+
+/// Those of `stiction check`. A body may start up to 1e-5 of its size in a surface. A point that is held from afar, by levers
+/// of several of its units of length, has moments of as many roundings.
+fn bounds<R: Number>() -> Bounds {
+    let of_type = match R::NAME {
+        "f64" => Bounds::DOUBLE,
+        _ => Bounds::SINGLE,
+    };
+    Bounds {
+        gap: of_type.gap.max(1.1e-5),
+        rounding: 8.0 * of_type.rounding,
+        ..of_type
+    }
+}
+
+/// Where slips begin and end is judged on scenes that are not as degenerate as these.
+const SLIPS: [&str; 4] = [
+    law::SLIP_BEGINS,
+    law::SLIP_ENDS,
+    law::SLIP_LAST,
+    law::SLIP_FIRST,
+];
+
+/// The laws that hold to the tolerance of the dial only, which is one of angles and of the ends of slips.
+const DIALLED: [&str; 4] = [law::FORCES, law::MOMENTS, law::CONE, law::PUSH];
+
+/// Every law that the frame has to obey holds.
+fn holds<R: Number>(case: &Case, findings: Vec<Finding>, (last, next): (&Frame, &Frame)) {
+    for finding in findings {
+        let dialled = case.tolerance > 0.0 && DIALLED.contains(&finding.law);
+        let waived = dialled || SLIPS.contains(&finding.law);
+        assert!(
+            finding.holds() || waived || is_clamped::<R>(case, next),
+            "{}: {finding:?}\nbefore: {last:?}\nframe: {next:?}\ncase: {case:?}",
+            R::NAME
+        );
+    }
+}
+
+/// A reaction is the largest number of fixed point, 128 k_h L: what clamps the body harder is told as that.
+fn is_clamped<R: Number>(case: &Case, frame: &Frame) -> bool {
+    let setup = &case.setup;
+    R::NAME == "fixed"
+        && frame.contacts.iter().any(|contact| {
+            let lengths = contact.normal / (128.0 * setup.stiffness_translation);
+            // The L of a point is a power of two.
+            let off = match setup.vertices.len() {
+                1 => lengths.log2() - lengths.log2().round(),
+                _ => lengths / setup.size() - 1.0,
+            };
+            off.abs() < 1e-6
+        })
+}

@@ -1,0 +1,133 @@
+//! A board that hears bytes: whatever they are, its force stays finite and within its limits, becomes zero in silence, and
+//! what it says is taken by a client.
+
+use std::collections::VecDeque;
+
+use stiction_core::frame::{Decoder, Mode, NumberType, Report, Sequence, frame_bytes, scene_bytes};
+use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
+use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::safety::Limits;
+use stiction_firmware::station::{Link, Setup, Station};
+
+const V: usize = 8;
+const S: usize = 2;
+const ROOM: usize = frame_bytes(scene_bytes(V, S));
+/// More bytes than that are not heard.
+const LONGEST_TRAFFIC: usize = 8192;
+
+const fn board(number: NumberType) -> Setup {
+    Setup {
+        name: "fuzzed",
+        number,
+        line_rate: 1_000_000,
+        fastest_tick: 1_000,
+        limits: Limits::DEFAULT,
+        passivity: None,
+        mode: Mode::DEFAULT,
+        scene: Description {
+            vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+            start: [0.0, 0.03, 0.0],
+            weight: 0.0,
+            holding_point: Some([0.0, 0.02]),
+            reach: 0.0,
+            stiffness_translation: 500.0,
+            stiffness_rotation: 0.5,
+            surfaces: &[SurfaceDescription {
+                normal: [0.0, 1.0],
+                offset: 0.0,
+                friction_static: 0.5,
+                friction_dynamic: 0.3,
+            }],
+        },
+    }
+}
+
+static SINGLE: Setup = board(NumberType::F32);
+static FIXED: Setup = board(NumberType::Fixed);
+
+/// A board that computes in f32.
+pub(crate) fn single(traffic: &[u8]) {
+    hears::<f32>(&SINGLE, traffic);
+}
+
+/// A board that computes in fixed point.
+pub(crate) fn fixed(traffic: &[u8]) {
+    hears::<Fixed>(&FIXED, traffic);
+}
+
+fn hears<R: Real<Si = f32>>(setup: &'static Setup, traffic: &[u8]) {
+    let station = Station::<R, V, S, Full, ROOM>::new(setup);
+    let mut station = station.expect("a sound setup");
+    let mut line = Line::new(traffic);
+    let (mut now_us, limits) = (0u32, &setup.limits);
+    let (mut tick, mut device) = (0u32, (FromLine, NoActuators));
+    // Until all is heard, and then for as long as the longest silence that still has a force.
+    let mut left = 1 + limits.silence_us / limits.period_us;
+    while left > 0 {
+        now_us = now_us.wrapping_add(limits.period_us);
+        tick += 1;
+        let wrench = station.tick(now_us, &mut line, &mut device);
+        let [x, y] = wrench.force;
+        // A rounding is none of its business.
+        let within = |size: f32, limit: f32| size <= limit * (1.0 + 1e-6);
+        assert!(within(x.hypot(y), limits.force), "{wrench:?} at {tick}");
+        assert!(
+            within(wrench.moment.abs(), limits.moment),
+            "{wrench:?} at {tick}"
+        );
+        if line.came.is_empty() {
+            left -= 1;
+            assert!(
+                left > 0 || (wrench.force, wrench.moment) == ([0.0; 2], 0.0),
+                "a force in silence: {wrench:?}"
+            );
+        }
+        line.hear();
+    }
+}
+
+/// The line of a board: what is still to come, and the client at its other end.
+struct Line {
+    came: VecDeque<u8>,
+    said: Vec<u8>,
+    client: Decoder<256>,
+    sequence: Sequence,
+}
+
+impl Line {
+    fn new(traffic: &[u8]) -> Self {
+        let heard = &traffic[..traffic.len().min(LONGEST_TRAFFIC)];
+        Self {
+            came: heard.iter().copied().collect(),
+            said: Vec::new(),
+            client: Decoder::new(),
+            sequence: Sequence::new(),
+        }
+    }
+
+    /// The client hears what the board has said: whole frames, none lost.
+    fn hear(&mut self) {
+        for byte in self.said.drain(..) {
+            let Some(received) = self.client.push::<Report>(byte) else {
+                continue;
+            };
+            let frame = received.expect("a board says what can be taken");
+            assert_eq!(self.sequence.lost_before(frame.sequence), 0);
+        }
+    }
+}
+
+impl Link for Line {
+    fn take(&mut self) -> Option<u8> {
+        self.came.pop_front()
+    }
+
+    fn send(&mut self, frame: &[u8]) -> bool {
+        self.said.extend_from_slice(frame);
+        true
+    }
+
+    fn now_ns(&mut self) -> u32 {
+        0
+    }
+}

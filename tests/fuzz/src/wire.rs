@@ -1,0 +1,133 @@
+//! Bytes as traffic on the wire: whatever comes, the decoders of both sides stay sound, a frame that is taken can be
+//! said again and is taken for the same, and a board ([`crate::station`]) keeps its force within limits.
+
+use crate::station;
+use stiction_core::frame::{
+    Command, Decoder, Fault, Frame, LogitechDecoder, Message, Report, frame_bytes, scene_bytes,
+    wire_bytes,
+};
+use stiction_core::{Axis, Projection};
+
+/// Room for every frame that there can be: 255 vertices and 255 surfaces.
+const LONGEST: usize = frame_bytes(scene_bytes(255, 255));
+const WIRE: usize = wire_bytes(scene_bytes(255, 255));
+/// Room for some frames only.
+const SHORT: usize = 40;
+
+/// The first byte says how the others are meant. Bit 0: pieces, each with its length before it, that get a checksum and a
+/// delimiter and so pass for frames; otherwise they are the traffic as they are. Bit 1: the board computes in fixed point.
+///
+/// # Panics
+/// Where something does not hold.
+pub fn wire(bytes: &[u8]) {
+    let Some((&kind, rest)) = bytes.split_first() else {
+        return;
+    };
+    let traffic = if kind & 1 == 0 {
+        rest.to_vec()
+    } else {
+        sealed(rest)
+    };
+    hear::<LONGEST>(&traffic);
+    hear::<SHORT>(&traffic);
+    track(&traffic);
+    if kind & 2 == 0 {
+        station::single(&traffic);
+    } else {
+        station::fixed(&traffic);
+    }
+}
+
+/// A board and a client hear the same traffic.
+fn hear<const ROOM: usize>(traffic: &[u8]) {
+    let (mut board, mut client) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
+    let mut faults = [0; 2];
+    for &byte in traffic {
+        match board.push::<Command>(byte) {
+            Some(Ok(frame)) => same_again(&frame, taken_by_board),
+            Some(Err(_)) => faults[0] += 1,
+            None => {}
+        }
+        match client.push::<Report>(byte) {
+            Some(Ok(frame)) => same_again(&frame, taken_by_client),
+            Some(Err(_)) => faults[1] += 1,
+            None => {}
+        }
+    }
+    assert_eq!(
+        [board.faults().total(), client.faults().total()],
+        faults,
+        "every fault is counted"
+    );
+}
+
+/// A frame is said again, and what is said is taken for the same.
+fn same_again<'a, M: Message<'a>>(
+    frame: &Frame<M>,
+    taken: impl Fn(&[u8]) -> Result<Vec<u8>, Fault>,
+) {
+    let said = encoded(frame);
+    assert_eq!(taken(&said).as_ref(), Ok(&said), "what is said is taken");
+}
+
+fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
+    let mut wire = [0; WIRE];
+    let said = frame.encode(&mut wire);
+    said.expect("there is room for every frame").to_vec()
+}
+
+/// What a board that hears these bytes of one frame would say again.
+fn taken_by_board(wire: &[u8]) -> Result<Vec<u8>, Fault> {
+    let mut decoder = Decoder::<LONGEST>::new();
+    let (&end, before) = wire.split_last().expect("a frame has bytes");
+    for &byte in before {
+        assert!(decoder.push::<Command>(byte).is_none(), "one frame");
+    }
+    let frame = decoder.push::<Command>(end).expect("a whole frame");
+    frame.map(|frame| encoded(&frame))
+}
+
+/// As [`taken_by_board`], for a client.
+fn taken_by_client(wire: &[u8]) -> Result<Vec<u8>, Fault> {
+    let mut decoder = Decoder::<LONGEST>::new();
+    let (&end, before) = wire.split_last().expect("a frame has bytes");
+    for &byte in before {
+        assert!(decoder.push::<Report>(byte).is_none(), "one frame");
+    }
+    let frame = decoder.push::<Report>(end).expect("a whole frame");
+    frame.map(|frame| encoded(&frame))
+}
+
+/// A tracker's records: every one is a place within 27 m and a unit quaternion, and has a planar pose.
+fn track(traffic: &[u8]) {
+    let mut decoder = LogitechDecoder::new();
+    let axis = |index| Axis {
+        index,
+        negative: false,
+    };
+    let mut projection = Projection::<f32>::new([axis(0), axis(2)]).expect("two axes");
+    for record in traffic.iter().filter_map(|&byte| decoder.push(byte)) {
+        // 2^20 thousandths of an inch.
+        assert!(record.position.iter().all(|x| x.abs() <= 26.634));
+        let squares: f32 = record.orientation.iter().map(|q| q * q).sum();
+        assert!((squares - 1.0).abs() < 1e-5, "{record:?}");
+        let hand = record.sample(1).map(|sample| projection.planar(&sample));
+        assert!(hand.is_none_or(|hand| hand.is_some_and(|hand| hand.is_finite())));
+    }
+}
+
+/// Pieces, each with its length before it, as frames with a right checksum.
+pub(crate) fn sealed(mut pieces: &[u8]) -> Vec<u8> {
+    let mut traffic = Vec::new();
+    while let Some((&length, rest)) = pieces.split_first() {
+        let (piece, rest) = rest.split_at(rest.len().min(length.into()));
+        let crc = crc::Crc::<u32>::new(&crc::CRC_32_ISO_HDLC).checksum(piece);
+        let frame = [piece, &crc.to_le_bytes()].concat();
+        let mut stuffed = vec![0; cobs::max_encoding_length(frame.len())];
+        let length = cobs::encode(&frame, &mut stuffed);
+        traffic.extend_from_slice(&stuffed[..length]);
+        traffic.push(0);
+        pieces = rest;
+    }
+    traffic
+}

@@ -1,0 +1,46 @@
+//! The kept inputs of fuzzing: what reaches far into the code, and what was once a fault.
+
+use std::fs;
+use std::path::Path;
+
+/// Checks every input of a target, in the order of their names.
+fn kept(target: &str, check: fn(&[u8])) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("corpus")
+        .join(target);
+    let mut files: Vec<_> = fs::read_dir(&folder)
+        .expect("a corpus")
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    files.sort();
+    assert!(
+        files.len() > 10,
+        "{} has {} inputs",
+        folder.display(),
+        files.len()
+    );
+    for file in files {
+        println!("{}", file.display());
+        check(&fs::read(&file).expect("an input"));
+    }
+}
+
+#[test]
+fn wire() {
+    kept("wire", stiction_fuzz::wire);
+}
+
+#[test]
+fn scene_file() {
+    kept("scene_file", stiction_fuzz::scene_file);
+}
+
+#[test]
+fn hand_path() {
+    kept("hand_path", stiction_fuzz::hand_path);
+}
+
+#[test]
+fn solver() {
+    kept("solver", stiction_fuzz::solver);
+}

@@ -1,0 +1,83 @@
+//! Where no motion is consistent the body stays, out of balance, and every frame says so (STATICS 9, rule 8).
+
+use stiction_core::{Evolution, Status};
+use stiction_tests::laws::{judge, worst};
+use stiction_tests::{Frame, Number, Run, Setup, test_each};
+
+test_each! {
+    cases::imbalance_is_told_until_the_hand_moves,
+    cases::slot_without_friction_bears_nothing_along_it,
+    cases::straight_across_a_slot_the_weight_is_borne,
+}
+
+mod cases {
+    use super::*;
+
+    #[track_caller]
+    fn lawful_or_said<R: Number>(setup: &Setup, frame: &Frame) {
+        let finding = worst(judge::<R>(setup, frame));
+        assert!(finding.holds(), "{}: {finding:?}: {frame:?}", R::NAME);
+    }
+
+    /// A heavy point on a smooth slope is held straight below itself along the slope: a pull that turns it neither way. What
+    /// a number type takes for no way to turn stays out of balance; that it does, is told as long as the hand rests there.
+    pub(super) fn imbalance_is_told_until_the_hand_moves<R: Number>(evolution: Evolution) {
+        let slope = 15f64.to_radians();
+        let (sin, cos) = slope.sin_cos();
+        let setup = Setup::new(&[[0.05, 0.0]])
+            .held_at([0.0, 0.0])
+            .springs(500.0, 0.0)
+            .weighing(148.4375)
+            .surface([-sin, cos], 0.0, [0.0, 0.0])
+            .at([0.0, 0.0, slope]);
+        let rest = [0.0, 0.0, slope];
+        let mut run = Run::<R>::start(&setup, evolution, rest);
+        lawful_or_said::<R>(&setup, &run.frame);
+        let first = run.frame.status;
+        println!("{first:?}");
+        run.step([f64::NAN, 0.0, slope]);
+        assert_eq!(run.frame.status, Status::HeldLast);
+        for _ in 0..3 {
+            lawful_or_said::<R>(&setup, run.step(rest));
+            assert_eq!(run.frame.status, first);
+        }
+        // A hand a little to the side ends the dilemma.
+        lawful_or_said::<R>(&setup, run.step([0.0, 0.01, slope]));
+        assert_eq!(run.frame.status, Status::Ok);
+    }
+
+    /// A point between a floor and two ceilings at the same height: no friction, so the hand takes it along.
+    pub(super) fn slot_without_friction_bears_nothing_along_it<R: Number>(evolution: Evolution) {
+        let setup = Setup::point()
+            .held_at([0.1, 0.0])
+            .springs(10.0, 0.0)
+            .floor([0.0, 0.0])
+            .surface([0.0, -1.0], 0.0, [0.0, 0.0])
+            .surface([0.0, -1.0], 0.0, [0.0, 0.0]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.1, 0.0, 0.0]);
+        for frame in run.lead([0.3, 0.01, 0.0], 4) {
+            lawful_or_said::<R>(&setup, &frame);
+            assert!(frame.status <= Status::EventLimit, "{frame:?}");
+            let [fx, _, _] = frame.wrench;
+            assert!(fx.abs() <= 1e3 * R::ROUNDING, "{}: {fx} N", R::NAME);
+        }
+    }
+
+    /// A rhombus that stands on one tip and touches the ceiling with the other: the floor bears its weight.
+    pub(super) fn straight_across_a_slot_the_weight_is_borne<R: Number>(evolution: Evolution) {
+        let setup = Setup::new(&[[0.05, 0.0], [0.0, 0.03], [-0.05, 0.0], [0.0, -0.03]])
+            .springs(1.0, 1e-3)
+            .weighing(0.002)
+            .floor([0.0, 0.0])
+            .surface([0.0, -1.0], -0.06, [0.0, 0.0])
+            .at([0.0, 0.03, 0.0]);
+        let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.03, 0.0]);
+        assert_eq!(run.frame.status, Status::Ok);
+        lawful_or_said::<R>(&setup, &run.frame);
+        for hand in [[0.01, 0.03, 0.0], [0.01, 0.03, 0.2], [0.02, 0.02, -0.1]] {
+            for frame in run.lead(hand, 4) {
+                lawful_or_said::<R>(&setup, &frame);
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! The documentation of the solver says what the code does: the picture and the table of the contact states are those of its
+//! transition table, and every equation and section that the code cites is there.
+
+use std::fs;
+use std::path::Path;
+use stiction_tests::diagram::{Area, Diagram, SIZE, document, table};
+
+fn diagram() -> Diagram {
+    Diagram::new().expect("a way for every arm")
+}
+
+#[test]
+fn the_picture_is_what_the_command_writes() {
+    let kept = fs::read_to_string(document("states.svg")).expect("core/states.svg");
+    let drawn = diagram().svg().expect("a string");
+    assert!(
+        kept == drawn,
+        "core/states.svg is old: cargo run -p stiction-tests --bin state_diagram"
+    );
+}
+
+#[test]
+fn no_words_overlap_and_all_are_within_the_picture() {
+    let areas = diagram().areas();
+    for (i, a) in areas.iter().enumerate() {
+        let Area([x, y, width, height]) = *a;
+        assert!(x >= 0.0 && y >= 0.0 && x + width <= SIZE[0] && y + height <= SIZE[1]);
+        for b in &areas[..i] {
+            assert!(!a.meets(b, 0.0), "{a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn the_table_is_what_the_command_writes() {
+    let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
+    assert!(
+        statics.contains(&table()),
+        "core/STATICS.md is old: cargo run -p stiction-tests --bin state_diagram"
+    );
+}
+
+/// A line without text would end the picture within Markdown.
+#[test]
+fn markdown_takes_the_picture_whole() {
+    let svg = diagram().svg().expect("a string");
+    assert!(svg.lines().all(|line| !line.trim().is_empty()));
+}
+
+/// The text of all sources below a folder.
+fn sources(folder: &Path, text: &mut String) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            sources(&path, text);
+        } else {
+            *text += &fs::read_to_string(&path).expect("a source");
+        }
+    }
+}
+
+/// What follows a mark, as long as it is of digits and dots.
+fn cited(text: &str, mark: &str) -> Vec<String> {
+    let numbers = text.split(mark).skip(1).map(|after| {
+        let end = after.find(|c: char| !c.is_ascii_digit() && c != '.');
+        after[..end.unwrap_or(after.len())]
+            .trim_end_matches('.')
+            .to_owned()
+    });
+    numbers.filter(|number| !number.is_empty()).collect()
+}
+
+#[test]
+fn what_the_code_cites_is_there() {
+    let mut code = String::new();
+    sources(&document("src"), &mut code);
+    let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
+    let (equations, sections) = (cited(&code, "(E"), cited(&code, "STATICS "));
+    assert!(equations.len() > 10 && sections.len() > 10);
+    for number in equations {
+        let numbered =
+            |line: &str| line.starts_with("    ") && line.ends_with(&format!(" (E{number})"));
+        assert_eq!(
+            statics.lines().filter(|line| numbered(line)).count(),
+            1,
+            "(E{number})"
+        );
+    }
+    for number in sections {
+        let heading = if number.contains('.') {
+            format!("### {number} ")
+        } else {
+            format!("## {number}. ")
+        };
+        assert!(statics.contains(&heading), "{heading}");
+    }
+}
