@@ -11,9 +11,8 @@ use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver, narrow_hand};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, footprint, job};
 use stiction_host_sim::number::Number;
-use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
-use stiction_scene::{BoardNumber, SceneModel, Source, rust_source};
+use stiction_scene::{BoardNumber, HostSolver, Motion, SceneFile, SceneModel, Source, rust_source};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -122,7 +121,7 @@ fn main() -> Outcome<()> {
 /// A bundled scene along its hand's path on a board.
 fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
     let source = scenes::find(name.as_ref()).ok_or("no such scene")?;
-    let scene = SceneFile::parse(source, Number::F32)?;
+    let scene = SceneFile::parse(source, Number::F32.limit())?;
     let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
         return Err("a scene without keyframes".into());
     };
@@ -192,7 +191,7 @@ fn flash(build: Build, size: &Size, evolution: Evolution) -> Outcome<u64> {
          [spring]\ntranslation = 500.0\nrotation = 0.5\n\
          [friction]\nstatic = {friction:?}\ndynamic = 0.0\n{surfaces}"
     );
-    let scene = SceneFile::parse(Source::new("size.toml", text), Number::F32)?;
+    let scene = SceneFile::parse(Source::new("size.toml", text), Number::F32.limit())?;
     let code = rust_source(
         &scene,
         SceneModel::smallest(&scene),

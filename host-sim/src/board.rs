@@ -42,6 +42,7 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use stiction_core::Evolution;
 use stiction_core::frame::{Mode, NumberType};
+use stiction_scene::SceneFile;
 
 pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
@@ -55,7 +56,6 @@ use crate::number::Number;
 use crate::record::Run;
 use crate::recording::Head;
 use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
-use crate::scene_file::SceneFile;
 use crate::settings::Settings;
 use crate::trace::Format;
 use crate::{report, scenes};

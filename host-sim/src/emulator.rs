@@ -18,10 +18,9 @@ use std::process::Command;
 
 use stiction_core::Hand;
 use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
-use stiction_scene::BoardNumber;
+use stiction_scene::{BoardNumber, SceneFile};
 use stiction_tools::process::{EmulatorError, output_of};
 
-use crate::scene_file::SceneFile;
 use image::Image;
 
 /// An emulated board.

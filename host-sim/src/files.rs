@@ -4,7 +4,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::hand_path::Sample;
+use stiction_scene::Sample;
+
 use crate::record::{Frame, Run};
 use crate::recording::{Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};

@@ -18,7 +18,7 @@ use std::thread;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use stiction_core::{Evolution, Fixed, Hand};
-use stiction_scene::{InputError, SceneModel};
+use stiction_scene::{InputError, SceneFile, SceneModel};
 use stiction_tools::process::EmulatorError;
 use stiction_tools::readme::Section;
 
@@ -26,7 +26,6 @@ use crate::emulator::Chip;
 use crate::number::Number;
 use crate::report;
 use crate::run::{open_path, open_scene};
-use crate::scene_file::SceneFile;
 use table::{Row, Table};
 
 /// The arguments of `stiction footprint`.

@@ -1,11 +1,13 @@
 //! Runs scene files through `stiction-core` on a computer. From a scene file and a hand's path to a trace:
 //!
 //! ```text
-//! scene.toml ─ scene_file ─┐
-//!                          ├─ simulate ─ record ─┬─ trace (JSON Lines, CSV)
-//! hand.csv ─── hand_path ──┘                     ├─ summary
-//!                                                └─ plot
+//! scene.toml ─ SceneFile ─┐
+//!                         ├─ simulate ─ record ─┬─ trace (JSON Lines, CSV)
+//! hand.csv ─── HandPath ──┘                     ├─ summary
+//!                                               └─ plot
 //! ```
+//!
+//! Both are read by `stiction-scene`.
 //!
 //! [`check`] judges a trace by the laws alone.
 //!
@@ -25,7 +27,6 @@ pub mod check;
 pub mod emulator;
 mod files;
 pub mod footprint;
-pub mod hand_path;
 pub mod number;
 pub mod plot;
 pub mod record;
@@ -33,7 +34,6 @@ mod recording;
 pub mod replay;
 mod report;
 pub mod run;
-pub mod scene_file;
 pub mod scenes;
 pub mod settings;
 pub mod simulate;

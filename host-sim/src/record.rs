@@ -2,10 +2,9 @@
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
 use stiction_core::{Event, Evolution, Model, Output, Real, SiFloat, State, StateKind, Status};
-use stiction_scene::SurfaceInfo;
+use stiction_scene::{HostSolver, SceneFile, SurfaceInfo};
 
 use crate::number::Number;
-use crate::scene_file::{HostSolver, SceneFile};
 
 /// A recorded run.
 #[derive(Clone, Debug)]

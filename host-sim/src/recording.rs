@@ -17,11 +17,10 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use stiction_core::{Angle, Hand};
+use stiction_scene::{Sample, SceneFile};
 use tempfile::NamedTempFile;
 
-use crate::hand_path::Sample;
 use crate::record::{Frame, Run};
-use crate::scene_file::SceneFile;
 use crate::settings::Settings;
 use crate::trace::{Record, part};
 

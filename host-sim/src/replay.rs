@@ -7,16 +7,14 @@ use serde_json::Value;
 use stiction_core::{
     Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, State, narrow_hand,
 };
-use stiction_scene::{InputError, Source};
+use stiction_scene::{HostSolver, InputError, Sample, SceneFile, Source};
 
 use crate::files::{Files, WriteError};
-use crate::hand_path::Sample;
 use crate::number::Number;
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
 use crate::run::{evolution_named, parse_trace};
-use crate::scene_file::{HostSolver, SceneFile};
 use crate::trace::{Format, Record};
 
 /// The arguments of `stiction replay`.
@@ -121,7 +119,7 @@ fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
         ))
     })?;
     let source = Source::new(recording.scene_name(), head.scene.as_str());
-    let scene = SceneFile::parse(source, number)?;
+    let scene = SceneFile::parse(source, number.limit())?;
     let run = Run::of(&scene, number, evolution);
     Ok((scene, run))
 }

@@ -7,16 +7,14 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use stiction_core::Evolution;
-use stiction_scene::InputError;
+use stiction_scene::{HandPath, InputError, Motion, SceneFile};
 
 use crate::files::{Files, WriteError};
-use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::plot::{self, PlotError};
 use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
-use crate::scene_file::{Motion, SceneFile};
 use crate::scenes;
 use crate::settings::Settings;
 use crate::summary::Summary;
@@ -132,10 +130,10 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
 /// A scene file, or the bundled scene of a name.
 pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
     if name.exists() {
-        return SceneFile::read(name, number);
+        return SceneFile::read(name, number.limit());
     }
     match scenes::find(name) {
-        Some(source) => SceneFile::parse(source, number),
+        Some(source) => SceneFile::parse(source, number.limit()),
         None => Err(InputError::of_file(name, scenes::unknown())),
     }
 }

@@ -6,13 +6,11 @@ use std::time::Duration;
 
 use clap::Args;
 use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
-use stiction_scene::InputError;
+use stiction_scene::{InputError, Sample, SceneFile};
 
-use crate::hand_path::Sample;
 use crate::number::Number;
 use crate::record::Frame;
 use crate::run::{evolution_parser, parse_rate};
-use crate::scene_file::SceneFile;
 use crate::simulate::simulate;
 
 /// What may be chosen besides the scene.

@@ -3,10 +3,9 @@
 use std::time::{Duration, Instant};
 
 use stiction_core::{Real, SiFloat, narrow_hand};
+use stiction_scene::{HostSolver, Sample};
 
-use crate::hand_path::Sample;
 use crate::record::Frame;
-use crate::scene_file::HostSolver;
 
 /// So many steps are timed together, so that the clock costs nothing beside them.
 const BATCH: usize = 64;

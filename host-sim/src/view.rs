@@ -50,11 +50,10 @@ use std::time::Duration;
 use axum::serve::ListenerExt;
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_scene::InputError;
+use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE, stop};
-use crate::hand_path::HandPath;
 use crate::number::Number;
 use crate::report;
 use crate::run::{evolution_parser, open_scene, parse_rate};

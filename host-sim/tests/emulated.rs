@@ -6,9 +6,8 @@ use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
 use stiction_host_sim::number::Number;
-use stiction_host_sim::scene_file::{HostSolver, Motion, SceneFile};
 use stiction_host_sim::scenes;
-use stiction_scene::{BoardNumber, SceneModel, rust_source};
+use stiction_scene::{BoardNumber, HostSolver, Motion, SceneFile, SceneModel, rust_source};
 use stiction_tools::process::{EmulatorError, if_installed};
 
 fn scene() -> SceneFile {
@@ -17,7 +16,7 @@ fn scene() -> SceneFile {
 
 fn bundled(name: &str) -> SceneFile {
     let source = scenes::find(name.as_ref()).unwrap();
-    SceneFile::parse(source, Number::F32).unwrap()
+    SceneFile::parse(source, Number::F32.limit()).unwrap()
 }
 
 /// The answers of the solver on this machine.

@@ -5,7 +5,7 @@ use crate::source::{InputError, Source, excerpt};
 
 /// Checks values of one file.
 #[derive(Clone, Copy, Debug)]
-pub struct Check<'a> {
+pub(crate) struct Check<'a> {
     source: &'a Source,
     /// The largest size of a number.
     limit: f64,
@@ -13,22 +13,22 @@ pub struct Check<'a> {
 
 impl<'a> Check<'a> {
     /// Checks values of `source`, which may be as large as `limit`.
-    pub const fn new(source: &'a Source, limit: f64) -> Self {
+    pub(crate) const fn new(source: &'a Source, limit: f64) -> Self {
         Self { source, limit }
     }
 
     /// The file.
-    pub const fn source(&self) -> &'a Source {
+    pub(crate) const fn source(&self) -> &'a Source {
         self.source
     }
 
     /// The largest size of a number.
-    pub const fn limit(&self) -> f64 {
+    pub(crate) const fn limit(&self) -> f64 {
         self.limit
     }
 
     /// A number.
-    pub fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+    pub(crate) fn number(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = *given.get_ref();
         self.finite(value)
             .map_err(|allowed| self.error(key, given, &allowed))?;
@@ -36,7 +36,7 @@ impl<'a> Check<'a> {
     }
 
     /// A number that may be absent.
-    pub fn number_or(
+    pub(crate) fn number_or(
         &self,
         key: &str,
         given: Option<&Number>,
@@ -46,7 +46,7 @@ impl<'a> Check<'a> {
     }
 
     /// A number above zero.
-    pub fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
+    pub(crate) fn positive(&self, key: &str, given: &Number) -> Result<f64, InputError> {
         let value = self.number(key, given)?;
         if value > 0.0 {
             Ok(value)
@@ -56,7 +56,7 @@ impl<'a> Check<'a> {
     }
 
     /// N numbers; `names` says which.
-    pub fn numbers<const N: usize>(
+    pub(crate) fn numbers<const N: usize>(
         &self,
         key: &str,
         given: &Numbers,
@@ -81,7 +81,7 @@ impl<'a> Check<'a> {
     }
 
     /// "`key` is value, allowed: ...", with the line.
-    pub fn error<T: std::fmt::Debug>(
+    pub(crate) fn error<T: std::fmt::Debug>(
         &self,
         key: &str,
         given: &toml::Spanned<T>,

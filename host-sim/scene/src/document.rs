@@ -5,9 +5,9 @@ use serde::Deserialize;
 use toml::Spanned;
 
 /// A number with its place.
-pub type Number = Spanned<f64>;
+pub(crate) type Number = Spanned<f64>;
 /// An array of numbers with its place.
-pub type Numbers = Spanned<Vec<f64>>;
+pub(crate) type Numbers = Spanned<Vec<f64>>;
 
 /// The whole file.
 #[derive(Clone, Debug, Deserialize)]
@@ -74,20 +74,20 @@ pub(crate) struct Surface {
     pub(crate) slip: Option<Number>,
 }
 
-/// `[hand]`: a program that runs the scene says whether its values are good.
+/// `[hand]`
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Hand {
+pub(crate) struct Hand {
     /// Frames per second (Hz).
-    pub rate: Option<Number>,
+    pub(crate) rate: Option<Number>,
     /// t (s), x, y (m), phi (rad) and whether it holds, of each.
-    pub keyframes: Option<Spanned<Vec<Numbers>>>,
+    pub(crate) keyframes: Option<Spanned<Vec<Numbers>>>,
     /// A file with a recorded path.
-    pub path: Option<Spanned<String>>,
+    pub(crate) path: Option<Spanned<String>>,
     /// The axes of the path that become x and y.
-    pub plane: Option<Spanned<String>>,
+    pub(crate) plane: Option<Spanned<String>>,
     /// Factor on positions.
-    pub scale: Option<Number>,
+    pub(crate) scale: Option<Number>,
     /// Added after scaling: x, y (m), phi (rad).
-    pub origin: Option<Numbers>,
+    pub(crate) origin: Option<Numbers>,
 }

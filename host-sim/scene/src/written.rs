@@ -6,7 +6,7 @@ use std::path::Path;
 use stiction_core::{Description, Model, Real, Scene, SiFloat, SurfaceDescription};
 
 use crate::check::Check;
-use crate::document::{Body, Document, Hand};
+use crate::document::{Body, Document};
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
 
@@ -117,11 +117,6 @@ impl WrittenScene {
     /// The file.
     pub const fn source(&self) -> &Source {
         &self.source
-    }
-
-    /// `[hand]`, unchecked.
-    pub const fn hand(&self) -> &Hand {
-        &self.document.hand
     }
 }
 

@@ -2,11 +2,12 @@
 
 use std::time::Duration;
 
+use stiction_scene::Sample;
+
 use super::counts::Counts;
 use super::error::BoardError;
 use super::print::Screen;
 use crate::files::Files;
-use crate::hand_path::Sample;
 use crate::record::Frame;
 
 /// Is told how a stream goes.

@@ -1,10 +1,10 @@
 //! Where samples come from, in real time: a path, or the tracker as it goes.
 
+use stiction_scene::Sample;
+
 use std::collections::VecDeque;
 use std::iter::Peekable;
 use std::time::{Duration, Instant};
-
-use crate::hand_path::Sample;
 
 /// Samples that wait for the line: an older hand is of no use.
 const MOST_WAITING: usize = 2;

@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 
 use stiction_core::frame::Pose;
 use stiction_core::{Hand, Status};
+use stiction_scene::Sample;
 
 use super::verify::Expected;
-use crate::hand_path::Sample;
 
 /// Sequence numbers repeat after 256: an older sample can no longer be told from a newer one.
 const MOST: usize = 128;

@@ -12,10 +12,10 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use serial2::SerialPort;
+use stiction_scene::Sample;
 
 use super::error::BoardError;
 use super::wish::Wish;
-use crate::hand_path::Sample;
 
 /// A reader looks so often whether it is still wanted.
 const BREATH: Duration = Duration::from_millis(50);

@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use stiction_core::Evolution;
 use stiction_core::frame::NumberType;
+use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
 use super::audience::Audience;
@@ -21,10 +22,8 @@ use super::setup::Setup;
 use super::stop;
 use super::stream::Stream;
 use super::wish::Wish;
-use crate::hand_path::Sample;
 use crate::number::Number;
 use crate::record::Frame;
-use crate::scene_file::SceneFile;
 
 /// How the board fares is told so often.
 const EVERY: Duration = Duration::from_millis(250);

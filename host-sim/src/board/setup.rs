@@ -7,14 +7,12 @@ use stiction_core::Evolution;
 use stiction_core::frame::{
     Command, Mode, Parameters, Reason, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
 };
-
-use stiction_scene::SurfaceInfo;
+use stiction_scene::{SceneFile, SurfaceInfo};
 
 use super::error::BoardError;
 use super::heard::{About, Answer};
 use super::refusal::explain;
 use super::session::{Mail, Session};
-use crate::scene_file::SceneFile;
 
 /// The board tells so often how it fares (ms).
 const HEALTH_EVERY: u16 = 250;

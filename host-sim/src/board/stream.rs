@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use stiction_core::frame::{Command, Reason};
 use stiction_core::narrow_hand;
+use stiction_scene::Sample;
 
 use super::address::{Address, ConnectArgs};
 use super::audience::Audience;
@@ -20,7 +21,6 @@ use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::stop;
 use super::verify::{Twin, Verdict};
-use crate::hand_path::Sample;
 
 /// Samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;

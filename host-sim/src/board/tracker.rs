@@ -10,10 +10,10 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use stiction_core::TrackerSample;
 use stiction_core::frame::{LOGITECH_REQUEST, LogitechDecoder, LogitechRecord};
+use stiction_scene::{LivePlacement, Placement, Sample};
 
 use super::error::BoardError;
 use super::link::{Link, News, reason};
-use crate::hand_path::{LivePlacement, Placement, Sample};
 
 /// Of the tracker's line.
 const BAUD: u32 = 19_200;

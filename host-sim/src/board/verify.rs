@@ -6,11 +6,10 @@ use stiction_core::frame::{EventSet, Mode, NumberType};
 use stiction_core::{
     Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, State, Wrench,
 };
-use stiction_scene::{InputError, SURFACES, VERTICES};
+use stiction_scene::{InputError, SURFACES, SceneFile, VERTICES};
 
 use super::heard::About;
 use super::steps::Step;
-use crate::scene_file::SceneFile;
 
 /// What the host's solver makes of a sample.
 #[derive(Clone, Debug)]

@@ -2,11 +2,10 @@
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::Setting;
-use stiction_scene::{SceneModel, rust_source};
+use stiction_scene::{SceneFile, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
 
 use crate::emulator::{Chip, Counted, Counter, Profile, footprint, job};
-use crate::scene_file::SceneFile;
 
 /// What a model takes on a chip. Instructions and stack are those of the build for speed.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,13 +7,12 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
-use stiction_scene::{InputError, Source};
+use stiction_scene::{InputError, SceneFile, Source};
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 use toml::{Spanned, Table, Value};
 
 use super::axis::{Axis, one_of};
 use super::key::{self, Key};
-use crate::scene_file::SceneFile;
 use crate::scenes;
 use crate::settings::Settings;
 
@@ -189,7 +188,7 @@ impl Point<'_> {
             .map_err(|problem| source.error(problem))?;
         }
         let text = toml::to_string(&table).map_err(|error| source.error(error))?;
-        let scene = SceneFile::parse(Source::new(source.file(), text), settings.number)?;
+        let scene = SceneFile::parse(Source::new(source.file(), text), settings.number.limit())?;
         Ok((scene, settings))
     }
 }

@@ -4,9 +4,9 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use stiction_core::{Hand, Real};
+use stiction_scene::HostSolver;
 
 use crate::emulator::Chip;
-use crate::scene_file::HostSolver;
 
 /// What a setting costs on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -6,10 +6,9 @@ use std::ops::Range;
 use std::path::Path;
 
 use stiction_core::{Angle, Hand};
-use stiction_scene::{InputError, Source};
+use stiction_scene::{HandPath, InputError, Placement, Sample, Source};
 
 use super::random::Random;
-use crate::hand_path::{HandPath, Placement, Sample};
 
 /// The scene; the hand holds the box above its middle, which is at (0.05, 0.05) when it lies in the corner.
 pub(super) const SCENE: &str = r#"

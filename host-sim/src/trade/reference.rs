@@ -2,12 +2,10 @@
 //! between two of its frames.
 
 use stiction_core::{Output, State, StateKind, narrow_hand};
-use stiction_scene::InputError;
+use stiction_scene::{HostSolver, InputError, Sample};
 
 use super::setting::{FINEST, Setting};
 use super::suite::Case;
-use crate::hand_path::Sample;
-use crate::scene_file::HostSolver;
 
 /// Where the body is at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! What can be chosen: number type, evolution, dial and frame rate.
 
 use stiction_core::{Evolution, Real, SiFloat, Solver};
+use stiction_scene::{HostScene, HostSolver};
 
 use crate::number::Number;
-use crate::scene_file::{HostScene, HostSolver};
 
 /// Frame rates (Hz): the paper's tracker, a motion capture, a haptic device.
 pub const RATES: [f64; 3] = [31.0, 100.0, FINEST];

@@ -3,13 +3,11 @@
 use std::fmt;
 use std::path::Path;
 
-use stiction_scene::{InputError, Source};
+use stiction_scene::{HandPath, InputError, Motion, SceneFile, Source};
 
 use super::setting::FINEST;
 use super::{hand, random};
-use crate::hand_path::HandPath;
 use crate::number::Number;
-use crate::scene_file::{Motion, SceneFile};
 use crate::scenes;
 
 /// Which part of the suite a scene belongs to.
@@ -51,7 +49,7 @@ pub struct Case {
 impl Case {
     fn new(group: Group, name: String, text: &str) -> Result<Self, InputError> {
         // The limits of f32 are those of the narrowest number type.
-        let scene = SceneFile::parse(Source::new(name, text), Number::F32)?;
+        let scene = SceneFile::parse(Source::new(name, text), Number::F32.limit())?;
         match &scene.hand.motion {
             Some(Motion::Keyframes(path)) => Ok(Self {
                 group,
@@ -126,7 +124,7 @@ impl Suite {
         };
         cases.push(Case {
             group: Group::Hand,
-            scene: SceneFile::parse(Source::new("hand.toml", hand::SCENE), Number::F32)?,
+            scene: SceneFile::parse(Source::new("hand.toml", hand::SCENE), Number::F32.limit())?,
             path,
         });
         Ok(Self { cases, hand })

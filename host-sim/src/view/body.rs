@@ -5,11 +5,11 @@ use std::sync::Arc;
 use stiction_core::{
     Angle, Event, Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
 };
+use stiction_scene::{HostSolver, SceneFile};
 
 use super::carry::{Hold, Present, carried};
 use crate::number::Number;
 use crate::record::Frame;
-use crate::scene_file::{HostSolver, SceneFile};
 
 /// A body in a hand.
 pub(super) trait Body: Send {

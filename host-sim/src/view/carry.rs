@@ -5,8 +5,7 @@ use stiction_core::{
     Angle, Description, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State, Status,
     Wrench, narrow_hand,
 };
-
-use crate::scene_file::{HostSolver, SceneFile};
+use stiction_scene::{HostSolver, SceneFile};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f64 = 1e-4;

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use stiction_scene::Sample;
 use tokio::sync::mpsc::Receiver;
 
 use super::body::Setting;
@@ -22,7 +23,6 @@ use super::remote::Remote;
 use super::replay::{Replay, Way};
 use super::say::{self, By, Recorded, Replayed, Status};
 use super::stage::Stage;
-use crate::hand_path::Sample;
 
 /// From one tick to the next.
 const PERIOD: Duration = Duration::from_millis(1);

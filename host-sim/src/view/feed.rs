@@ -4,13 +4,14 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use stiction_scene::SceneFile;
+
 use super::counts::Counts;
 use super::echo::Echo;
 use super::pair::{Comparison, SlipMark};
 use super::recording::Recording;
 use crate::board::Fares;
 use crate::record::Frame;
-use crate::scene_file::SceneFile;
 
 /// So many records of the past are kept.
 const KEPT: usize = 1024;

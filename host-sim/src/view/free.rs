@@ -1,8 +1,9 @@
 //! The holding point in the world, and where the body would be if nothing were in its way: both follow from the springs'
 //! wrench. World frame, SI units.
 
+use stiction_scene::SceneFile;
+
 use crate::record::Frame;
-use crate::scene_file::SceneFile;
 
 /// Steps of the search for the balance of weight and rotational spring.
 const STEPS: usize = 8;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use serde_json::Number as JsonNumber;
+use stiction_scene::{HandPath, SceneFile};
 use tokio::sync::mpsc::Sender;
 
 use super::body::Setting;
@@ -17,9 +18,7 @@ use super::holder::Source;
 use super::recording::Recording;
 use super::replay::{self, Way};
 use super::stage::{Stage, reread};
-use crate::hand_path::HandPath;
 use crate::number::Number;
-use crate::scene_file::SceneFile;
 use crate::scenes;
 
 /// Steps that wait at most.
@@ -181,7 +180,7 @@ impl Engine {
         let stage = match (own, scenes::find(FilePath::new(name))) {
             (Some(own), _) => own.clone(),
             (None, Some(source)) => {
-                let scene = SceneFile::parse(source, number);
+                let scene = SceneFile::parse(source, number.limit());
                 let stage = scene.and_then(Stage::new);
                 stage.map_err(|error| error.to_string())?
             }

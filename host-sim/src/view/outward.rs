@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use rosc::{OscBundle, OscMessage, OscPacket, OscTime, OscType, decoder, encoder};
+use stiction_scene::SceneFile;
 use tokio::net::UdpSocket;
 use tokio::sync::mpsc::Sender;
 use tokio::time::{MissedTickBehavior, interval};
@@ -16,7 +17,6 @@ use super::hear::FARTHEST;
 use super::holder::Source;
 use super::orders::Order;
 use crate::record::Frame;
-use crate::scene_file::SceneFile;
 
 /// The longest packet that is read: short enough for what is nested in it.
 const PACKET: usize = 2048;

@@ -2,10 +2,11 @@
 
 use std::collections::VecDeque;
 
+use stiction_scene::Sample;
+
 use super::change::{Change, Reply};
 use super::hear::Message;
 use crate::board::{Fares, Identity, LiveBoard, Word};
-use crate::hand_path::Sample;
 
 /// Periods of the engine in a second.
 const PERIODS: u32 = 1000;

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use stiction_scene::{HandPath, Sample};
+
 use super::body::Setting;
 use super::counts::StepTimes;
 use super::pair::Pair;
 use super::recording::Recording;
-use crate::hand_path::{HandPath, Sample};
 
 /// Ticks from one snapshot to the next.
 const SNAPSHOT_EVERY: usize = 500;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::{Number as JsonNumber, json};
-use stiction_scene::SurfaceInfo;
+use stiction_scene::{SceneFile, SurfaceInfo};
 
 use super::body::Setting;
 use super::counts::Counts;
@@ -14,7 +14,6 @@ use super::pair::{Comparison, SlipMark};
 use super::stage::Stage;
 use crate::board::{Fares, Identity};
 use crate::record::Frame;
-use crate::scene_file::SceneFile;
 use crate::trace::Record;
 
 /// Of the protocol.

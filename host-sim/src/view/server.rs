@@ -14,7 +14,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use serde::Deserialize;
 use serde_json::json;
-use stiction_scene::Source;
+use stiction_scene::{HandPath, Source};
 use tokio::sync::{mpsc, watch};
 use tokio::task::spawn_blocking;
 use tokio_util::io::ReaderStream;
@@ -25,7 +25,6 @@ use super::recording::Recording;
 use super::replay::{self, Way};
 use super::{client, page};
 use crate::board::Identity;
-use crate::hand_path::HandPath;
 
 /// The largest path that is uploaded (bytes).
 const LARGEST: usize = 16 << 20;

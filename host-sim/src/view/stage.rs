@@ -3,12 +3,10 @@
 use std::sync::Arc;
 
 use stiction_core::{Angle, Hand};
-use stiction_scene::{InputError, Source};
+use stiction_scene::{HandPath, InputError, Sample, SceneFile, Source};
 
-use crate::hand_path::{HandPath, Sample};
 use crate::number::Number;
 use crate::run::open_path;
-use crate::scene_file::SceneFile;
 
 /// How far from a point or a rod a hand may be at least, and still take hold (m): a hand's tremor.
 const LEAST_REACH: f64 = 1e-4;
@@ -110,6 +108,6 @@ fn quoted(text: &str) -> String {
 pub(super) fn reread(scene: &SceneFile, number: Number) -> Result<(SceneFile, String), InputError> {
     let text = written(scene);
     let name = format!("{}.toml", scene.title);
-    let scene = SceneFile::parse(Source::new(name, text.clone()), number)?;
+    let scene = SceneFile::parse(Source::new(name, text.clone()), number.limit())?;
     Ok((scene, text))
 }

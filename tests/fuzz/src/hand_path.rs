@@ -2,8 +2,7 @@
 //! their times increase, and resampling keeps both ends.
 
 use crate::scene_file::is_clear;
-use stiction_host_sim::hand_path::{HandPath, Placement};
-use stiction_scene::Source;
+use stiction_scene::{HandPath, Placement, Source};
 
 /// The first byte chooses the format and a rate; the others are the file.
 ///

@@ -2,9 +2,7 @@
 //! starts, or refuses with such a message, and code that goes into a board.
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
-use stiction_host_sim::number::Number;
-use stiction_host_sim::scene_file::{Motion, SceneFile};
-use stiction_scene::{InputError, Source};
+use stiction_scene::{InputError, Motion, SceneFile, Source};
 
 /// # Panics
 /// Where something does not hold.
@@ -12,21 +10,17 @@ pub fn scene_file(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else {
         return;
     };
-    for number in Number::ALL {
-        let source = Source::new("scene.toml", text);
-        match SceneFile::parse(source, number) {
-            Err(error) => is_clear(&error),
-            Ok(scene) => match number {
-                Number::F32 => starts::<f32>(&scene),
-                Number::F64 => starts::<f64>(&scene),
-                Number::Fixed => starts::<Fixed>(&scene),
-            },
-        }
-    }
+    starts::<f64>(text, f64::MAX);
+    starts::<f32>(text, f32::MAX.into());
+    starts::<Fixed>(text, f32::MAX.into());
 }
 
 /// A scene that is taken starts with a body where the file has it.
-fn starts<R: Real<Si: SiFloat>>(file: &SceneFile) {
+fn starts<R: Real<Si: SiFloat>>(text: &str, limit: f64) {
+    let file = match SceneFile::parse(Source::new("scene.toml", text), limit) {
+        Err(error) => return is_clear(&error),
+        Ok(file) => file,
+    };
     if let Some(Motion::Keyframes(path)) = &file.hand.motion {
         let times: Vec<_> = path.frames(None).map(|sample| sample.t).collect();
         assert!(times.is_sorted_by(|a, b| a < b), "times increase");
@@ -38,7 +32,7 @@ fn starts<R: Real<Si: SiFloat>>(file: &SceneFile) {
     let solver = Solver::new(scene, Evolution::Path);
     let (_, output) = solver.start(Hand::default());
     let [x, y] = output.position.map(SiFloat::widen);
-    let (theta, length) = (output.angle.radians().widen(), size(file));
+    let (theta, length) = (output.angle.radians().widen(), size(&file));
     assert!(
         [x, y, theta].iter().all(|number| number.is_finite()),
         "{output:?}"

@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use stiction_host_sim::hand_path::Sample;
 use stiction_host_sim::number::Number;
-use stiction_host_sim::scene_file::{Motion, SceneFile};
 use stiction_host_sim::scenes;
+use stiction_scene::{Motion, Sample, SceneFile};
 
 /// x, y (m), angle (rad), of the body or of the hand, world frame.
 pub(crate) type Pose = [f64; 3];
@@ -29,7 +28,8 @@ impl Case {
     /// The bundled scene `file`, at most `frames` long after the first leg.
     pub(crate) fn new(name: &'static str, file: &str, frames: usize) -> Self {
         let source = scenes::find(Path::new(file)).expect("the scene is bundled");
-        let scene = SceneFile::parse(source, Number::F32).expect("a bundled scene is sound");
+        let scene =
+            SceneFile::parse(source, Number::F32.limit()).expect("a bundled scene is sound");
         let Some(Motion::Keyframes(path)) = scene.hand.motion.clone() else {
             panic!("{file}: the hand of a bundled scene moves by keyframes");
         };

@@ -4,8 +4,7 @@
 use std::hint::black_box;
 
 use stiction_core::{Evolution, Hand, State, narrow_hand};
-use stiction_host_sim::hand_path::Sample;
-use stiction_host_sim::scene_file::HostSolver;
+use stiction_scene::{HostSolver, Sample};
 
 use crate::case::{Case, Pose};
 

@@ -3,9 +3,7 @@
 //! damping from one to four times critical; what is here holds the pose best and is as fast as any.
 
 use rapier2d::prelude::*;
-use stiction_host_sim::hand_path::Sample;
-
-use stiction_scene::SurfaceInfo;
+use stiction_scene::{Sample, SurfaceInfo};
 
 use crate::case::{self, Case, hand_pose};
 use crate::engine::Engine;

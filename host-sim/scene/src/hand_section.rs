@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use stiction_scene::{Check, Hand, InputError, Numbers};
-
+use crate::check::Check;
+use crate::document::{Hand, Numbers};
 use crate::hand_path::{HandPath, Placement, Row, RowPose, parse_plane};
+use crate::source::InputError;
 
 /// Where the hand's motion comes from.
 #[derive(Clone, Debug)]

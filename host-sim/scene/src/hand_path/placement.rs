@@ -2,10 +2,10 @@
 //! origin.
 
 use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
-use stiction_scene::{InputError, Source};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
+use crate::source::{InputError, Source};
 
 /// Plane, scale and origin of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,7 +72,7 @@ impl Placement {
     }
 
     /// For samples that are placed as they come.
-    pub(crate) fn live(&self) -> Option<LivePlacement> {
+    pub fn live(&self) -> Option<LivePlacement> {
         Some(LivePlacement {
             placement: *self,
             projection: Projection::new(self.axes)?,
@@ -100,14 +100,14 @@ impl Placement {
 
 /// Places samples of a tracker as they come; the angle is unwrapped from one to the next.
 #[derive(Clone, Debug)]
-pub(crate) struct LivePlacement {
+pub struct LivePlacement {
     placement: Placement,
     projection: Projection<f64>,
 }
 
 impl LivePlacement {
     /// The hand of a sample; one that is not finite where there is none, or where it is out of range.
-    pub(crate) fn hand(&mut self, sample: Option<&TrackerSample<f64>>) -> Hand<f64> {
+    pub fn hand(&mut self, sample: Option<&TrackerSample<f64>>) -> Hand<f64> {
         let recorded = sample.and_then(|sample| self.projection.planar(sample));
         match recorded.map(|hand| self.placement.placed(&hand)) {
             Some(hand) if self.placement.fits(&hand) => hand,
@@ -128,7 +128,7 @@ const NOWHERE: Hand<f64> = Hand {
 };
 
 /// Two different axes, each with an optional minus: "xy", "-xz", "x-y".
-pub fn parse_plane(text: &str) -> Option<[Axis; 2]> {
+pub(crate) fn parse_plane(text: &str) -> Option<[Axis; 2]> {
     let mut letters = text.chars();
     let mut axis = || {
         let (negative, letter) = match letters.next()? {

@@ -1,15 +1,14 @@
 //! A scene file with the motion of its hand: from TOML to a checked [`Scene`] of the solver and a path.
 
-mod hand_section;
-
 use std::ops::Deref;
 use std::path::Path;
 
 use stiction_core::{Full, Model, Real, Scene, SiFloat, Solver};
-use stiction_scene::{Check, InputError, SURFACES, Source, VERTICES, WrittenScene};
 
-use crate::number::Number;
-pub use hand_section::{HandSection, Motion};
+use crate::check::Check;
+use crate::hand_section::HandSection;
+use crate::source::{InputError, Source};
+use crate::written::{SURFACES, VERTICES, WrittenScene};
 
 /// A scene with the capacities of the host.
 pub type HostScene<R> = Scene<R, VERTICES, SURFACES>;
@@ -28,22 +27,22 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads a scene file for a number type.
+    /// Reads a scene file for a number type whose largest number is `limit`.
     ///
     /// # Errors
     /// The file cannot be read, is not TOML, or a key is unknown, missing, of the wrong type or out of range.
-    pub fn read(file: &Path, number: Number) -> Result<Self, InputError> {
-        Self::parse(Source::read(file)?, number)
+    pub fn read(file: &Path, limit: f64) -> Result<Self, InputError> {
+        Self::parse(Source::read(file)?, limit)
     }
 
     /// Reads a scene from text.
     ///
     /// # Errors
     /// As [`SceneFile::read`].
-    pub fn parse(source: Source, number: Number) -> Result<Self, InputError> {
-        let written = WrittenScene::parse(source, number.limit())?;
-        let check = Check::new(written.source(), number.limit());
-        let hand = HandSection::new(check, written.hand())?;
+    pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
+        let written = WrittenScene::parse(source, limit)?;
+        let check = Check::new(written.source(), limit);
+        let hand = HandSection::new(check, &written.document.hand)?;
         Ok(Self { written, hand })
     }
 

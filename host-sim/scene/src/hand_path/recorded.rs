@@ -4,7 +4,8 @@
 use std::path::Path;
 
 use stiction_core::TrackerSample;
-use stiction_scene::{InputError, Source, excerpt};
+
+use crate::source::{InputError, Source, excerpt};
 
 const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];

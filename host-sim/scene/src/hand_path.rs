@@ -3,14 +3,15 @@
 mod placement;
 mod recorded;
 
-pub(crate) use placement::LivePlacement;
-pub use placement::{Placement, parse_plane};
+pub(crate) use placement::parse_plane;
+pub use placement::{LivePlacement, Placement};
 pub(crate) use recorded::{Row, RowPose};
 
 use std::path::Path;
 
 use stiction_core::{Angle, Hand};
-use stiction_scene::{InputError, Source};
+
+use crate::source::{InputError, Source};
 
 /// The planar hand at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +67,7 @@ impl HandPath {
     }
 
     /// How many samples there are.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.samples.len()
     }
 
@@ -94,7 +95,7 @@ impl HandPath {
     }
 
     /// Frame `k` of [`Self::frames`] at a rate (Hz), found without those before it.
-    pub(crate) fn sample(&self, k: usize, rate: f64) -> Option<Sample> {
+    pub fn sample(&self, k: usize, rate: f64) -> Option<Sample> {
         if k >= self.frame_count(Some(rate)) {
             return None;
         }
@@ -105,8 +106,10 @@ impl HandPath {
 
     /// The time of frame `k` (s).
     fn time(&self, k: usize, rate: f64) -> f64 {
-        let (first, last) = (self.samples[0], self.samples[self.samples.len() - 1]);
-        (first.t + k as f64 / rate).min(last.t)
+        if k + 1 == self.frame_count(Some(rate)) {
+            return self.samples[self.samples.len() - 1].t;
+        }
+        self.samples[0].t + k as f64 / rate
     }
 
     fn resampled(&self, k: usize, rate: f64, reached: &mut usize) -> Sample {
