@@ -37,7 +37,6 @@ struct Size {
     normals: &'static [[f64; 2]],
 }
 
-const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 const DRAGGED: [&str; 2] = ["vertex-stick-slip", "box-flat"];
 
 const BOX: &str = "rectangle = [0.10, 0.06]";
@@ -100,7 +99,7 @@ fn main() -> Outcome<()> {
     );
     for build in Build::ALL {
         for scene in DRAGGED {
-            for evolution in EVOLUTIONS {
+            for evolution in Evolution::ALL {
                 println!("{}", dragged(build, scene, evolution)?);
             }
         }
@@ -110,7 +109,7 @@ fn main() -> Outcome<()> {
     );
     for build in Build::ALL {
         for size in &SIZES {
-            let [path, frame] = EVOLUTIONS.map(|evolution| flash(build, size, evolution));
+            let [path, frame] = Evolution::ALL.map(|evolution| flash(build, size, evolution));
             let (path, frame) = (path?, frame?);
             println!("| {} | {} | {path} | {frame} |", build.title(), size.name);
         }

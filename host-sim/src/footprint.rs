@@ -71,9 +71,6 @@ const SCENES: [&str; 8] = [
     "point-frictionless",
 ];
 
-/// How a frame can be evolved.
-const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
-
 /// A scene and its hand in every frame.
 struct Case {
     scene: SceneFile,
@@ -143,7 +140,7 @@ fn heading(case: &Case) -> String {
 
 /// The rows of a scene, behind a progress bar.
 fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
-    let models = Chip::ALL.len() * EVOLUTIONS.len() * 2;
+    let models = Chip::ALL.len() * Evolution::ALL.len() * 2;
     let bar = &ProgressBar::new(models as u64);
     let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -180,5 +177,5 @@ fn of_chip(chip: Chip, case: &Case, bar: &ProgressBar) -> Result<Vec<Row>, Emula
             full: of(model.full())?,
         })
     };
-    EVOLUTIONS.into_iter().map(row).collect()
+    Evolution::ALL.into_iter().map(row).collect()
 }

@@ -16,6 +16,7 @@ mod front;
 mod hand;
 mod measure;
 mod random;
+mod readme;
 mod reference;
 mod report;
 mod setting;
@@ -38,12 +39,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 use stiction_scene::InputError;
 use stiction_tools::machine::processor;
 use stiction_tools::process::EmulatorError;
-use stiction_tools::readme::Section;
 
 use crate::plot::{self, PlotError};
 use emulated::Count;
 use files::Folder;
 use front::Place;
+use readme::Readme;
 
 /// The arguments of `stiction trade`.
 #[derive(Args, Clone, Debug)]
@@ -60,9 +61,10 @@ pub struct TradeArgs {
     /// Counts instructions, flash and memory on emulated Cortex-M4F and Cortex-M0 as well (needs QEMU)
     #[arg(long)]
     pub emulated: bool,
-    /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well
+    /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well, and in short
+    /// between <!-- settings: begin --> and <!-- settings: end -->, where it has them; can be given again for other files
     #[arg(long, value_name = "FILE")]
-    pub readme: Option<PathBuf>,
+    pub readme: Vec<PathBuf>,
 }
 
 /// Why there are no results.
@@ -98,27 +100,25 @@ pub enum TradeError {
     Plot(#[from] PlotError),
 }
 
+impl TradeError {
+    /// That a place cannot be written, and why.
+    fn write(place: &Path) -> impl FnOnce(io::Error) -> Self {
+        let place = place.to_owned();
+        |error| Self::Write { place, error }
+    }
+}
+
 /// Measures the suite and writes all results.
 ///
 /// # Errors
 /// [`TradeError`]; before anything is measured where that can be known.
 pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     let suite = Suite::new(args.hand.as_deref(), args.quick)?;
-    let cannot_write = |place: &Path| {
-        let place = place.to_owned();
-        |error| TradeError::Write { place, error }
-    };
-    let section = args
-        .readme
-        .as_ref()
-        .map(|file| Section::find(file, "trade").map_err(cannot_write(file)));
-    let section = section.transpose()?;
-    let folder = Folder::open(&args.out).map_err(cannot_write(&args.out))?;
-    let pictures = args
-        .readme
-        .as_ref()
-        .map(|file| below(&args.out, file))
-        .transpose()?;
+    let readmes = args.readme.iter().map(|file| Readme::find(file));
+    let readmes: Vec<_> = readmes.collect::<Result<_, _>>()?;
+    let folder = Folder::open(&args.out).map_err(TradeError::write(&args.out))?;
+    let pictures = readmes.iter().map(|readme| readme.pictures(&args.out));
+    let pictures: Vec<_> = pictures.collect::<Result<_, _>>()?;
     let counts = match args.emulated {
         true => counts(&suite)?,
         false => Vec::new(),
@@ -127,7 +127,7 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     let mut files = vec![
         (
             "trade.csv".to_owned(),
-            report.csv().map_err(cannot_write(&args.out))?,
+            report.csv().map_err(TradeError::write(&args.out))?,
         ),
         ("trade.json".to_owned(), report.json()),
     ];
@@ -137,11 +137,9 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
         files.push((format!("{}.svg", place.stem()), svg.into_bytes()));
         files.push((format!("{}.png", place.stem()), png));
     }
-    let files = folder.write(&files).map_err(cannot_write(&args.out))?;
-    if let (Some(section), Some(pictures), Some(file)) = (section, pictures, &args.readme) {
-        section
-            .write(&report.markdown(&pictures))
-            .map_err(cannot_write(file))?;
+    let files = folder.write(&files).map_err(TradeError::write(&args.out))?;
+    for (readme, pictures) in readmes.iter().zip(&pictures) {
+        readme.write(&report, pictures)?;
     }
     let list: String = files
         .iter()
@@ -186,23 +184,4 @@ fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
     };
     report.advice = advice::advice(&report.overall(), &report.machine);
     Ok(report)
-}
-
-/// The folder `out` as seen from the folder of the README.
-fn below(out: &Path, readme: &Path) -> Result<PathBuf, TradeError> {
-    let whole = |path: &Path| {
-        path.canonicalize().map_err(|error| TradeError::Write {
-            place: path.to_owned(),
-            error,
-        })
-    };
-    let (folder, file) = (whole(out)?, whole(readme)?);
-    let base = file.parent().unwrap_or(Path::new(""));
-    match folder.strip_prefix(base) {
-        Ok(below) => Ok(below.to_owned()),
-        Err(_) => Err(TradeError::Elsewhere {
-            out: out.to_owned(),
-            readme: readme.to_owned(),
-        }),
-    }
 }

@@ -24,15 +24,12 @@ fn every_combination_is_measured_against_a_reference_without_error() {
         "README.md",
         "before\n<!-- trade: begin -->\n<!-- trade: end -->\nafter\n",
     );
-    let arguments = [
-        "trade",
-        "--quick",
-        "--out",
-        "figures/trade",
-        "--readme",
-        "README.md",
-    ];
-    let output = folder.stiction(&arguments);
+    folder.write(
+        "short.md",
+        "<!-- settings: begin -->\n<!-- settings: end -->\n",
+    );
+    let arguments = "trade --quick --out figures/trade --readme README.md --readme short.md";
+    let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
     assert!(output.status.success(), "{}", text(&output.stderr));
     rows(&folder);
     report(&folder);
@@ -49,6 +46,10 @@ fn every_combination_is_measured_against_a_reference_without_error() {
     ] {
         assert!(readme.contains(part), "{part}: {readme}");
     }
+    let short = folder.read("short.md");
+    let named = |row: &&str| row.starts_with("| f") && row.contains("| path |");
+    assert_eq!(short.lines().filter(named).count(), 3, "{short}");
+    assert!(short.contains("\n| fixed | frame |"), "{short}");
     assert!(text(&output.stdout).contains("worst residual"));
     let mut files: Vec<_> = (folder.file("figures/trade").read_dir())
         .expect("the folder")

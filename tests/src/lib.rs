@@ -19,18 +19,13 @@ pub use random::Scenario;
 pub use run::{Frame, Run, RunOf};
 pub use setup::Setup;
 
-use stiction_core::Evolution;
-
-/// Both evolutions.
-pub const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
-
 /// Makes a test of every generic function `name::<R>(evolution)`: every number type, both evolutions.
 #[macro_export]
 macro_rules! test_each {
     ($($module:ident::$case:ident),* $(,)?) => {$(
         #[test]
         fn $case() {
-            for evolution in $crate::EVOLUTIONS {
+            for evolution in stiction_core::Evolution::ALL {
                 println!("f64 {evolution:?}");
                 $module::$case::<f64>(evolution);
                 println!("f32 {evolution:?}");

@@ -147,7 +147,7 @@ pub(super) fn count(
     }
     // After all counting: every scene's footprint is built anew, and so are the images after it.
     for build in &BUILDS {
-        for evolution in Setting::EVOLUTIONS {
+        for evolution in Evolution::ALL {
             let Some(case) = cases.first() else { continue };
             let flash = build.flash(case, evolution)?;
             let its_own = counts.iter_mut().filter(|count| {

@@ -100,6 +100,15 @@ impl Report {
         text + "\n" + &self.advice.join("\n") + "\n\n"
     }
 
+    /// A few rows, for a README.
+    pub(super) fn short(&self) -> String {
+        format!(
+            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions, not cycles.\n\n{}",
+            self.machine,
+            Table::short(&self.overall()).markdown()
+        )
+    }
+
     /// For a README beside which the pictures lie in `folder`.
     pub(super) fn markdown(&self, folder: &Path) -> String {
         let rows = self.overall();

@@ -57,14 +57,11 @@ impl Setting {
         dial: Dial::EXACT,
     };
 
-    /// Both evolutions.
-    pub const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
-
     /// All combinations; f64, the yardstick, is exact only.
     pub fn all() -> impl Iterator<Item = Self> {
         let pairs = Number::ALL
             .into_iter()
-            .flat_map(move |number| Self::EVOLUTIONS.map(|evolution| (number, evolution)));
+            .flat_map(move |number| Evolution::ALL.map(|evolution| (number, evolution)));
         pairs.flat_map(|(number, evolution)| {
             let setting = move |dial| Self {
                 number,

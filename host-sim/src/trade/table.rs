@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::accuracy::Spread;
 use super::measure::Row;
+use super::setting::{Dial, FINEST};
 use crate::emulator::Chip;
 
 /// A table.
@@ -37,7 +38,7 @@ impl Table {
         let cells = |row: &Row| {
             let accuracy = &row.accuracy;
             let percent = |count| figure(accuracy.percent(count));
-            let mut cells = names(row);
+            let mut cells = names(row).to_vec();
             cells.extend([
                 spread(accuracy.position),
                 spread(accuracy.angle),
@@ -72,7 +73,7 @@ impl Table {
         ];
         let cells = |row: &Row| {
             let counted = row.cost.emulated[chip]?;
-            let mut cells = names(row);
+            let mut cells = names(row).to_vec();
             cells.extend([
                 format!("{:.0}", counted.instructions),
                 counted.worst.to_string(),
@@ -87,6 +88,52 @@ impl Table {
             header: header.map(str::to_owned).to_vec(),
             rows,
         })
+    }
+
+    /// What each number type and evolution costs without a tolerance, at the rate of the reference.
+    pub(super) fn short(rows: &[Row]) -> Self {
+        let header = [
+            "number",
+            "evolution",
+            "chip, emulated",
+            "in step with the reference (%)",
+            "their error, 99 % (µm)",
+            "ns per frame",
+            "instructions, mean / worst",
+            "flash (bytes)",
+        ];
+        let cells = |row: &Row| {
+            let (accuracy, [number, evolution, ..]) = (&row.accuracy, names(row));
+            let counted = Chip::ALL.iter().zip(row.cost.emulated);
+            let mut counted = counted.filter_map(|(chip, counted)| Some((chip.name(), counted?)));
+            let (chip, instructions, flash) = match counted.next() {
+                Some((chip, counted)) => (
+                    chip.to_owned(),
+                    format!("{:.0} / {}", counted.instructions, counted.worst),
+                    counted.flash.to_string(),
+                ),
+                None => Default::default(),
+            };
+            let (in_step, error) = (accuracy.in_step, accuracy.position_in_step.most);
+            let (in_step, error) = (figure(accuracy.percent(in_step)), figure(error));
+            let time = format!("{:.0}", row.cost.host);
+            [
+                number,
+                evolution,
+                chip,
+                in_step,
+                error,
+                time,
+                instructions,
+                flash,
+            ]
+            .to_vec()
+        };
+        let exact = |row: &&Row| row.rate == FINEST && row.setting.dial == Dial::EXACT;
+        Self {
+            header: header.map(str::to_owned).to_vec(),
+            rows: rows.iter().filter(exact).map(cells).collect(),
+        }
     }
 
     /// Columns side by side.
@@ -133,9 +180,9 @@ impl Table {
     }
 }
 
-fn names(row: &Row) -> Vec<String> {
+fn names(row: &Row) -> [String; 4] {
     let setting = &row.setting;
-    vec![
+    [
         setting.number.name().to_owned(),
         setting.evolution.name().to_owned(),
         setting.dial.name.to_owned(),

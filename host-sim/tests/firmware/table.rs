@@ -138,7 +138,7 @@ fn the_table_of_the_readme() {
     };
     let table = table(&f405, &microbit);
     println!("{table}");
-    let readme = workspace().join("README.md");
+    let readme = workspace().join("firmware/README.md");
     let section = Section::find(&readme, "boards").unwrap();
     section.write(&table).unwrap();
 }

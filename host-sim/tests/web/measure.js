@@ -150,7 +150,7 @@ const table = [
 console.log(table);
 
 if (options.readme) {
-  const file = join(workspace, "README.md");
+  const file = join(workspace, "host-sim/README.md");
   const [begin, end] = ["<!-- view: begin -->", "<!-- view: end -->"];
   const text = readFileSync(file, "utf8");
   const [from, to] = [text.indexOf(begin) + begin.length, text.indexOf(end)];

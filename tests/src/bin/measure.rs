@@ -13,7 +13,7 @@ use stiction_tests::extremes::{Outcome, SWEEPS, Sweep, outcome};
 use stiction_tests::laws::{judge, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Run, planar, run};
-use stiction_tests::{EVOLUTIONS, Number, Scenario, scenes};
+use stiction_tests::{Number, Scenario, scenes};
 use stiction_tools::machine::processor;
 use stiction_tools::readme::Section;
 
@@ -62,7 +62,7 @@ fn drags(text: &mut String) {
          | scene | number | evolution | ns per frame, mean | slips | mean slip (mm) |\n|---|---|---|---|---|---|"
     );
     for (name, scenario) in &box_scenes {
-        for evolution in EVOLUTIONS {
+        for evolution in Evolution::ALL {
             for (number, (time, slips, length)) in [
                 ("f32", drag::<f32>(scenario, evolution)),
                 ("f64", drag::<f64>(scenario, evolution)),
@@ -103,7 +103,7 @@ fn survey<R: Number>(evolution: Evolution, text: &mut String) {
 /// others.
 fn range<R: Number>(sweep: &Sweep) -> String {
     let outcomes = sweep.values.iter().map(|&value| {
-        let both = EVOLUTIONS.map(|evolution| outcome::<R>(sweep, value, evolution));
+        let both = Evolution::ALL.map(|evolution| outcome::<R>(sweep, value, evolution));
         let verdict = |o: &Outcome| match o {
             Outcome::Holds { .. } => (0, "holds".to_string()),
             Outcome::Refused(_) => (1, "refused".to_string()),
@@ -167,13 +167,13 @@ fn main() -> std::io::Result<()> {
          force · L), of any frame:\n\n\
          | number | evolution | frames | unlawful | status not ok | worst residual |\n|---|---|---|---|---|---|"
     );
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         survey::<f32>(evolution, &mut text);
         survey::<f64>(evolution, &mut text);
         survey::<Fixed>(evolution, &mut text);
     }
     ranges(&mut text);
-    let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md"));
+    let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md"));
     Section::find(readme, "measured")?.write(&text)?;
     print!("{text}");
     Ok(())

@@ -8,7 +8,7 @@
 use std::process::ExitCode;
 use stiction_core::{Evolution, Fixed, StateKind, Status};
 use stiction_tests::laws::{FINITE, judge, worst};
-use stiction_tests::{EVOLUTIONS, Number, Run, Setup};
+use stiction_tests::{Number, Run, Setup};
 
 /// So many frames from one look at the drift to the next.
 const ROUND: u64 = 100_000;
@@ -110,7 +110,7 @@ fn walk<R: Number>(steps: u64, evolution: Evolution) -> Tally {
 }
 
 fn report<R: Number>(steps: u64) -> bool {
-    EVOLUTIONS.into_iter().all(|evolution| {
+    Evolution::ALL.into_iter().all(|evolution| {
         let tally = walk::<R>(steps / 6, evolution);
         let states = StateKind::ALL.iter().zip(tally.states);
         let states: Vec<_> = states

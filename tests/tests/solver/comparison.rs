@@ -7,11 +7,11 @@
 //! | `CordicFixed` | every law within ten times the bounds of `Fixed`, gaps within the same; in random scenes one frame in a thousand may fall out |
 //! | `MicromathSingle` | where the scene is not refused, the geometry to 2e-3 L; forces do not balance |
 
-use stiction_core::{CordicFixed, LibmSingle, MicromathSingle};
+use stiction_core::{CordicFixed, Evolution, LibmSingle, MicromathSingle};
 use stiction_tests::laws::{assert_lawful, judge};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
-use stiction_tests::{EVOLUTIONS, Number, Scenario, Setup, budget, scenes};
+use stiction_tests::{Number, Scenario, Setup, budget, scenes};
 
 fn named() -> impl Iterator<Item = Scenario> {
     scenes::all().into_iter().map(|(_, scenario)| scenario)
@@ -31,7 +31,7 @@ fn each<R: Number>(
     mut look: impl FnMut(&Setup, &[Frame]),
 ) {
     for scenario in scenarios {
-        for evolution in EVOLUTIONS {
+        for evolution in Evolution::ALL {
             let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
             look(&scenario.setup, &frames);
         }

@@ -6,7 +6,7 @@ use stiction_tests::laws::{assert_lawful, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::polyline;
 use stiction_tests::setup::VERTICES;
-use stiction_tests::{EVOLUTIONS, Number, RunOf, Setup, budget, close, judge, test_each};
+use stiction_tests::{Number, RunOf, Setup, budget, close, judge, test_each};
 
 test_each!(
     cases::foot_is_below_the_hand,
@@ -140,7 +140,7 @@ fn survey<R: Number>(evolution: Evolution) {
 
 #[test]
 fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         survey::<f64>(evolution);
         survey::<f32>(evolution);
         survey::<Fixed>(evolution);
@@ -163,7 +163,7 @@ fn fixed_point_carries_a_point_tool_with_a_short_lever() {
             [0.0, lever + 0.002, 0.0],
         ];
         let hands = polyline(&keyframes, 300);
-        for evolution in EVOLUTIONS {
+        for evolution in Evolution::ALL {
             let mut exact = RunOf::<f64, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
             let mut fixed = RunOf::<Fixed, 1, 1, Frictionless>::start(&setup, evolution, hands[0]);
             for &hand in &hands {

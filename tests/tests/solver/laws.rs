@@ -5,7 +5,7 @@ use stiction_core::{Event, Evolution, Fixed, Status};
 use stiction_tests::laws::{assert_lawful, assert_lawful_run, judge_of, judged, worst};
 use stiction_tests::random::{same_every_run, scenario, scenarios};
 use stiction_tests::run::{polyline, run};
-use stiction_tests::{EVOLUTIONS, Number, Run, Scenario, Setup, budget, scenes};
+use stiction_tests::{Number, Run, Scenario, Setup, budget, scenes};
 
 fn lawful<R: Number>(scenario: &Scenario, evolution: Evolution) {
     let frames = run::<R>(&scenario.setup, evolution, &scenario.hands(40));
@@ -16,7 +16,7 @@ fn lawful<R: Number>(scenario: &Scenario, evolution: Evolution) {
 fn named_scenes_obey_every_law() {
     for (name, scenario) in scenes::all() {
         println!("{name}");
-        for evolution in EVOLUTIONS {
+        for evolution in Evolution::ALL {
             lawful::<f64>(&scenario, evolution);
             lawful::<f32>(&scenario, evolution);
             lawful::<Fixed>(&scenario, evolution);
@@ -31,7 +31,7 @@ fn scenes_without_friction_obey_every_law() {
         let (mut frames, mut ambiguous) = (0, 0);
         for scenario in scenarios(budget(100, 10), 8) {
             let setup = scenario.setup.clone().smooth();
-            for evolution in EVOLUTIONS {
+            for evolution in Evolution::ALL {
                 let run = run::<R>(&setup, evolution, &scenario.hands(40));
                 assert_lawful::<R>(&setup, &run);
                 frames += run.len();
@@ -99,7 +99,7 @@ fn two_vertex_slip_rubs_after_a_vertex_turned_back() {
         0.000_526_942_573_934_794_5,
         1.890_814_202_182_597_6,
     ];
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         let hands = polyline(&[[x, y, setup.start[2]], end], 1000);
         let mut judge = judge_of::<f64>(&setup, evolution);
         for (i, frame) in run::<f64>(&setup, evolution, &hands).iter().enumerate() {

@@ -7,7 +7,7 @@ use stiction_core::{
 };
 use stiction_tests::laws::assert_lawful;
 use stiction_tests::run::{planar, polyline};
-use stiction_tests::{EVOLUTIONS, Number, Run, RunOf, Setup, close};
+use stiction_tests::{Number, Run, RunOf, Setup, close};
 
 fn tool() -> Setup {
     Setup::point().held_at([0.0, 0.3]).springs(1.0, 0.2)
@@ -109,7 +109,7 @@ fn every_model_that_glides<R: Number>(evolution: Evolution) {
 
 #[test]
 fn smaller_model_that_slides_gives_the_same_bits() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         every_model_that_slides::<f64>(evolution);
         every_model_that_slides::<f32>(evolution);
         every_model_that_slides::<Fixed>(evolution);
@@ -118,7 +118,7 @@ fn smaller_model_that_slides_gives_the_same_bits() {
 
 #[test]
 fn smaller_model_that_glides_gives_the_answers_of_the_full_one() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         every_model_that_glides::<f64>(evolution);
         every_model_that_glides::<f32>(evolution);
         every_model_that_glides::<Fixed>(evolution);

@@ -6,7 +6,7 @@ use stiction_core::{Evolution, Fixed, Status};
 use stiction_tests::laws::{Finding, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
-use stiction_tests::{EVOLUTIONS, Number, budget, judge};
+use stiction_tests::{Number, budget, judge};
 
 fn survey<R: Number>(evolution: Evolution) {
     let mut laws: BTreeMap<&str, Finding> = BTreeMap::new();
@@ -55,21 +55,21 @@ fn survey<R: Number>(evolution: Evolution) {
 
 #[test]
 fn no_frame_of_any_random_scene_violates_a_law_f64() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         survey::<f64>(evolution);
     }
 }
 
 #[test]
 fn no_frame_of_any_random_scene_violates_a_law_f32() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         survey::<f32>(evolution);
     }
 }
 
 #[test]
 fn no_frame_of_any_random_scene_violates_a_law_fixed() {
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         survey::<Fixed>(evolution);
     }
 }

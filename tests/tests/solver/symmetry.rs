@@ -3,7 +3,7 @@
 
 use stiction_core::{Evolution, StateKind};
 use stiction_tests::run::{Frame, run};
-use stiction_tests::{EVOLUTIONS, Scenario, Setup, close, scenes};
+use stiction_tests::{Scenario, Setup, close, scenes};
 
 /// No event of a named scene falls on the end of such a frame.
 const FRAMES_PER_LEG: usize = 47;
@@ -19,7 +19,7 @@ fn compare(
     force: f64,
 ) {
     let l = image.setup.size();
-    for evolution in EVOLUTIONS {
+    for evolution in Evolution::ALL {
         let original = run::<f64>(&scenario.setup, evolution, &scenario.hands(FRAMES_PER_LEG));
         let mapped = run::<f64>(&image.setup, evolution, &image.hands(FRAMES_PER_LEG));
         for (i, (a, b)) in original.iter().zip(&mapped).enumerate() {

@@ -1,10 +1,10 @@
 //! Every arm of the transition table is reached by some scene (with `--nocapture` it prints which), and leads from the state
 //! that it names to the other one.
 
-use stiction_core::{StateKind, Transition};
+use stiction_core::{Evolution, StateKind, Transition};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
-use stiction_tests::{EVOLUTIONS, Scenario, scenes};
+use stiction_tests::{Scenario, scenes};
 
 #[test]
 fn every_transition_is_reached() {
@@ -32,7 +32,7 @@ fn every_transition_is_reached() {
 }
 
 fn reached(scenario: &Scenario) -> Vec<Transition> {
-    let frames = EVOLUTIONS
+    let frames = Evolution::ALL
         .iter()
         .flat_map(|&e| run::<f64>(&scenario.setup, e, &scenario.hands(40)));
     frames
@@ -44,7 +44,7 @@ fn reached(scenario: &Scenario) -> Vec<Transition> {
 fn the_arms_of_a_frame_lead_from_its_first_state_to_its_last() {
     let named = scenes::all().into_iter().map(|(_, scenario)| scenario);
     for scenario in named.chain(scenarios(2000, 4)) {
-        for evolution in EVOLUTIONS {
+        for evolution in Evolution::ALL {
             let frames = run::<f64>(&scenario.setup, evolution, &scenario.hands(40));
             for pair in frames.windows(2) {
                 assert_chained(pair[0].state, &pair[1]);

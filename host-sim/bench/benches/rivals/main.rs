@@ -148,7 +148,7 @@ fn main() -> std::io::Result<()> {
     }
     print!("{plain}");
     if has("--write") {
-        let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../README.md"));
+        let readme = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md"));
         Section::find(readme, "rivals")?.write(&markdown)?;
     }
     Ok(())
