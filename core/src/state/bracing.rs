@@ -2,13 +2,14 @@
 //! motion that begins when they do not. A motion is only begun if it is consistent: driven by the load, and closing no
 //! gap of a contact that it leaves.
 
-use super::trammel::{Demand, Trammel};
-use super::{Moved, Pair, Pairs, Reactions, Trigger, TwoVertex};
+mod twist;
+
+use super::trammel::Demand;
+use super::{Moved, Pair, Pairs, Reactions, Trigger};
 use crate::coupling::{Grip, Pivot, Stance};
-use crate::geometry::Vec2;
 use crate::list::gather;
 use crate::real::Real;
-use crate::scene::{Surface, World};
+use crate::scene::World;
 use crate::support::{Bearing, Support, Yield};
 
 /// The contacts, placed by a pivot that is the first of them.
@@ -43,13 +44,6 @@ impl Begin {
 
 fn keep<R: Real>((contacts, sliding): Mode<R>) -> Trigger<R> {
     Trigger::Keep { contacts, sliding }
-}
-
-/// The instantaneous velocity of the body: of the pivot, and the turn.
-#[derive(Clone, Copy)]
-struct Twist<R> {
-    velocity: Vec2<R>,
-    turn: R,
 }
 
 impl<R: Real> Bracing<R> {
@@ -235,110 +229,6 @@ impl<R: Real> Bracing<R> {
 
     fn contact(&self, index: usize) -> Pair {
         self.contacts.get(index).copied().unwrap_or_default()
-    }
-
-    /// Driven by the load, and no gap of another contact closes.
-    fn is_consistent(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> bool {
-        let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate >= -Self::rest())
-    }
-
-    /// Driven by the load, and every gap of another contact opens.
-    pub(super) fn opens(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> bool {
-        let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate > Self::rest())
-    }
-
-    /// Velocities below this are none.
-    fn rest() -> R {
-        R::from_int(64) * R::EPSILON
-    }
-
-    /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.
-    fn slowest_opening(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> Option<R> {
-        let twist = self.twist(scene, grip, mode, Demand::Pressed)?;
-        let placed = self.pivot.placed(scene);
-        let lasting = mode.0.map(|i| self.contact(i));
-        let others = self.contacts.iter().filter(|c| !lasting.contains(c));
-        let rates = others.map(|c| {
-            let velocity = twist.velocity + placed.arm(scene, c.vertex).turned() * twist.turn;
-            scene.surface(c.surface).normal.dot(velocity)
-        });
-        Some(rates.fold(R::HUGE, R::min))
-    }
-
-    /// The motion of a mode, if the load drives it.
-    fn twist(
-        &self,
-        scene: &impl World<R>,
-        grip: &Grip<R>,
-        mode: &Mode<R>,
-        demand: Demand,
-    ) -> Option<Twist<R>> {
-        let ([first, second], sliding) = *mode;
-        let [a, b] = [first, second].map(|i| self.contact(i));
-        let stance = self.pivot.stance(scene, grip);
-        match sliding {
-            None => {
-                let pressed = [a, b].iter().any(|c| {
-                    let normal = scene.surface(c.surface).normal;
-                    normal.dot(stance.force) < R::ZERO
-                });
-                pressed.then(|| self.pivoting(scene, &stance, a))?
-            }
-            Some(sign) if a == b => {
-                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let about = pivot.stance(scene, grip);
-                let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
-                let stability = about.stability();
-                if stability <= R::ZERO {
-                    return None;
-                }
-                let turn = -about.lever.cross(along.velocity) / stability;
-                let arm = stance.placed.arm(scene, a.vertex);
-                Some(Twist {
-                    velocity: along.velocity - arm.turned() * turn,
-                    turn,
-                })
-            }
-            Some(sign) if a.surface == b.surface => {
-                self.sliding(&stance, &scene.surface(a.surface), sign)
-            }
-            Some(_) if a.vertex == b.vertex => None,
-            Some(_) => {
-                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let state = TwoVertex::new(pivot, b);
-                let (slide, turn) = Trammel::driven(scene, &state, grip, demand)?.twist();
-                let arm = stance.placed.arm(scene, a.vertex);
-                Some(Twist {
-                    velocity: scene.surface(a.surface).tangent * slide - arm.turned() * turn,
-                    turn,
-                })
-            }
-        }
-    }
-
-    /// A turn about one contact, in the direction of the moment about it.
-    fn pivoting(&self, scene: &impl World<R>, stance: &Stance<R>, about: Pair) -> Option<Twist<R>> {
-        let arm = stance.placed.arm(scene, about.vertex);
-        let moment = stance.moment() - arm.cross(stance.force);
-        let turn = moment.sign();
-        (moment.abs() > stance.rounding()).then_some(Twist {
-            velocity: -(arm.turned() * turn),
-            turn,
-        })
-    }
-
-    /// A slide of one contact, or of an edge, along sign·t.
-    fn sliding(&self, stance: &Stance<R>, surface: &Surface<R>, sign: R) -> Option<Twist<R>> {
-        let (normal, friction) = surface.reaction(stance.force);
-        let rounding = stance.rounding();
-        let driven =
-            normal > R::ZERO && (surface.friction).is_driven(normal, friction, sign, rounding);
-        driven.then_some(Twist {
-            velocity: surface.tangent * sign,
-            turn: R::ZERO,
-        })
     }
 
     /// Reactions, which are statically indeterminate.

@@ -1,0 +1,147 @@
+//! The facets of the cone: where a load leaves it, and which motion then begins. A contact none of whose edges lie in the
+//! facet opens, one with both edges in it sticks, one with a single edge in it slides.
+
+use super::{Edge, Screw, Support};
+use crate::real::Real;
+
+/// The incipient motion at a facet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Yield<R> {
+    /// Contact number `contact` sticks, all others open.
+    Pivot { contact: usize },
+    /// Contacts `first` and `second` slide along sign·t of their surfaces, all others open.
+    Slide {
+        first: (usize, R),
+        second: (usize, R),
+    },
+}
+
+impl<R: Real> Support<R> {
+    /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
+    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
+        let (mut first, mut has_facets) = (None, false);
+        self.each_facet(&mut |normal, sharpness, _| {
+            has_facets = true;
+            // The reactions are the opposite of the load.
+            let (start, end) = (-normal.dot(from), -normal.dot(to));
+            if end * sharpness < -rounding {
+                let part = if start > R::ZERO {
+                    start / (start - end)
+                } else {
+                    R::ZERO
+                };
+                first = Some(first.map_or(part, |least: R| least.min(part)));
+            }
+        });
+        if has_facets || self.is_on_line(to, rounding) {
+            first
+        } else {
+            Some(R::ZERO)
+        }
+    }
+
+    /// Without facets all edges lie in one line, as of contacts without friction on opposite sides of a slot: they bear what
+    /// lies in that line against one of them, and nothing else.
+    fn is_on_line(&self, load: Screw<R>, rounding: R) -> bool {
+        let mut edges = self.edges.iter().map(|edge| edge.screw);
+        edges.any(|edge| {
+            let size = edge.size();
+            edge.dot(load) <= rounding * size && edge.cross(load).size() <= rounding * size
+        })
+    }
+
+    /// The incipient motion at the facet that a load violates most, among those that `allows` lets pass.
+    pub(crate) fn yields(
+        &self,
+        load: Screw<R>,
+        rounding: R,
+        allows: &dyn Fn(&Yield<R>) -> bool,
+    ) -> Option<Yield<R>> {
+        let mut most: Option<(R, Yield<R>)> = None;
+        self.each_facet(&mut |normal, _, mode| {
+            let excess = normal.dot(load);
+            let is_most = most.is_none_or(|(largest, _)| excess > largest);
+            if excess >= -rounding && is_most && allows(&mode) {
+                most = Some((excess, mode));
+            }
+        });
+        most.map(|(_, mode)| mode)
+    }
+
+    /// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
+    fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Screw<R>) -> Yield<R> {
+        if a.contact == b.contact {
+            Yield::Pivot { contact: a.contact }
+        } else {
+            Yield::Slide {
+                first: (a.contact, self.slides(a, normal)),
+                second: (b.contact, self.slides(b, normal)),
+            }
+        }
+    }
+
+    /// The direction along t in which the contact of an edge slides when the load crosses the facet of an inner normal:
+    /// against the friction; without friction the normal is the motion itself.
+    fn slides(&self, edge: &Edge<R>, normal: Screw<R>) -> R {
+        if edge.friction != R::ZERO {
+            return -edge.friction.sign();
+        }
+        // Of a force along t, which is a quarter turn from n.
+        let force = -edge.screw.force.turned();
+        let lever = self.levers.get(edge.contact).copied().unwrap_or_default();
+        let moment = lever.cross(force);
+        normal.dot(Screw { force, moment }).sign()
+    }
+
+    /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
+    /// incipient motion when the load crosses it.
+    fn each_facet(&self, visit: &mut dyn FnMut(Screw<R>, R, Yield<R>)) {
+        for (i, a) in self.edges.iter().enumerate() {
+            for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
+                let normal = a.screw.cross(b.screw);
+                let size = normal.size();
+                if size <= Self::tolerance() {
+                    continue;
+                }
+                let (unit, sharpness) = (normal.over(size), size.min(R::ONE));
+                let (mut inner, mut outer) = (true, true);
+                for (j, edge) in self.edges.iter().enumerate() {
+                    if j != i && j != k {
+                        let side = unit.dot(edge.screw);
+                        inner &= side >= -Self::tolerance();
+                        outer &= side <= Self::tolerance();
+                    }
+                }
+                for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
+                    if faces {
+                        let normal = unit.scaled(sign);
+                        visit(normal, sharpness, self.incipient(a, b, normal));
+                    }
+                }
+                if inner && outer {
+                    self.each_end((unit, sharpness), [a, b], visit);
+                }
+            }
+        }
+    }
+
+    /// A cone that lies in a plane, of two contacts without friction, ends at single edges, too: beyond one the other opens.
+    fn each_end(
+        &self,
+        (plane, sharpness): (Screw<R>, R),
+        edges: [&Edge<R>; 2],
+        visit: &mut dyn FnMut(Screw<R>, R, Yield<R>),
+    ) {
+        for edge in edges {
+            let across = plane.cross(edge.screw);
+            let unit = across.over(across.size());
+            for normal in [unit, unit.scaled(-R::ONE)] {
+                let is_end = |other: &Edge<R>| normal.dot(other.screw) >= -Self::tolerance();
+                if self.edges.iter().all(is_end) {
+                    let contact = edge.contact;
+                    visit(normal, sharpness, Yield::Pivot { contact });
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! How a load is shared out among the contacts: three edges of the cone bear any load in it, two or one come near to others.
+
+use heapless::Vec;
+
+use super::{MAX_EDGES, Screw, Support};
+use crate::list::gather;
+use crate::output::MAX_CONTACTS;
+use crate::real::Real;
+
+impl<R: Real> Support<R> {
+    /// True if three edges alone bear a load.
+    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Screw<R>) -> bool {
+        let way = self.on_three(edges.map(usize::from), load);
+        way.is_some_and(|way| way.iter().all(|&(_, part)| part >= R::ZERO))
+    }
+
+    /// Three edges that bear a load.
+    pub(crate) fn bearers(&self, load: Screw<R>) -> Option<[u8; 3]> {
+        let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
+        let mut triples = self.triples().map(small);
+        triples.find(|&edges| self.bears_on(edges, load))
+    }
+
+    /// What the reactions that come nearest to bearing a load leave of it.
+    pub(crate) fn left(&self, load: Screw<R>) -> R {
+        self.rest(load, &self.parts(load)).size()
+    }
+
+    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
+    /// on three edges. For two contacts that is the middle of the interval of (E5).
+    pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
+        let parts = self.parts(load);
+        let pairs = parts.chunks_exact(2);
+        gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
+    }
+
+    /// As [`Self::share`], edge by edge.
+    fn parts(&self, load: Screw<R>) -> Parts<R> {
+        let mut parts: Parts<R> = gather(self.edges.iter().map(|_| R::ZERO));
+        let mut ways = 0_i32;
+        for way in self.triples().filter_map(|t| self.on_three(t, load)) {
+            if way
+                .iter()
+                .all(|&(_, part)| part >= R::ZERO && part < R::RANGE)
+            {
+                ways = ways.saturating_add(1);
+                add(&mut parts, &way);
+            }
+        }
+        let share = R::ONE / R::from_int(ways.max(1));
+        for part in &mut parts {
+            *part = *part * share;
+        }
+        // Takes out the rounding; where no three edges bear the load, this is the nearest that up to three come to it.
+        for _ in 0..2 {
+            let rest = self.rest(load, &parts);
+            let triple = self.triples().filter_map(|t| self.on_three(t, rest));
+            let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
+            let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, rest));
+            let mut best = rest.size();
+            let mut better = None;
+            let ways = triple
+                .map(gather::<_, 3>)
+                .chain(pair.map(gather))
+                .chain(single.map(gather));
+            for way in ways {
+                let mut trial = parts.clone();
+                add(&mut trial, &way);
+                let left = self.rest(load, &trial).size();
+                if left < best {
+                    best = left;
+                    better = Some(trial);
+                }
+            }
+            match better {
+                Some(trial) => parts = trial,
+                None => break,
+            }
+        }
+        parts
+    }
+
+    /// What parts of the edges leave of a load.
+    fn rest(&self, load: Screw<R>, parts: &Parts<R>) -> Screw<R> {
+        let edges = self.edges.iter().zip(parts);
+        edges.fold(load, |rest, (edge, &part)| Screw {
+            force: rest.force + edge.screw.force * part,
+            moment: rest.moment + edge.screw.moment * part,
+        })
+    }
+
+    fn pairs(&self) -> impl Iterator<Item = [usize; 2]> + use<R> {
+        let n = self.edges.len();
+        (0..n).flat_map(move |i| (i.saturating_add(1)..n).map(move |k| [i, k]))
+    }
+
+    fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
+        let n = self.edges.len();
+        let pairs = self.pairs();
+        pairs.flat_map(move |[i, j]| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
+    }
+
+    fn screw(&self, edge: usize) -> Option<Screw<R>> {
+        self.edges.get(edge).map(|edge| edge.screw)
+    }
+
+    /// The parts of three edges that bear a load.
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Screw<R>) -> Option<[(usize, R); 3]> {
+        let (a, b, c) = (self.screw(i)?, self.screw(j)?, self.screw(k)?);
+        let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
+        let volume = a.dot(bc);
+        let part = |face: Screw<R>| -face.dot(load) / volume;
+        let usable = volume.abs() > Self::tolerance();
+        usable.then(|| [(i, part(bc)), (j, part(ca)), (k, part(ab))])
+    }
+
+    /// The parts of two edges that come nearest to bearing a load.
+    fn on_two(&self, [i, k]: [usize; 2], load: Screw<R>) -> Option<[(usize, R); 2]> {
+        let (a, b) = (self.screw(i)?, self.screw(k)?);
+        let normal = a.cross(b);
+        let area = normal.size();
+        let unit = normal.over(area);
+        let part = |face: Screw<R>| -face.dot(unit) / area;
+        let usable = area > Self::tolerance();
+        usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
+    }
+
+    /// The part of one edge that comes nearest to bearing a load.
+    fn on_one(&self, i: usize, load: Screw<R>) -> Option<[(usize, R); 1]> {
+        let edge = self.screw(i)?;
+        Some([(i, -edge.dot(load) / edge.dot(edge))])
+    }
+}
+
+type Parts<R> = Vec<R, MAX_EDGES>;
+
+/// Adds to the parts of some edges; no part falls below zero.
+fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
+    for &(edge, part) in more {
+        if let Some(sum) = parts.get_mut(edge) {
+            *sum = (*sum + part).max(R::ZERO);
+        }
+    }
+}
