@@ -4,10 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::Value;
-use stiction_core::{
-    Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, State, narrow_hand,
-};
-use stiction_scene::{HostSolver, InputError, Sample, SceneFile, Source};
+use stiction_core::{Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, narrow_hand};
+use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::files::{Files, WriteError};
 use crate::number::Number;
@@ -15,6 +13,7 @@ use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
 use crate::run::{evolution_named, parse_trace};
+use crate::simulate::Running;
 use crate::trace::{Format, Record};
 
 /// The arguments of `stiction replay`.
@@ -130,24 +129,10 @@ trait Stepper {
     fn step(&mut self, sample: &Sample) -> Frame;
 }
 
-struct Stepped<R: Real, M: Model> {
-    solver: HostSolver<R, M>,
-    state: Option<State<R>>,
-}
-
-impl<R: Real<Si: SiFloat>, M: Model> Stepper for Stepped<R, M> {
+impl<R: Real<Si: SiFloat>, M: Model> Stepper for Running<R, M> {
     fn step(&mut self, sample: &Sample) -> Frame {
-        let hand = narrow_hand(&sample.hand);
-        let (state, output) = match self.state.take() {
-            None => self.solver.start(hand),
-            Some(mut state) => {
-                let output = self.solver.step(&mut state, hand);
-                (state, output)
-            }
-        };
-        let frame = Frame::new(sample.t, &self.solver, &state, &output);
-        self.state = Some(state);
-        frame
+        let (solver, state, output) = Self::step(self, narrow_hand(&sample.hand));
+        Frame::new(sample.t, solver, state, &output)
     }
 }
 
@@ -182,10 +167,7 @@ fn stepped<R: Real<Si: SiFloat> + 'static, M: Model + 'static>(
     let solver = Solver::new(scene.scene_in::<R, M>()?, run.evolution)
         .with_tolerance(R::Si::narrow(head.tolerance))
         .with_event_limit(head.events);
-    Ok(Box::new(Stepped {
-        solver,
-        state: None,
-    }))
+    Ok(Box::new(Running::new(solver)))
 }
 
 /// The first field in which an answer is not the recorded one, with both values; the texts are equal where the bits are.

@@ -3,13 +3,12 @@
 use std::fmt;
 
 use stiction_core::frame::{EventSet, Mode, NumberType};
-use stiction_core::{
-    Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, State, Wrench,
-};
-use stiction_scene::{InputError, SURFACES, SceneFile, VERTICES};
+use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, Wrench};
+use stiction_scene::{InputError, SceneFile};
 
 use super::heard::About;
 use super::steps::Step;
+use crate::simulate::Running;
 
 /// What the host's solver makes of a sample.
 #[derive(Clone, Debug)]
@@ -24,27 +23,13 @@ pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
-struct Host<R: Real, M: Model> {
-    solver: Solver<R, VERTICES, SURFACES, M>,
-    state: Option<State<R>>,
-}
-
-impl<R: Real<Si = f32> + Send, M: Model + Send> Twin for Host<R, M> {
+impl<R: Real<Si = f32> + Send, M: Model + Send> Twin for Running<R, M> {
     fn step(&mut self, hand: Hand<f32>) -> Expected {
-        let output = match &mut self.state {
-            Some(state) => self.solver.step(state, hand),
-            None => {
-                let (state, output) = self.solver.start(hand);
-                self.state = Some(state);
-                output
-            }
-        };
-        let state = self.state.as_ref();
-        let contacts = state.map(|state| self.solver.contacts(state).to_vec());
+        let (solver, state, output) = Self::step(self, hand);
         Expected {
             output,
-            wrench: state.map_or_else(Wrench::default, |state| self.solver.wrench(state)),
-            contacts: contacts.unwrap_or_default(),
+            wrench: solver.wrench(state),
+            contacts: solver.contacts(state).to_vec(),
         }
     }
 }
@@ -85,10 +70,7 @@ fn host<R: Real<Si = f32> + Send + 'static, M: Model + Send>(
     let solver = Solver::new(scene.scene_in::<R, M>()?, mode.evolution)
         .with_tolerance(mode.tolerance)
         .with_event_limit(mode.event_limit);
-    Ok(Box::new(Host {
-        solver,
-        state: None,
-    }))
+    Ok(Box::new(Running::new(solver)))
 }
 
 /// What is not equal, and both values.
