@@ -109,23 +109,20 @@ stage 'ten million steps of the hand'
 cargo run --release --locked -p stiction-tests --bin walk -- 10000000
 
 stage 'fuzzing, a minute for each target'
-# libFuzzer with the stable compiler; its runtime is C++. What it finds is in tests/fuzz/artifacts. Always the same inputs, as
-# many as a minute allows: a change is not to fail by chance. The nightly run looks elsewhere each time.
-fuzz() { cargo fuzz "$1" --fuzz-dir tests/fuzz --target-dir target/fuzz --features libfuzzer --sanitizer none "${@:2}"; }
+# Always the same inputs, as many as a minute allows: a change is not to fail by chance. The nightly run looks elsewhere
+# each time. The runtime of libFuzzer is C++.
 fuzz_for_a_minute() {
-  local found=target/fuzz/found/$1 words=tests/fuzz/$1.dict
-  rm -rf "$found" && mkdir -p "$found"
-  [ -e "$words" ] && words=-dict=$words || words=
-  fuzz run "$1" "$found" "tests/fuzz/corpus/$1" -- -seed=1 -max_total_time=60 -timeout=60 $words >"$found.log" 2>&1 ||
-    { tail -n 60 "$found.log"; return 1; }
-  printf '%s: %s\n' "$1" "$(grep -a '^Done' "$found.log")"
+  local log=target/fuzz/$1.log
+  rm -rf "target/fuzz/found/$1"
+  tests/fuzz/run.sh "$1" 60 -seed=1 >"$log" 2>&1 || { tail -n 60 "$log"; return 1; }
+  printf '%s: %s\n' "$1" "$(grep -a '^Done' "$log")"
 }
 cxx='apt-get install -y --no-install-recommends g++'
 command -v c++ >/dev/null || { apt-get update && $cxx; } || true
 if ! command -v c++ >/dev/null; then
   missing 'a C++ compiler' "$cxx"
 elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
-  fuzz build
+  tests/fuzz/run.sh build
   for pair in 'wire solver' 'scene_file hand_path'; do
     jobs=()
     for target in $pair; do

@@ -6,8 +6,4 @@ cd "$(dirname "$0")/.."
 cargo run --release --locked -p stiction-tests --bin walk -- 1000000000
 cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
 cargo test --locked -p stiction-host-sim --test firmware -- --ignored 100_000
-for target in wire scene_file hand_path solver; do
-  mkdir -p "target/fuzz/found/$target"
-  cargo fuzz run --fuzz-dir tests/fuzz --target-dir target/fuzz --features libfuzzer --sanitizer none "$target" \
-    "target/fuzz/found/$target" "tests/fuzz/corpus/$target" -- -max_total_time=3600 -timeout=60
-done
+for target in wire scene_file hand_path solver; do tests/fuzz/run.sh "$target" 3600; done

@@ -4,7 +4,7 @@
 //! under `corpus/` and checked by the tests.
 //!
 //! ```sh
-//! cargo fuzz run --fuzz-dir tests/fuzz --features libfuzzer --sanitizer none solver
+//! tests/fuzz/run.sh solver 60
 //! ```
 
 mod hand_path;
