@@ -20,7 +20,7 @@ mod product;
 mod quotient;
 mod root;
 #[cfg(test)]
-mod samples;
+pub(super) mod samples;
 
 /// A fixed-point number in [-128, 128] in steps of 2^-24; the ends of the range stand for everything beyond. The number type for
 /// chips without a floating point unit: the same solver, scenes and hands given and answers taken in `f32`.

@@ -1,12 +1,12 @@
 //! A line that flips bits, drops, doubles and inserts bytes: nothing wrong is taken for right, every loss shows in the
 //! sequence numbers, and the next undamaged frame is found.
 
-use crate::encoded;
 use crate::random::{Random, pose};
+use crate::{encoded, times};
 use std::collections::HashSet;
 use stiction_core::frame::{Command, Decoder, Faults, Frame, Pose, Report, Sequence};
 
-const FRAMES: u32 = 100_000;
+const FRAMES: u32 = times(100_000);
 
 /// What a line does to a byte.
 fn garbled(random: &mut Random, bytes: &[u8], per_byte: u64, out: &mut Vec<u8>) -> bool {
@@ -116,7 +116,7 @@ fn million_random_bytes_are_no_message() {
         let (mut random, mut board, mut client) =
             (Random(seed), Decoder::<64>::new(), Decoder::<512>::new());
         let mut frames = 0;
-        for _ in 0..1_000_000 {
+        for _ in 0..times(1_000_000) {
             let byte = if seed == 11 && random.below(16) == 0 {
                 0
             } else {
@@ -143,6 +143,7 @@ fn million_random_bytes_are_no_message() {
 }
 
 #[test]
+#[cfg_attr(miri, ignore = "three million frames")]
 fn one_to_three_flipped_bits_of_a_pose_are_always_found() {
     let mut wire = encoded(&numbered(&mut Random(12), 4711));
     let bits = wire.len() * 8;

@@ -1,6 +1,7 @@
 //! The records of the tracker of the paper.
 
 use crate::random::Random;
+use crate::times;
 use stiction_core::frame::{LogitechDecoder, LogitechRecord};
 use stiction_core::{Axis, Projection};
 use stiction_tests::close;
@@ -52,7 +53,7 @@ fn position_is_in_metres_and_signed() {
 #[test]
 fn orientation_is_yaw_pitch_roll() {
     let mut random = Random(13);
-    for _ in 0..1000 {
+    for _ in 0..times(1000) {
         let raw: [u16; 3] = std::array::from_fn(|_| random.below(1 << 14) as u16);
         let q = read(&record(0, [0; 3], raw)).orientation;
         let v: [f64; 3] =
@@ -107,7 +108,7 @@ fn tracker_out_of_range_is_lost() {
 fn records_are_found_again_after_any_bytes() {
     let mut random = Random(14);
     let mut decoder = LogitechDecoder::new();
-    for round in 0..2000 {
+    for round in 0..times(2000).cast_signed() {
         for _ in 0..random.below(40) {
             decoder.push(random.byte());
         }

@@ -4,6 +4,7 @@ mod examples;
 mod faulty_line;
 mod logitech;
 mod malformed;
+#[cfg(not(miri))] // It starts another program.
 mod other_client;
 mod random;
 mod round_trip;
@@ -16,6 +17,11 @@ use stiction_core::frame::{Command, Decoder, Fault, Frame, Message, Report};
 const LONGEST: usize =
     stiction_core::frame::frame_bytes(stiction_core::frame::scene_bytes(255, 255));
 const WIRE: usize = stiction_core::frame::wire_bytes(stiction_core::frame::scene_bytes(255, 255));
+
+/// How often something is tried: so many times, or, in the slow interpreter, a few.
+const fn times(count: u32) -> u32 {
+    if cfg!(miri) { count / 500 } else { count }
+}
 
 /// A frame of either direction.
 enum Either<'a> {

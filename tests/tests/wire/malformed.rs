@@ -1,7 +1,7 @@
 //! What is no message is told by its kind, and changes nothing.
 
 use crate::random::{Random, Store};
-use crate::{Either, decoded, encoded, sealed};
+use crate::{Either, decoded, encoded, sealed, times};
 use stiction_core::frame::{
     Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report,
     frame_bytes,
@@ -37,7 +37,7 @@ fn ends_with_text(frame: &Either<'_>) -> bool {
 #[test]
 fn truncated_and_extended_payloads_have_the_wrong_length() {
     let mut random = Random(6);
-    for _ in 0..600 {
+    for _ in 0..times(600).max(10) {
         let store = Store::fill(&mut random, 3);
         let frame = store.frame(&mut random);
         let (bytes, to_board) = bare(&frame);
@@ -239,7 +239,7 @@ fn faults_are_counted_apart_and_stay_at_their_greatest() {
 fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
     let mut random = Random(15);
     let (mut messages, mut faults) = (0, Faults::new());
-    for i in 0..200_000_u32 {
+    for i in 0..times(200_000) {
         let code = if i % 2 == 0 {
             1 + random.byte() % 8
         } else {
@@ -279,9 +279,9 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
         });
     }
     println!("{messages} messages, {faults:?}");
-    assert!(messages > 5000);
+    assert!(messages > times(5000));
     let kinds = [FaultKind::UnknownType, FaultKind::Length, FaultKind::Value];
-    assert!(kinds.iter().all(|kind| faults.of(*kind) > 1000));
+    assert!(kinds.iter().all(|kind| faults.of(*kind) > times(1000)));
     assert_eq!(
         kinds.iter().map(|kind| faults.of(*kind)).sum::<u32>(),
         faults.total()

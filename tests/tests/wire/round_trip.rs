@@ -2,7 +2,7 @@
 
 use crate::random::{Random, Store};
 use crate::said::Said;
-use crate::{Either, decoded, encoded};
+use crate::{Either, decoded, encoded, times};
 use stiction_core::frame::{
     Command, EventSet, Frame, List, Pose, Report, SceneCommand, scene_bytes, wire_bytes,
 };
@@ -11,7 +11,7 @@ use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
 #[test]
 fn random_messages_arrive_as_they_were_sent() {
     let mut random = Random(1);
-    for i in 0..20_000 {
+    for i in 0..times(20_000) {
         let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
         let sent = store.frame(&mut random);
         let (wire, to_board) = match &sent {
@@ -38,7 +38,7 @@ fn random_messages_arrive_as_they_were_sent() {
 #[test]
 fn pose_takes_32_bytes_whatever_it_says() {
     let mut random = Random(2);
-    for _ in 0..10_000 {
+    for _ in 0..times(10_000) {
         let message = Report::Pose(crate::random::pose(&mut random));
         let frame = Frame {
             sequence: random.byte(),
@@ -167,7 +167,7 @@ fn turns_are_followed_from_pose_to_pose() {
             rest: 0.0,
         },
     );
-    for _ in 0..100_000 {
+    for _ in 0..times(100_000) {
         turns += random.below(8) as i32 - 4;
         let pose = Pose {
             turns: turns.rem_euclid(8) as u8,
