@@ -1,8 +1,8 @@
 //! The documentation of the solver says what the code does: the picture and the table of the contact states are those of its
-//! transition table, and every equation and section that the code cites is there.
+//! transition table, and every equation and section that the code cites is there. Links between documents lead somewhere.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use stiction_tests::diagram::{Area, Diagram, SIZE, document, table};
 
 fn diagram() -> Diagram {
@@ -94,4 +94,60 @@ fn what_the_code_cites_is_there() {
         };
         assert!(statics.contains(&heading), "{heading}");
     }
+}
+
+/// The Markdown files of a folder.
+fn documents(folder: &str) -> Vec<PathBuf> {
+    let folder = document("..").join(folder);
+    let entries = fs::read_dir(folder).expect("a folder");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths
+        .filter(|path| path.extension().is_some_and(|end| end == "md"))
+        .collect()
+}
+
+/// The anchor of a heading, as hosts of repositories make it.
+fn anchor(heading: &str) -> String {
+    let text = heading.trim_start_matches('#').trim().to_lowercase();
+    let kept = text
+        .chars()
+        .filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.collect::<String>().replace(' ', "-")
+}
+
+#[test]
+fn links_lead_somewhere() {
+    let folders = [
+        ".",
+        "core",
+        "firmware",
+        "host-sim",
+        "host-sim/bench",
+        "tests",
+    ];
+    let mut count = 0;
+    for file in folders.into_iter().flat_map(documents) {
+        let text = fs::read_to_string(&file).expect("a document");
+        let targets = text.split("](").skip(1);
+        for target in targets.filter_map(|rest| rest.split(')').next()) {
+            // A target has no space, as a formula may.
+            if target.starts_with("http") || target.contains(' ') {
+                continue;
+            }
+            let (path, heading) = target.split_once('#').unwrap_or((target, ""));
+            let there = match path {
+                "" => file.clone(),
+                path => file.with_file_name("").join(path),
+            };
+            assert!(there.exists(), "{}: {target}", file.display());
+            let headings = || fs::read_to_string(&there).expect("a document");
+            assert!(
+                heading.is_empty() || headings().lines().any(|line| anchor(line) == heading),
+                "{}: {target}",
+                file.display()
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 20, "{count} links");
 }
