@@ -24,11 +24,14 @@ fn every_combination_is_measured_against_a_reference_without_error() {
         "README.md",
         "before\n<!-- trade: begin -->\n<!-- trade: end -->\nafter\n",
     );
+    // Without pictures it may stand anywhere.
+    std::fs::create_dir(folder.file("elsewhere")).expect("a folder");
     folder.write(
-        "short.md",
+        "elsewhere/short.md",
         "<!-- settings: begin -->\n<!-- settings: end -->\n",
     );
-    let arguments = "trade --quick --out figures/trade --readme README.md --readme short.md";
+    let arguments =
+        "trade --quick --out figures/trade --readme README.md --readme elsewhere/short.md";
     let output = folder.stiction(&arguments.split(' ').collect::<Vec<_>>());
     assert!(output.status.success(), "{}", text(&output.stderr));
     rows(&folder);
@@ -46,7 +49,7 @@ fn every_combination_is_measured_against_a_reference_without_error() {
     ] {
         assert!(readme.contains(part), "{part}: {readme}");
     }
-    let short = folder.read("short.md");
+    let short = folder.read("elsewhere/short.md");
     let named = |row: &&str| row.starts_with("| f") && row.contains("| path |");
     assert_eq!(short.lines().filter(named).count(), 3, "{short}");
     assert!(short.contains("\n| fixed | frame |"), "{short}");

@@ -34,8 +34,11 @@ impl Readme {
         })
     }
 
-    /// The folder of the pictures as seen from that of the file.
+    /// The folder of the pictures as seen from that of the file; in short nothing is seen of it.
     pub(super) fn pictures(&self, out: &Path) -> Result<PathBuf, TradeError> {
+        if self.whole.is_none() {
+            return Ok(PathBuf::new());
+        }
         let whole = |path: &Path| path.canonicalize().map_err(TradeError::write(path));
         let (folder, file) = (whole(out)?, whole(&self.file)?);
         let base = file.parent().unwrap_or(Path::new(""));

@@ -96,38 +96,26 @@ impl Table {
             "number",
             "evolution",
             "chip, emulated",
-            "in step with the reference (%)",
-            "their error, 99 % (µm)",
+            "error (µm)",
             "ns per frame",
             "instructions, mean / worst",
-            "flash (bytes)",
+            "flash, stack (bytes)",
         ];
         let cells = |row: &Row| {
-            let (accuracy, [number, evolution, ..]) = (&row.accuracy, names(row));
+            let [number, evolution, ..] = names(row);
             let counted = Chip::ALL.iter().zip(row.cost.emulated);
             let mut counted = counted.filter_map(|(chip, counted)| Some((chip.name(), counted?)));
-            let (chip, instructions, flash) = match counted.next() {
+            let (chip, instructions, memory) = match counted.next() {
                 Some((chip, counted)) => (
                     chip.to_owned(),
                     format!("{:.0} / {}", counted.instructions, counted.worst),
-                    counted.flash.to_string(),
+                    format!("{}, {}", counted.flash, counted.stack),
                 ),
                 None => Default::default(),
             };
-            let (in_step, error) = (accuracy.in_step, accuracy.position_in_step.most);
-            let (in_step, error) = (figure(accuracy.percent(in_step)), figure(error));
+            let error = middle(row.accuracy.position_in_step);
             let time = format!("{:.0}", row.cost.host);
-            [
-                number,
-                evolution,
-                chip,
-                in_step,
-                error,
-                time,
-                instructions,
-                flash,
-            ]
-            .to_vec()
+            [number, evolution, chip, error, time, instructions, memory].to_vec()
         };
         let exact = |row: &&Row| row.rate == FINEST && row.setting.dial == Dial::EXACT;
         Self {
