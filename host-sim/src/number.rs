@@ -35,7 +35,7 @@ impl Number {
     }
 
     /// Whether results are f32 values, to be printed with the digits of f32.
-    pub const fn is_single(self) -> bool {
+    pub(crate) const fn is_single(self) -> bool {
         matches!(self, Self::F32 | Self::Fixed)
     }
 }

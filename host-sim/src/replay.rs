@@ -20,16 +20,16 @@ use crate::trace::{Format, Record};
 #[derive(Args, Clone, Debug)]
 pub struct ReplayArgs {
     /// Recording, of `run --record` or `board --verify --record`
-    pub recording: PathBuf,
+    recording: PathBuf,
     /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
-    pub out: Option<(PathBuf, Format)>,
+    out: Option<(PathBuf, Format)>,
     /// Recording to write: the same samples with the answers of now
     #[arg(long, value_name = "FILE")]
-    pub record: Option<PathBuf>,
+    record: Option<PathBuf>,
     /// Nothing where all is the same
     #[arg(long)]
-    pub quiet: bool,
+    quiet: bool,
 }
 
 /// Why a replay gave nothing.

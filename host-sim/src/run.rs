@@ -5,13 +5,14 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use stiction_core::Evolution;
 use stiction_scene::{HandPath, InputError, Motion, SceneFile};
 
 use crate::files::{Files, WriteError};
 use crate::number::Number;
 use crate::plot::{self, PlotError};
+use crate::progress;
 use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
@@ -24,22 +25,22 @@ use crate::trace::Format;
 #[derive(Args, Clone, Debug)]
 pub struct RunArgs {
     /// Scene file (TOML), or the name of a bundled scene
-    pub scene: PathBuf,
+    pub(crate) scene: PathBuf,
     /// How it is run.
     #[command(flatten)]
-    pub settings: Settings,
+    pub(crate) settings: Settings,
     /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
-    pub out: Option<(PathBuf, Format)>,
+    pub(crate) out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
     #[arg(long, value_name = "FILE")]
-    pub record: Option<PathBuf>,
+    pub(crate) record: Option<PathBuf>,
     /// Folder for plots
     #[arg(long, value_name = "DIR")]
-    pub plot: Option<PathBuf>,
+    pub(crate) plot: Option<PathBuf>,
     /// Neither summary nor progress
     #[arg(long)]
-    pub quiet: bool,
+    pub(crate) quiet: bool,
 }
 
 /// The evolution of a name.
@@ -199,10 +200,8 @@ impl Progress {
             return;
         }
         if self.bar.is_none() && self.begun.elapsed() > Duration::from_secs(1) {
-            let style =
-                ProgressStyle::with_template("{bar:40} {percent}% of {len} frames, {eta} left");
-            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-            self.bar = Some(ProgressBar::new(self.total).with_style(style));
+            let template = "{bar:40} {percent}% of {len} frames, {eta} left";
+            self.bar = Some(progress::bar(self.total, template));
         }
         if let Some(bar) = &self.bar {
             bar.set_position(self.done);

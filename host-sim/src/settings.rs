@@ -15,25 +15,25 @@ use crate::simulate::simulate;
 
 /// What may be chosen besides the scene.
 #[derive(Args, Clone, Debug)]
-pub struct Settings {
+pub(crate) struct Settings {
     /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
     #[arg(long, value_name = "FILE")]
-    pub hand: Option<PathBuf>,
+    pub(crate) hand: Option<PathBuf>,
     /// Number type of the solver
     #[arg(long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
+    pub(crate) number: Number,
     /// path: events are found along the hand's straight line between two frames; frame: at frames only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
-    pub evolution: Evolution,
+    pub(crate) evolution: Evolution,
     /// Hand frames per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
-    pub rate: Option<f64>,
+    pub(crate) rate: Option<f64>,
     /// Tolerance of the solver's searches (rad, 0 to 0.01); 0: exact
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = parse_tolerance)]
-    pub tolerance: f64,
+    pub(crate) tolerance: f64,
     /// Events of a frame that are told apart (1 to 128)
     #[arg(long, value_name = "N", default_value_t = MAX_EVENT_LIMIT, value_parser = parse_events)]
-    pub events: u8,
+    pub(crate) events: u8,
 }
 
 /// What `stiction run` takes where nothing is said.
@@ -73,7 +73,7 @@ impl Settings {
     ///
     /// # Errors
     /// The scene is refused, or the first error of `sink`.
-    pub fn simulate<E: From<InputError>>(
+    pub(crate) fn simulate<E: From<InputError>>(
         &self,
         scene: &SceneFile,
         samples: impl Iterator<Item = Sample>,
