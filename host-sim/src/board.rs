@@ -29,7 +29,6 @@ mod refusal;
 mod session;
 mod setup;
 mod steps;
-pub(crate) mod stop;
 mod stream;
 mod tracker;
 mod verify;
@@ -41,7 +40,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_core::frame::{Mode, NumberType};
+use stiction_core::frame::Mode;
 use stiction_scene::SceneFile;
 
 pub use address::ConnectArgs;
@@ -52,13 +51,14 @@ pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::Files;
+use crate::input::{open_path, open_scene};
 use crate::number::Number;
+use crate::options::{evolution_parser, parse_rate, parse_trace};
 use crate::record::Run;
 use crate::recording::Head;
-use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
 use crate::settings::Settings;
 use crate::trace::Format;
-use crate::{report, scenes};
+use crate::{report, scenes, stop};
 use audience::Console;
 use feed::Feed;
 use heard::About;
@@ -193,12 +193,8 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
 /// What a recording says about a board.
 fn recording_head(about: &About, scene: &SceneFile, mode: &Mode) -> Head {
     let [major, minor, patch] = about.version;
-    let number = match about.number {
-        NumberType::F32 => Number::F32,
-        NumberType::Fixed => Number::Fixed,
-    };
     let settings = Settings {
-        number,
+        number: about.number.into(),
         evolution: mode.evolution,
         tolerance: mode.tolerance.into(),
         events: mode.event_limit,

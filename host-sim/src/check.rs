@@ -9,8 +9,8 @@ use stiction_core::Evolution;
 use stiction_judge::{Bounds, InputError, Judge, Scene, Survey, Trace};
 
 use crate::number::Number;
+use crate::options::evolution_parser;
 use crate::report;
-use crate::run::evolution_parser;
 use crate::scenes;
 
 /// The arguments of `stiction check`.

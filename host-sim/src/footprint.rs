@@ -21,10 +21,10 @@ use stiction_tools::process::EmulatorError;
 use stiction_tools::readme::Section;
 
 use crate::emulator::Chip;
+use crate::input::{open_path, open_scene};
 use crate::number::Number;
 use crate::progress::measuring;
 use crate::report;
-use crate::run::{open_path, open_scene};
 use measure::measure;
 use table::{Row, Table};
 

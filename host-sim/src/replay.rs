@@ -9,10 +9,10 @@ use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::files::{Files, WriteError};
 use crate::number::Number;
+use crate::options::{evolution_named, parse_trace};
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
-use crate::run::{evolution_named, parse_trace};
 use crate::simulate::Running;
 use crate::trace::{Format, Record};
 

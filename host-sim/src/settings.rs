@@ -9,8 +9,8 @@ use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
 use stiction_scene::{InputError, Sample, SceneFile};
 
 use crate::number::Number;
+use crate::options::{evolution_parser, parse_events, parse_rate, parse_tolerance};
 use crate::record::Frame;
-use crate::run::{evolution_parser, parse_rate};
 use crate::simulate::simulate;
 
 /// What may be chosen besides the scene.
@@ -47,24 +47,6 @@ impl Default for Settings {
             tolerance: 0.0,
             events: MAX_EVENT_LIMIT,
         }
-    }
-}
-
-/// A tolerance (rad) that the solver takes as it is.
-pub(crate) fn parse_tolerance(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(radians) if (0.0..=0.01).contains(&radians) => Ok(radians),
-        _ => Err("allowed: a number from 0 to 0.01".to_owned()),
-    }
-}
-
-/// An event limit of a frame.
-pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
-    match text.parse() {
-        Ok(events) if (1..=MAX_EVENT_LIMIT).contains(&events) => Ok(events),
-        _ => Err(format!(
-            "allowed: a whole number from 1 to {MAX_EVENT_LIMIT}"
-        )),
     }
 }
 

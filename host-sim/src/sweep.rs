@@ -26,8 +26,7 @@ use rayon::ThreadPoolBuilder;
 use sha2::{Digest, Sha256};
 use stiction_scene::InputError;
 
-use crate::board::stop;
-use crate::report;
+use crate::{report, stop};
 use output::{Output, Rows};
 use plan::Plan;
 use progress::Progress;
