@@ -8,7 +8,7 @@ macro_rules! named {
 
         impl $kind {
             /// All names in a trace.
-            pub const NAMES: &[&str] = &[$($name),*];
+            pub(crate) const NAMES: &[&str] = &[$($name),*];
 
             /// By its name in a trace.
             pub fn named(name: &str) -> Option<Self> {
