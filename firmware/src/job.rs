@@ -30,15 +30,17 @@ mod results;
 mod scene;
 
 use fields::{Fields, Record};
-pub use results::{FRAME_BYTES, Frame, Results, STATUSES, Totals};
-pub use scene::{HEAD_BYTES, Head, Setting, write_scene};
+pub(crate) use results::FRAME_BYTES;
+pub use results::{Frame, Results, Totals};
+pub(crate) use scene::{HEAD_BYTES, Head};
+pub use scene::{Setting, write_scene};
 use stiction_core::{Angle, Hand};
 
 /// What the first bytes of a job or of its results say about its layout.
 pub const VERSION: u8 = 2;
 
 /// The bytes of a hand sample.
-pub const SAMPLE_BYTES: usize = 32;
+pub(crate) const SAMPLE_BYTES: usize = 32;
 
 /// Why bytes are not a job, or not its results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,7 +75,7 @@ pub fn encode_sample(hand: &Hand<f64>) -> [u8; SAMPLE_BYTES] {
 }
 
 /// The sample of these bytes.
-pub fn decode_sample(bytes: &[u8; SAMPLE_BYTES]) -> Hand<f64> {
+pub(crate) fn decode_sample(bytes: &[u8; SAMPLE_BYTES]) -> Hand<f64> {
     let mut fields = Fields::new(bytes);
     let position = [fields.f64(), fields.f64()];
     let rest = fields.f64();

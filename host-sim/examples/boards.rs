@@ -140,7 +140,7 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
     Ok(format!(
         "| {} | {name} | {} | {} | {mean} | {} | {i}: {}, {} | {} | {} | {} |",
         build.title(),
-        format!("{evolution:?}").to_lowercase(),
+        evolution.name(),
         frames.len(),
         worst.instructions,
         change(&frames[i - 1], worst),

@@ -83,11 +83,7 @@ impl Balance {
     /// The largest force (N) of a frame, and what is left of the sums: nothing where no hand holds the body.
     fn of(&self, frame: &Frame) -> (f64, Imbalance) {
         let [fx, fy, mut moment] = frame.wrench;
-        // The holding point: the spring's force is k_h times the way from it to the hand.
-        let grip = [
-            frame.hand[0] - fx / self.stiffness_translation,
-            frame.hand[1] - fy / self.stiffness_translation,
-        ];
+        let grip = frame.holding_point(self.stiffness_translation);
         let mut sum = [fx, fy];
         let mut largest = hypot(fx, fy);
         let mut add = |force: [f64; 2], point: [f64; 2]| {

@@ -29,7 +29,6 @@ mod refusal;
 mod session;
 mod setup;
 mod steps;
-pub(crate) mod stop;
 mod stream;
 mod tracker;
 mod verify;
@@ -41,7 +40,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_core::frame::{Mode, NumberType};
+use stiction_core::frame::Mode;
 use stiction_scene::SceneFile;
 
 pub use address::ConnectArgs;
@@ -52,13 +51,14 @@ pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::Files;
+use crate::input::{open_path, open_scene};
 use crate::number::Number;
+use crate::options::{evolution_parser, parse_rate, parse_trace};
 use crate::record::Run;
 use crate::recording::Head;
-use crate::run::{evolution_parser, open_path, open_scene, parse_rate, parse_trace};
 use crate::settings::Settings;
 use crate::trace::Format;
-use crate::{report, scenes};
+use crate::{report, scenes, stop};
 use audience::Console;
 use feed::Feed;
 use heard::About;
@@ -73,46 +73,46 @@ use stream::Stream;
 pub struct BoardArgs {
     /// Scene file (TOML), or the name of a bundled scene
     #[arg(default_value = scenes::DEFAULT)]
-    pub scene: PathBuf,
+    scene: PathBuf,
     /// Where the board is.
     #[command(flatten)]
-    pub connect: ConnectArgs,
+    connect: ConnectArgs,
     /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
     #[arg(long, value_name = "FILE")]
-    pub hand: Option<PathBuf>,
+    hand: Option<PathBuf>,
     /// Samples per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
-    pub rate: Option<f64>,
+    rate: Option<f64>,
     /// A tracker instead of a path.
     #[command(flatten)]
-    pub tracker: TrackerArgs,
+    tracker: TrackerArgs,
     /// path: events are found along the hand's straight line between two samples; frame: at samples only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
-    pub evolution: Evolution,
+    evolution: Evolution,
     /// Tolerance of the board's solver (rad); 0: exact
     #[arg(long, value_name = "RAD", default_value_t = 0.0)]
-    pub tolerance: f32,
+    tolerance: f32,
     /// Events of a step that are told apart (1 to 128), instead of as many as the board tells
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=128))]
-    pub events: Option<u8>,
+    events: Option<u8>,
     /// Ticks of the board per second, instead of those that it has
     #[arg(long, value_name = "HZ")]
-    pub tick: Option<u16>,
+    tick: Option<u16>,
     /// The board makes a step with every sample, this computer too: every bit of every answer is compared
     #[arg(long)]
-    pub verify: bool,
+    verify: bool,
     /// The board keeps the scene that it has, and the body stays where it is
     #[arg(long, conflicts_with = "verify")]
-    pub keep: bool,
+    keep: bool,
     /// Trace to write: TRACE.jsonl or TRACE.csv
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
-    pub out: Option<(PathBuf, Format)>,
+    out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, mode, every sample and every answer of the board
     #[arg(long, value_name = "FILE", requires = "verify")]
-    pub record: Option<PathBuf>,
+    record: Option<PathBuf>,
     /// Nothing but errors and the verdict of --verify
     #[arg(long)]
-    pub quiet: bool,
+    quiet: bool,
 }
 
 /// The arguments of `stiction info`.
@@ -121,7 +121,7 @@ pub struct BoardArgs {
 pub struct InfoArgs {
     /// Where the board is.
     #[command(flatten)]
-    pub connect: ConnectArgs,
+    connect: ConnectArgs,
 }
 
 /// Streams to a board. False where `--verify` found a difference.
@@ -193,12 +193,8 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
 /// What a recording says about a board.
 fn recording_head(about: &About, scene: &SceneFile, mode: &Mode) -> Head {
     let [major, minor, patch] = about.version;
-    let number = match about.number {
-        NumberType::F32 => Number::F32,
-        NumberType::Fixed => Number::Fixed,
-    };
     let settings = Settings {
-        number,
+        number: about.number.into(),
         evolution: mode.evolution,
         tolerance: mode.tolerance.into(),
         events: mode.event_limit,

@@ -9,30 +9,30 @@ use stiction_core::Evolution;
 use stiction_judge::{Bounds, InputError, Judge, Scene, Survey, Trace};
 
 use crate::number::Number;
+use crate::options::evolution_parser;
 use crate::report;
-use crate::run::evolution_parser;
 use crate::scenes;
 
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
     /// Trace (jsonl, csv) of `stiction run`, or of any other program
-    pub trace: PathBuf,
+    trace: PathBuf,
     /// Scene file (TOML) that the trace is of, or the name of a bundled scene
     #[arg(long)]
-    pub scene: PathBuf,
+    scene: PathBuf,
     /// Number type of the solver: how exact the trace can be
     #[arg(long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
+    number: Number,
     /// path: slips begin anywhere on the hand's straight line between two frames; frame: at frames only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
-    pub evolution: Evolution,
+    evolution: Evolution,
     /// So many of the worst frames are listed
     #[arg(long, value_name = "N", default_value_t = 10)]
-    pub worst: usize,
+    worst: usize,
     /// No report: the exit status alone tells
     #[arg(long)]
-    pub quiet: bool,
+    quiet: bool,
 }
 
 /// Judges a trace and prints a report; false where a frame breaks a law.

@@ -9,7 +9,7 @@ mod chip;
 mod image;
 
 pub use bits::Machine;
-pub use chip::Chip;
+pub(crate) use chip::Chip;
 pub use image::{Profile, footprint};
 
 use std::convert::Infallible;

@@ -8,24 +8,24 @@
 mod measure;
 mod table;
 
-pub use measure::{Measured, measure};
-
 use std::io;
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::thread;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use stiction_core::{Evolution, Fixed, Hand};
 use stiction_scene::{InputError, SceneFile, SceneModel};
 use stiction_tools::process::EmulatorError;
 use stiction_tools::readme::Section;
 
 use crate::emulator::Chip;
+use crate::input::{open_path, open_scene};
 use crate::number::Number;
+use crate::progress::measuring;
 use crate::report;
-use crate::run::{open_path, open_scene};
+use measure::measure;
 use table::{Row, Table};
 
 /// The arguments of `stiction footprint`.
@@ -33,11 +33,11 @@ use table::{Row, Table};
 pub struct FootprintArgs {
     /// Scene file (TOML), or the name of a bundled scene; without it a few bundled scenes
     #[arg(required_unless_present = "readme")]
-    pub scene: Option<PathBuf>,
+    scene: Option<PathBuf>,
     /// Writes the table, without a scene that of a few bundled ones, between the marks <!-- footprint: begin --> and
     /// <!-- footprint: end --> of this file as well
     #[arg(long, value_name = "FILE")]
-    pub readme: Option<PathBuf>,
+    readme: Option<PathBuf>,
 }
 
 /// Why there is no table.
@@ -141,9 +141,7 @@ fn heading(case: &Case) -> String {
 /// The rows of a scene, behind a progress bar.
 fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
     let models = Chip::ALL.len() * Evolution::ALL.len() * 2;
-    let bar = &ProgressBar::new(models as u64);
-    let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = &measuring(models as u64);
     bar.set_message(case.scene.title.clone());
     // One chip computes while the image of the other one is built.
     let of_chips = thread::scope(|scope| {

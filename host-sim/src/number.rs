@@ -1,6 +1,7 @@
 //! The number types that a run can use, and how large their numbers may be.
 
 use clap::ValueEnum;
+use stiction_core::frame::NumberType;
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -35,7 +36,17 @@ impl Number {
     }
 
     /// Whether results are f32 values, to be printed with the digits of f32.
-    pub const fn is_single(self) -> bool {
+    pub(crate) const fn is_single(self) -> bool {
         matches!(self, Self::F32 | Self::Fixed)
+    }
+}
+
+/// That of a board.
+impl From<NumberType> for Number {
+    fn from(number: NumberType) -> Self {
+        match number {
+            NumberType::F32 => Self::F32,
+            NumberType::Fixed => Self::Fixed,
+        }
     }
 }

@@ -72,7 +72,7 @@ const PICTURES: [(&str, Picture); 4] = [
 ///
 /// # Errors
 /// [`PlotError`]: no frames, or the directory or a file cannot be written.
-pub fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub(crate) fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
     if run.frames.is_empty() {
         return Err(PlotError::Empty);
     }

@@ -134,4 +134,9 @@ impl Frame {
             status: output.status,
         }
     }
+
+    /// The holding point in the world while the hand holds the body: p_h - F / k_h (m).
+    pub(crate) fn holding_point(&self, stiffness_translation: f64) -> [f64; 2] {
+        [0, 1].map(|axis| self.hand[axis] - self.wrench[axis] / stiffness_translation)
+    }
 }

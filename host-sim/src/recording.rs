@@ -18,11 +18,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use stiction_core::{Angle, Hand};
 use stiction_scene::{Sample, SceneFile};
+use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
 use crate::record::{Frame, Run};
 use crate::settings::Settings;
-use crate::trace::{Record, part};
+use crate::trace::Record;
 
 /// The version of the format.
 const VERSION: u32 = 1;

@@ -9,10 +9,10 @@ use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::files::{Files, WriteError};
 use crate::number::Number;
+use crate::options::{evolution_named, parse_trace};
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
-use crate::run::{evolution_named, parse_trace};
 use crate::simulate::Running;
 use crate::trace::{Format, Record};
 
@@ -20,16 +20,16 @@ use crate::trace::{Format, Record};
 #[derive(Args, Clone, Debug)]
 pub struct ReplayArgs {
     /// Recording, of `run --record` or `board --verify --record`
-    pub recording: PathBuf,
+    recording: PathBuf,
     /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
-    pub out: Option<(PathBuf, Format)>,
+    out: Option<(PathBuf, Format)>,
     /// Recording to write: the same samples with the answers of now
     #[arg(long, value_name = "FILE")]
-    pub record: Option<PathBuf>,
+    record: Option<PathBuf>,
     /// Nothing where all is the same
     #[arg(long)]
-    pub quiet: bool,
+    quiet: bool,
 }
 
 /// Why a replay gave nothing.

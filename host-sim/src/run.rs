@@ -1,21 +1,20 @@
 //! `stiction run`: a scene file and the hand's motion through the solver, to a trace, a summary and plots.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
-use indicatif::{ProgressBar, ProgressStyle};
-use stiction_core::Evolution;
-use stiction_scene::{HandPath, InputError, Motion, SceneFile};
+use indicatif::ProgressBar;
+use stiction_scene::InputError;
 
 use crate::files::{Files, WriteError};
-use crate::number::Number;
+use crate::input::{open_path, open_scene};
+use crate::options::parse_trace;
 use crate::plot::{self, PlotError};
+use crate::progress;
 use crate::record::Run;
 use crate::recording::Head;
 use crate::report;
-use crate::scenes;
 use crate::settings::Settings;
 use crate::summary::Summary;
 use crate::trace::Format;
@@ -24,48 +23,22 @@ use crate::trace::Format;
 #[derive(Args, Clone, Debug)]
 pub struct RunArgs {
     /// Scene file (TOML), or the name of a bundled scene
-    pub scene: PathBuf,
+    pub(crate) scene: PathBuf,
     /// How it is run.
     #[command(flatten)]
-    pub settings: Settings,
+    pub(crate) settings: Settings,
     /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
     #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
-    pub out: Option<(PathBuf, Format)>,
+    pub(crate) out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
     #[arg(long, value_name = "FILE")]
-    pub record: Option<PathBuf>,
+    pub(crate) record: Option<PathBuf>,
     /// Folder for plots
     #[arg(long, value_name = "DIR")]
-    pub plot: Option<PathBuf>,
+    pub(crate) plot: Option<PathBuf>,
     /// Neither summary nor progress
     #[arg(long)]
-    pub quiet: bool,
-}
-
-/// The evolution of a name.
-pub(crate) fn evolution_named(name: &str) -> Option<Evolution> {
-    let mut all = Evolution::ALL.into_iter();
-    all.find(|evolution| evolution.name() == name)
-}
-
-pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
-    PossibleValuesParser::new(Evolution::ALL.map(Evolution::name))
-        .map(|name| evolution_named(&name).unwrap_or_default())
-}
-
-pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(rate) if rate > 0.0 && f64::is_finite(rate) => Ok(rate),
-        _ => Err("allowed: a finite number above 0".to_owned()),
-    }
-}
-
-pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
-    let file = PathBuf::from(text);
-    match Format::of(&file) {
-        Some(format) => Ok((file, format)),
-        None => Err("allowed: a file name that ends in .jsonl or .csv".to_owned()),
-    }
+    pub(crate) quiet: bool,
 }
 
 /// Why a run gave nothing.
@@ -127,49 +100,6 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
     Ok(())
 }
 
-/// A scene file, or the bundled scene of a name.
-pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
-    if name.exists() {
-        return SceneFile::read(name, number.limit());
-    }
-    match scenes::find(name) {
-        Some(source) => SceneFile::parse(source, number.limit()),
-        None => Err(InputError::of_file(name, scenes::unknown())),
-    }
-}
-
-/// The hand's path and the rate (Hz) to resample it to: a file and a rate that are given, or else those of the scene.
-pub(crate) fn open_path(
-    scene: &SceneFile,
-    hand: Option<&Path>,
-    rate: Option<f64>,
-) -> Result<(HandPath, Option<f64>), InputError> {
-    let rate = rate.or(scene.hand.rate);
-    let path = match (hand, &scene.hand.motion) {
-        (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
-        (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
-        (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
-        (None, Some(Motion::Keyframes(_))) => {
-            let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
-            return Err(scene.source().error(problem));
-        }
-        (None, None) => {
-            let problem =
-                "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
-            return Err(scene.source().error(problem));
-        }
-    };
-    let count = path.frame_count(rate);
-    if count > HandPath::LARGEST_COUNT {
-        let problem = format!(
-            "the rate gives {count} frames, allowed: at most {}",
-            HandPath::LARGEST_COUNT
-        );
-        return Err(scene.source().error(&problem));
-    }
-    Ok((path, rate))
-}
-
 /// A progress bar that shows itself after a second, on a terminal.
 struct Progress {
     begun: Instant,
@@ -199,10 +129,8 @@ impl Progress {
             return;
         }
         if self.bar.is_none() && self.begun.elapsed() > Duration::from_secs(1) {
-            let style =
-                ProgressStyle::with_template("{bar:40} {percent}% of {len} frames, {eta} left");
-            let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-            self.bar = Some(ProgressBar::new(self.total).with_style(style));
+            let template = "{bar:40} {percent}% of {len} frames, {eta} left";
+            self.bar = Some(progress::bar(self.total, template));
         }
         if let Some(bar) = &self.bar {
             bar.set_position(self.done);

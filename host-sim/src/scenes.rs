@@ -4,7 +4,7 @@ use std::path::Path;
 
 use stiction_scene::Source;
 
-/// The scene of a run without arguments.
+/// The scene of `stiction board` where none is named.
 pub const DEFAULT: &str = "vertex-stick-slip";
 
 macro_rules! bundled {

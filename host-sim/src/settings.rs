@@ -9,31 +9,31 @@ use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
 use stiction_scene::{InputError, Sample, SceneFile};
 
 use crate::number::Number;
+use crate::options::{evolution_parser, parse_events, parse_rate, parse_tolerance};
 use crate::record::Frame;
-use crate::run::{evolution_parser, parse_rate};
 use crate::simulate::simulate;
 
 /// What may be chosen besides the scene.
 #[derive(Args, Clone, Debug)]
-pub struct Settings {
+pub(crate) struct Settings {
     /// Recorded hand path (csv, tum, txt) instead of the one in the scene file
     #[arg(long, value_name = "FILE")]
-    pub hand: Option<PathBuf>,
+    pub(crate) hand: Option<PathBuf>,
     /// Number type of the solver
     #[arg(long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
+    pub(crate) number: Number,
     /// path: events are found along the hand's straight line between two frames; frame: at frames only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
-    pub evolution: Evolution,
+    pub(crate) evolution: Evolution,
     /// Hand frames per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
-    pub rate: Option<f64>,
+    pub(crate) rate: Option<f64>,
     /// Tolerance of the solver's searches (rad, 0 to 0.01); 0: exact
     #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = parse_tolerance)]
-    pub tolerance: f64,
+    pub(crate) tolerance: f64,
     /// Events of a frame that are told apart (1 to 128)
     #[arg(long, value_name = "N", default_value_t = MAX_EVENT_LIMIT, value_parser = parse_events)]
-    pub events: u8,
+    pub(crate) events: u8,
 }
 
 /// What `stiction run` takes where nothing is said.
@@ -50,30 +50,12 @@ impl Default for Settings {
     }
 }
 
-/// A tolerance (rad) that the solver takes as it is.
-pub(crate) fn parse_tolerance(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(radians) if (0.0..=0.01).contains(&radians) => Ok(radians),
-        _ => Err("allowed: a number from 0 to 0.01".to_owned()),
-    }
-}
-
-/// An event limit of a frame.
-pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
-    match text.parse() {
-        Ok(events) if (1..=MAX_EVENT_LIMIT).contains(&events) => Ok(events),
-        _ => Err(format!(
-            "allowed: a whole number from 1 to {MAX_EVENT_LIMIT}"
-        )),
-    }
-}
-
 impl Settings {
     /// Runs a scene over the hand's motion and gives every frame to `sink`; returns the time that the solver's steps took.
     ///
     /// # Errors
     /// The scene is refused, or the first error of `sink`.
-    pub fn simulate<E: From<InputError>>(
+    pub(crate) fn simulate<E: From<InputError>>(
         &self,
         scene: &SceneFile,
         samples: impl Iterator<Item = Sample>,

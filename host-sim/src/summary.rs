@@ -12,7 +12,7 @@ use crate::record::{Frame, Run};
 
 /// What is gathered over the frames of a run.
 #[derive(Clone, Debug)]
-pub struct Summary {
+pub(crate) struct Summary {
     title: String,
     pub(crate) residual: Residual,
     pub(crate) frames: u64,
@@ -26,7 +26,7 @@ pub struct Summary {
 
 impl Summary {
     /// Of a run whose frames are still to come.
-    pub fn new(run: &Run) -> Self {
+    pub(crate) fn new(run: &Run) -> Self {
         let (number, evolution) = (run.number.name(), run.evolution.name());
         Self {
             title: format!("{} ({number}, {evolution})", run.title),
@@ -42,7 +42,7 @@ impl Summary {
     }
 
     /// Adds a frame; the time since the frame before counts for its state.
-    pub fn add(&mut self, frame: &Frame) {
+    pub(crate) fn add(&mut self, frame: &Frame) {
         self.frames += 1;
         let (first, last) = self.span.unwrap_or((frame.t, frame.t));
         self.span = Some((first, frame.t));
@@ -67,7 +67,7 @@ impl Summary {
     }
 
     /// Sets the time that all steps of the solver took together.
-    pub fn set_solver_time(&mut self, time: Duration) {
+    pub(crate) fn set_solver_time(&mut self, time: Duration) {
         self.solver_time = time;
     }
 }

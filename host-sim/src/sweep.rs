@@ -26,8 +26,7 @@ use rayon::ThreadPoolBuilder;
 use sha2::{Digest, Sha256};
 use stiction_scene::InputError;
 
-use crate::board::stop;
-use crate::report;
+use crate::{report, stop};
 use output::{Output, Rows};
 use plan::Plan;
 use progress::Progress;
@@ -36,26 +35,26 @@ use progress::Progress;
 #[derive(Args, Clone, Debug)]
 pub struct SweepArgs {
     /// Sweep file (TOML): scenes, what varies in them, the design
-    pub sweep: PathBuf,
+    sweep: PathBuf,
     /// Table to write, and to continue where it is there: SWEEP.csv, with --shard SWEEP.I-of-N.csv
     #[arg(long, value_name = "FILE")]
-    pub out: Option<PathBuf>,
+    out: Option<PathBuf>,
     /// Part I of N alone, from 1: the rows whose index leaves I-1 when divided by N. The first part has the header, the
     /// others have none, so that `cat` in their order makes one table
     #[arg(long, value_name = "I/N", value_parser = parse_shard, default_value = "1/1", hide_default_value = true)]
-    pub shard: Shard,
+    shard: Shard,
     /// Threads, instead of one for each core
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    pub threads: Option<u16>,
+    threads: Option<u16>,
     /// A last column with the time of the solver's steps (s), which is different every time
     #[arg(long)]
-    pub time: bool,
+    time: bool,
     /// How many points there are, and the first of them; nothing is run
     #[arg(long)]
-    pub dry_run: bool,
+    dry_run: bool,
     /// No progress and no summary
     #[arg(long)]
-    pub quiet: bool,
+    quiet: bool,
 }
 
 /// Part `part` of `of`, from 1.

@@ -3,11 +3,11 @@
 
 mod table;
 
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Serialize, Serializer};
+use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
 use crate::record::{Frame, Run};
@@ -99,25 +99,6 @@ impl<'a> Record<'a> {
             status: frame.status.name(),
         }
     }
-}
-
-/// A file beside a place, to be moved there when it is whole.
-///
-/// # Errors
-/// The place is a folder, or the folder around it cannot be written to.
-pub(crate) fn part(place: &Path) -> io::Result<NamedTempFile> {
-    let folder = match place.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
-    if place.is_dir() {
-        return Err(io::ErrorKind::IsADirectory.into());
-    }
-    // Not tempfile's own way of creating, which lets nobody else read the file.
-    tempfile::Builder::new()
-        .prefix(".stiction-")
-        .suffix(".part")
-        .make_in(folder, |path| File::create_new(path))
 }
 
 #[derive(Debug)]

@@ -23,10 +23,6 @@ mod setting;
 mod suite;
 mod table;
 
-pub use accuracy::{Accuracy, Spread};
-pub use cost::{Cost, Emulated};
-pub use measure::{Row, measure};
-pub use report::Report;
 pub use setting::{Dial, FINEST, RATES, Setting};
 pub use suite::{Case, Group, Suite};
 
@@ -34,37 +30,38 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-
 use stiction_scene::InputError;
 use stiction_tools::machine::processor;
 use stiction_tools::process::EmulatorError;
 
 use crate::plot::{self, PlotError};
+use crate::progress::measuring;
 use emulated::Count;
 use files::Folder;
 use front::Place;
+use measure::measure;
 use readme::Readme;
+use report::Report;
 
 /// The arguments of `stiction trade`.
 #[derive(Args, Clone, Debug)]
 pub struct TradeArgs {
     /// Folder for trade.csv, trade.json and the pictures
     #[arg(long, value_name = "DIR", default_value = "trade")]
-    pub out: PathBuf,
+    out: PathBuf,
     /// Recorded hand path (csv, tum, txt) instead of the synthetic one
     #[arg(long, value_name = "FILE")]
-    pub hand: Option<PathBuf>,
+    hand: Option<PathBuf>,
     /// A few scenes only
     #[arg(long)]
-    pub quick: bool,
+    quick: bool,
     /// Counts instructions, flash and memory on emulated Cortex-M4F and Cortex-M0 as well (needs QEMU)
     #[arg(long)]
-    pub emulated: bool,
+    emulated: bool,
     /// Writes the results between the marks <!-- trade: begin --> and <!-- trade: end --> of this file as well, and in short
     /// between <!-- settings: begin --> and <!-- settings: end -->, where it has them; can be given again for other files
     #[arg(long, value_name = "FILE")]
-    pub readme: Vec<PathBuf>,
+    readme: Vec<PathBuf>,
 }
 
 /// Why there are no results.
@@ -149,15 +146,9 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     Ok(())
 }
 
-fn progress(length: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {percent}%, {eta} left, {msg}");
-    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length as u64).with_style(style)
-}
-
 /// Counts on emulated chips behind a progress bar.
 fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
-    let bar = progress(emulated::extent());
+    let bar = measuring(emulated::extent() as u64);
     let counts = emulated::count(suite, |chip| {
         bar.set_message(chip.to_owned());
         bar.inc(1);
@@ -168,7 +159,7 @@ fn counts(suite: &Suite) -> Result<Vec<Count>, EmulatorError> {
 
 /// Measures the suite behind a progress bar.
 fn report(suite: &Suite, counts: &[Count]) -> Result<Report, InputError> {
-    let bar = progress(suite.frame_count());
+    let bar = measuring(suite.frame_count() as u64);
     let rows = measure(suite, |case| {
         bar.set_message(case.scene.title.clone());
         bar.inc(case.frame_count() as u64);

@@ -53,11 +53,13 @@ use stiction_core::Evolution;
 use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
-use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE, stop};
+use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
+use crate::input::open_scene;
 use crate::number::Number;
+use crate::options::{evolution_parser, parse_rate};
 use crate::report;
-use crate::run::{evolution_parser, open_scene, parse_rate};
 use crate::scenes;
+use crate::stop;
 use body::Setting;
 use ends::{Ends, listen};
 use engine::Engine;

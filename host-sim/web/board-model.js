@@ -29,6 +29,27 @@ function fits({ body, surfaces }, info) {
     && 50 + 8 * body.length + 20 * surfaces.length <= info.longest_frame;
 }
 
+/** What is counted from the start pose on. */
+const newRun = () => ({
+  /** Where the board's clock stands (µs), and the seconds since the start. */
+  clock: NaN,
+  time: 0,
+  turns: 0,
+  /** The state of the pose before. @type {string | null} */
+  before: null,
+  /** Events and slips since the last pose. @type {string[]} */
+  happened: [],
+  slipped: 0,
+  /** @type {Slip[]} */
+  slips: [],
+  /** @type {number[][]} */
+  strip: [],
+  /** @type {Counts} */
+  counts: { ticks: 0, missed: 0, slips: 0, transitions: {}, events: {} },
+  /** The newest ones. @type {Message | null} */
+  forces: null,
+});
+
 export class BoardModel {
   /** @param {Scene} scene @param {Parameters4} parameters */
   constructor(scene, parameters) {
@@ -36,8 +57,6 @@ export class BoardModel {
     this.parameters = parameters;
     /** @type {any} */
     this.info = { number: 0, evolution: 0, name: "" };
-    /** @type {Message | null} */
-    this.forces = null;
     /** @type {Message | null} */
     this.health = null;
     /** The samples by their sequence number. @type {({pose: Pose, at: number, sent: number} | null)[]} */
@@ -48,37 +67,12 @@ export class BoardModel {
     this.poses = 0;
     this.rate = 0;
     this.rateSince = performance.now();
-    /** Where the board's clock stands (µs), and the seconds since the reset. */
-    this.clock = NaN;
-    this.time = 0;
-    this.turns = 0;
-    /** The state of the pose before. @type {string | null} */
-    this.before = null;
-    /** Events and slips since the last pose. @type {string[]} */
-    this.happened = [];
-    this.slipped = 0;
-    this.slipCount = 0;
-    /** @type {Slip[]} */
-    this.slips = [];
-    /** @type {number[][]} */
-    this.strip = [];
-    /** @type {Counts} */
-    this.counts = { ticks: 0, missed: 0, slips: 0, transitions: {}, events: {} };
+    this.run = newRun();
   }
 
-  /** Everything that is counted from the start pose on. */
+  /** The body is at the start pose again. */
   reset() {
-    this.clock = NaN;
-    this.time = 0;
-    this.turns = 0;
-    this.before = null;
-    this.happened = [];
-    this.slipped = 0;
-    this.slipCount = 0;
-    this.slips = [];
-    this.strip = [];
-    this.counts = { ticks: 0, missed: 0, slips: 0, transitions: {}, events: {} };
-    this.forces = null;
+    this.run = newRun();
   }
 
   /**
@@ -157,39 +151,42 @@ export class BoardModel {
 
   /** @param {Message} message */
   takeForces(message) {
-    this.forces = message;
+    const { run } = this;
+    run.forces = message;
     const row = [this.since(message.time), ...this.scene.surfaces.flatMap(() => [0, 0])];
     for (const [, surface, , , n, t] of message.contact) {
       row[1 + 2 * surface] += n;
       row[2 + 2 * surface] += t;
     }
-    this.strip.push(row);
+    run.strip.push(row);
   }
 
   /** @param {Message} message */
   takeEvents(message) {
+    const { happened, counts, forces, slips } = this.run;
     for (const code of message.event) {
       const name = EVENTS[code];
-      this.happened.push(name);
-      this.counts.events[name] = (this.counts.events[name] ?? 0) + 1;
+      happened.push(name);
+      counts.events[name] = (counts.events[name] ?? 0) + 1;
     }
-    this.counts.slips += message.slips;
-    this.slipped += message.slips;
-    const [contact] = this.forces?.contact ?? [];
+    counts.slips += message.slips;
+    this.run.slipped += message.slips;
+    const [contact] = forces?.contact ?? [];
     if (message.slips === 0 || !contact) return;
-    this.slips.push({
-      n: ++this.slipCount, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip,
+    slips.push({
+      n: counts.slips, t: this.since(message.time), point: [contact[2], contact[3]], length: message.longest_slip,
     });
-    if (this.slips.length > SLIPS) this.slips.shift();
+    if (slips.length > SLIPS) slips.shift();
   }
 
   /** Seconds since the first message, by the board's clock, which wraps. @param {number} time µs */
   since(time) {
-    if (Number.isNaN(this.clock)) this.clock = time;
-    const step = (time - this.clock) | 0;
-    this.time += step * 1e-6;
-    this.clock = time;
-    return this.time;
+    const { run } = this;
+    if (Number.isNaN(run.clock)) run.clock = time;
+    const step = (time - run.clock) | 0;
+    run.time += step * 1e-6;
+    run.clock = time;
+    return run.time;
   }
 
   /**
@@ -205,17 +202,18 @@ export class BoardModel {
    * @param {Message} pose @param {{[why: string]: number}} faults @returns {FrameMessage}
    */
   frame(pose, faults) {
+    const { run } = this;
     const t = this.since(pose.time);
     this.unwrap(pose.turns);
     const sample = this.samples[pose.sample];
-    if (sample && pose.status !== 5) this.measure(performance.now() - sample.at);
-    const theta = pose.theta + TURN * this.turns;
+    if (sample && STATUS[pose.status] !== "held-last") this.measure(performance.now() - sample.at);
+    const theta = pose.theta + TURN * run.turns;
     const at = /** @type {Pose} */ ([pose.x, pose.y, theta]);
     const hand = sample?.pose ?? this.scene.home;
     const state = /** @type {StateName} */ (STATES[pose.state]);
     this.transition(state);
     const { holding, ghost } = this.springs(at, hand, pose.held === 1);
-    const forces = this.forces;
+    const { forces } = run;
     const touching = state === "non-contact" ? [] : forces?.contact ?? [];
     const contacts = touching.map((/** @type {number[]} */ contact) => this.contact(contact));
     /** @type {FrameMessage} */
@@ -225,20 +223,20 @@ export class BoardModel {
       frame: {
         t, hand, held: pose.held === 1, pose: at, depth: pose.depth, state, contacts,
         wrench: forces ? [forces.wrench_x, forces.wrench_y, forces.wrench_m] : [0, 0, 0],
-        slips: this.slipped, events: this.happened, status: STATUS[pose.status],
+        slips: run.slipped, events: run.happened, status: STATUS[pose.status],
       },
-      reference: null, counts: this.counts, slips: this.slips, strip: this.strip,
+      reference: null, counts: run.counts, slips: run.slips, strip: run.strip,
       step: this.health ? { median: null, worst: this.health.worst_step * 1e-9 } : null,
       board: this.healthMessage(faults),
     };
-    [this.happened, this.strip, this.slipped] = [[], [], 0];
+    [run.happened, run.strip, run.slipped] = [[], [], 0];
     return message;
   }
 
   /** The number of whole turns that is nearest to the last one (FRAME 5.1). @param {number} turns modulo 8 */
   unwrap(turns) {
-    const step = (turns - this.turns) & 7;
-    this.turns += step > 4 ? step - 8 : step;
+    const step = (turns - this.run.turns) & 7;
+    this.run.turns += step > 4 ? step - 8 : step;
   }
 
   /** @param {number} latency ms */
@@ -254,11 +252,12 @@ export class BoardModel {
 
   /** @param {string} state */
   transition(state) {
-    if (this.before !== null && this.before !== state) {
-      const key = `${this.before}>${state}`;
-      this.counts.transitions[key] = (this.counts.transitions[key] ?? 0) + 1;
+    const { before, counts: { transitions } } = this.run;
+    if (before !== null && before !== state) {
+      const key = `${before}>${state}`;
+      transitions[key] = (transitions[key] ?? 0) + 1;
     }
-    this.before = state;
+    this.run.before = state;
   }
 
   /**
@@ -266,10 +265,11 @@ export class BoardModel {
    * @param {Pose} pose @param {Pose} hand @param {boolean} held @returns {{holding: Vec | null, ghost: Pose | null}}
    */
   springs(pose, hand, held) {
-    if (!held || !this.forces) return { holding: null, ghost: null };
+    const { forces } = this.run;
+    if (!held || !forces) return { holding: null, ghost: null };
     const { stiffness_translation: kh, stiffness_rotation: kt } = this.parameters;
-    const holding = /** @type {Vec} */ ([hand[0] - this.forces.wrench_x / kh, hand[1] - this.forces.wrench_y / kh]);
-    const twist = kt > 0 ? this.forces.wrench_m / kt : 0;
+    const holding = /** @type {Vec} */ ([hand[0] - forces.wrench_x / kh, hand[1] - forces.wrench_y / kh]);
+    const twist = kt > 0 ? forces.wrench_m / kt : 0;
     const c = Math.cos(twist), s = Math.sin(twist);
     const [gx, gy] = [holding[0] - pose[0], holding[1] - pose[1]];
     return { holding, ghost: [hand[0] - (c * gx - s * gy), hand[1] - (s * gx + c * gy), pose[2] + twist] };
@@ -277,12 +277,12 @@ export class BoardModel {
 
   /** @param {{[why: string]: number}} faults @returns {BoardHealth} */
   healthMessage(faults) {
-    const health = this.health;
+    const { health, run: { counts } } = this;
     const garbled = Object.values(faults).reduce((sum, count) => sum + count, 0);
     const kinds = ["too_long", "cobs", "crc", "version", "unknown_type", "length", "value"];
     const refused = health ? kinds.reduce((sum, kind) => sum + health[kind], 0) : 0;
-    this.counts.ticks = health?.ticks ?? 0;
-    this.counts.missed = health?.missed_ticks ?? 0;
+    counts.ticks = health?.ticks ?? 0;
+    counts.missed = health?.missed_ticks ?? 0;
     return {
       rate: this.rate, latency: Number.isNaN(this.latency) ? null : this.latency * 1e-3,
       late: health?.late_samples ?? 0, lost: this.lost + (health?.lost_frames ?? 0),

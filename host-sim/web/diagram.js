@@ -9,7 +9,7 @@ import { reducedMotion, setText, svg, whole } from "./dom.js";
  */
 const STATES = /** @type {Record<StateName, Place>} */ ({
   "non-contact": { x: 54, y: 34, ground: "M3 22H33", body: "M9 10 24 5 27 12 12 17Z", dots: [] },
-  "corner": { x: 306, y: 34, ground: "M5 2V22H33", body: "M5 22 12 7 27 14 20 29Z", dots: [[5, 22]] },
+  "corner": { x: 306, y: 34, ground: "M5 2V22H33", body: "M5 22 10 8 25 4 20 18Z", dots: [[5, 22]] },
   "single-vertex": { x: 180, y: 124, ground: "M3 22H33", body: "M13 22 6 8 20 3 27 17Z", dots: [[13, 22]] },
   "edge": { x: 54, y: 214, ground: "M3 22H33", body: "M8 22V10H28V22Z", dots: [[8, 22], [28, 22]] },
   "two-vertex": { x: 306, y: 214, ground: "M5 2V22H33", body: "M5 12 18 3 28 9 15 22Z", dots: [[5, 12], [15, 22]] },

@@ -19,19 +19,6 @@ export function setText(element, text) {
 }
 
 /**
- * A new element with attributes and children.
- * @param {string} name
- * @param {{[attribute: string]: string}} [attributes]
- * @param {(Node | string)[]} children
- */
-export function make(name, attributes = {}, ...children) {
-  const element = document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
-
-/**
  * A new SVG element.
  * @param {string} name
  * @param {{[attribute: string]: string | number}} [attributes]

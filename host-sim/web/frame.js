@@ -5,7 +5,7 @@
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
 
 /** Version of the wire. */
-export const VERSION = 1;
+const VERSION = 1;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** Events in the order of their codes. */

@@ -125,7 +125,7 @@ export class Pointers {
    */
   drag(dx, dy, before, after, sent) {
     const { scale } = this.stage.view;
-    this.grip.move(dx / scale, -dy / scale, before && after ? angleBetween(after, before) : 0, sent);
+    this.grip.move(dx / scale, -dy / scale, before && after ? turnBetween(before, after) : 0, sent);
   }
 
   /**
@@ -183,13 +183,13 @@ export class Pointers {
 }
 
 /** The turn from one direction to another, counter-clockwise on the screen. @param {Spot} a @param {Spot} b */
-const angleBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y) * -1;
+const turnBetween = (a, b) => Math.atan2(a.y * b.x - a.x * b.y, a.x * b.x + a.y * b.y);
 
 /**
  * The point of a convex polygon that is nearest to another one.
  * @param {Vec[]} body counter-clockwise @param {Vec} point @returns {Vec}
  */
-export function nearestOf(body, point) {
+function nearestOf(body, point) {
   let inside = body.length > 2;
   let least = Infinity;
   let best = point;

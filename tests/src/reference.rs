@@ -16,20 +16,25 @@
 //! * Of several motions that fit the one that turns about a sticking contact comes first, then the slide with the strongest drive.
 
 mod cone;
+mod free;
 mod relax;
 mod scene;
+mod search;
 mod statics;
 mod walk;
 
 pub use scene::{Scene, Surface};
 
 use scene::{Pose, Touch};
+use search::bisect;
 use walk::{End, SNAP};
 
 /// A vertex may be this far inside a surface unseen, in body sizes.
 const CLEARANCE: f64 = 1e-12;
 /// Vertices this close to a surface touch it from the beginning, in body sizes.
 const TOUCHING: f64 = 1e-5;
+/// Largest turn in one look at the moment, rad.
+const TURN: f64 = 1e-3;
 /// An event that follows another sooner than this, in sub-steps, belongs to a sequence without end.
 const SOON: f64 = 1e-7;
 /// The same where static friction equals dynamic friction, so that a slip leaves the body about to slip again.
@@ -71,12 +76,9 @@ impl Reference {
             angle: start[2],
         };
         let size = scene.size();
-        let contacts: Vec<Touch> = scene
+        let contacts: Vec<_> = scene
             .touches()
             .filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size)
-            .collect();
-        let contacts: Vec<_> = contacts
-            .iter()
             .map(|touch| (touch.vertex, touch.surface))
             .collect();
         let mut reference = Self::resumed(scene, start, &contacts, first_hand);
@@ -182,7 +184,7 @@ impl Reference {
                     self.hand = to;
                     return;
                 }
-                let (before, after) = walk::bisect(done, 1.0, |part| {
+                let (before, after) = bisect(done, 1.0, |part| {
                     self.at_rest(blend(from, to, part)).is_none()
                 });
                 if let Some(pose) = self.at_rest(blend(from, to, before)) {
@@ -196,7 +198,7 @@ impl Reference {
                     break;
                 }
                 let changes = |part| !self.relaxed(blend(from, to, part)).follows(self);
-                let (before, after) = walk::bisect(done, 1.0, changes);
+                let (before, after) = bisect(done, 1.0, changes);
                 *self = self.relaxed(blend(from, to, before));
                 after
             };

@@ -84,9 +84,6 @@ impl Frame {
     }
 }
 
-/// A solver of any scene of the tests.
-pub type TestSolver<R> = Solver<R, VERTICES, SURFACES>;
-
 /// A run of a solver of any scene of the tests.
 pub type Run<R> = RunOf<R, VERTICES, SURFACES, Full>;
 

@@ -6,14 +6,14 @@ use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
 
 /// The bytes of a frame.
-pub const FRAME_BYTES: usize = 40;
+pub(crate) const FRAME_BYTES: usize = 40;
 const HEAD_BYTES: usize = 8;
 const TOTALS_BYTES: usize = 24;
 const MARK: [u8; 4] = *b"strs";
 const END: [u8; 4] = *b"done";
 
 /// The statuses in the order of their numbers.
-pub const STATUSES: [Status; 6] = [
+const STATUSES: [Status; 6] = [
     Status::Ok,
     Status::EventLimit,
     Status::IterationLimit,

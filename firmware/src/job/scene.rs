@@ -7,7 +7,7 @@ use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
 
 /// The bytes of a job before its vertices.
-pub const HEAD_BYTES: usize = 96;
+pub(crate) const HEAD_BYTES: usize = 96;
 const VERTEX_BYTES: usize = 16;
 const SURFACE_BYTES: usize = 40;
 const MARK: [u8; 4] = *b"stjb";
@@ -31,13 +31,11 @@ impl Setting {
     }
 }
 
-/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many.
+/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many. The scene has at most 255 vertices
+/// and 255 surfaces.
 ///
 /// # Errors
 /// The first error of `sink`.
-///
-/// # Panics
-/// More than 255 vertices or surfaces, which no scene has.
 pub fn write_scene<E>(
     scene: &Description<'_, f64>,
     setting: Setting,
@@ -80,11 +78,11 @@ pub fn write_scene<E>(
 
 /// The head of a job.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Head {
+pub(crate) struct Head {
     /// How the solver is set.
-    pub setting: Setting,
+    pub(crate) setting: Setting,
     /// How many hand samples follow.
-    pub samples: u32,
+    pub(crate) samples: u32,
     vertices: u8,
     surfaces: u8,
     start: [f64; 3],
@@ -100,7 +98,7 @@ impl Head {
     ///
     /// # Errors
     /// They are not a job of this version.
-    pub fn decode(bytes: &[u8; HEAD_BYTES]) -> Result<Self, FormatError> {
+    pub(crate) fn decode(bytes: &[u8; HEAD_BYTES]) -> Result<Self, FormatError> {
         let mut fields = Fields::new(bytes);
         if fields.take() != MARK || fields.u8() != VERSION {
             return Err(FormatError::Mark);
@@ -138,7 +136,7 @@ impl Head {
     ///
     /// # Errors
     /// `source` fails, or the numbers do not make a scene of these capacities.
-    pub fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, E>(
+    pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, E>(
         &self,
         mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
     ) -> Result<Scene<R, V, S>, E>

@@ -23,7 +23,7 @@ impl InputError {
     }
 
     /// A problem in a line, counted from 1.
-    pub fn in_line(file: &Path, line: u64, problem: impl fmt::Display) -> Self {
+    pub(crate) fn in_line(file: &Path, line: u64, problem: impl fmt::Display) -> Self {
         Self {
             line: Some(line),
             ..Self::of_file(file, problem)

@@ -1,4 +1,4 @@
-//! A record of a trace: SI units, world frame, angles unwrapped.
+//! A record of a trace: SI units, world frame, angles unwrapped; and how the hand goes from one to the next.
 
 macro_rules! named {
     ($(#[$doc:meta])* $kind:ident { $($(#[$text:meta])* $variant:ident = $name:literal,)* }) => {
@@ -8,7 +8,7 @@ macro_rules! named {
 
         impl $kind {
             /// All names in a trace.
-            pub const NAMES: &[&str] = &[$($name),*];
+            pub(crate) const NAMES: &[&str] = &[$($name),*];
 
             /// By its name in a trace.
             pub fn named(name: &str) -> Option<Self> {
@@ -19,6 +19,16 @@ macro_rules! named {
             }
         }
     };
+}
+
+/// How the hand goes from frame to frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Evolution {
+    /// Straight: a slip begins anywhere on its way.
+    #[default]
+    Path,
+    /// It jumps: a slip begins at the end.
+    Frame,
 }
 
 named! {

@@ -1,22 +1,12 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Event, Frame, Status};
+use crate::frame::{Event, Evolution, Frame, Status};
 use crate::model::{Grip, Model};
 use crate::scene::Scene;
 use crate::slip::{self, Step};
 use crate::still;
 use crate::vector::{Vec2, distance};
-
-/// How the hand goes from frame to frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Evolution {
-    /// Straight: a slip begins anywhere on its way.
-    #[default]
-    Path,
-    /// It jumps: a slip begins at the end.
-    Frame,
-}
 
 /// Judges the frames of one trace, in their order.
 #[derive(Clone, Debug)]

@@ -45,8 +45,8 @@ mod vector;
 
 pub use error::InputError;
 pub use finding::{Bounds, Finding, law};
-pub use frame::{Contact, Event, Frame, State, Status};
-pub use judge::{Evolution, Judge};
+pub use frame::{Contact, Event, Evolution, Frame, State, Status};
+pub use judge::Judge;
 pub use scene::{Scene, Surface, centroid, size};
 pub use survey::{LawSurvey, Survey, Violation};
 pub use trace::Trace;

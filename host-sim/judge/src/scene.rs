@@ -288,3 +288,15 @@ pub fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
     }
     add(first, scaled(sum, 1.0 / (3.0 * twice_area)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::centroid;
+
+    #[test]
+    fn centroid_of_an_area_and_of_a_rod() {
+        let [x, y] = centroid(&[[0.0, 0.0], [3.0, 0.0], [0.0, 3.0]]);
+        assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+        assert_eq!(centroid(&[[0.0, 0.0], [2.0, 4.0]]), [1.0, 2.0]);
+    }
+}

@@ -12,8 +12,7 @@
 
 use crate::brace::Brace;
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame, State, Status};
-use crate::judge::Evolution;
+use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, follow};

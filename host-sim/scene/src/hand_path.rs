@@ -30,7 +30,7 @@ pub struct HandPath {
 
 impl HandPath {
     /// The largest size of a hand's angle (rad): beyond it an f64 carries less than 1e-7 rad.
-    pub const LARGEST_ANGLE: f64 = 1e9;
+    pub(crate) const LARGEST_ANGLE: f64 = 1e9;
     /// The most frames that a path can be resampled to.
     pub const LARGEST_COUNT: usize = 1_000_000_000;
 

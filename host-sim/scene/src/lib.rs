@@ -32,6 +32,6 @@ pub use hand_path::{HandPath, LivePlacement, Placement, Sample};
 pub use hand_section::{HandSection, Motion};
 pub use model::SceneModel;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
-pub use source::{InputError, Source, excerpt};
+pub use source::{InputError, Source};
 pub use surface::SurfaceInfo;
 pub use written::{SURFACES, VERTICES, WrittenScene};

@@ -5,9 +5,6 @@ use stiction_core::{Parameter, SceneError, SiFloat};
 use crate::source::InputError;
 use crate::written::WrittenScene;
 
-/// What static friction may be.
-pub(crate) const STATIC_FRICTION: &str = "not less than the dynamic friction";
-
 /// A key, where its value starts in the text, and the value as it was written.
 type Place = (String, usize, String);
 

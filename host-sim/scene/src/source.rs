@@ -44,7 +44,7 @@ impl fmt::Display for InputError {
 impl std::error::Error for InputError {}
 
 /// What a message shows of a text: its first 100 characters.
-pub fn excerpt(text: &str) -> String {
+pub(crate) fn excerpt(text: &str) -> String {
     match text.char_indices().nth(100) {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
@@ -115,7 +115,7 @@ impl Source {
     }
 
     /// A problem in a line, counted from 1.
-    pub fn error_in_line(&self, line: usize, problem: impl fmt::Display) -> InputError {
+    pub(crate) fn error_in_line(&self, line: usize, problem: impl fmt::Display) -> InputError {
         let text = self.text.lines().nth(line.saturating_sub(1)).unwrap_or("");
         InputError {
             line: Some((line, excerpt(text.trim_end()))),

@@ -4,8 +4,10 @@ use toml::Spanned;
 
 use crate::check::Check;
 use crate::document::{self, Document};
-use crate::locate;
 use crate::source::{InputError, excerpt};
+
+/// What static friction may be.
+const STATIC_FRICTION: &str = "not less than the dynamic friction";
 
 /// A fixed half-plane: the free side is `normal`·p >= `offset`.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +37,7 @@ pub(crate) fn surfaces(
     if let (Some(stick), Some(slip), Some(given)) = (fallback.stick, fallback.slip, &default.stick)
         && stick < slip
     {
-        return Err(check.error("friction.static", given, locate::STATIC_FRICTION));
+        return Err(check.error("friction.static", given, STATIC_FRICTION));
     }
     let mut checked: Vec<SurfaceInfo> = Vec::new();
     for (i, given) in document.surface.iter().enumerate() {

@@ -8,8 +8,8 @@ use super::error::BoardError;
 use super::link::News;
 use super::session::Session;
 use super::steps::Steps;
-use super::stop;
 use super::stream::Stream;
+use crate::stop;
 
 /// A board that went away is looked for so often.
 const RETRY: Duration = Duration::from_secs(1);

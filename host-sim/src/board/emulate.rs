@@ -9,7 +9,7 @@ use stiction_tools::board::{Board, Emulator as Qemu};
 use stiction_tools::process::{EmulatorError, require_qemu_arm};
 
 use super::link::Link;
-use super::stop;
+use crate::stop;
 
 /// The emulator opens its socket at once, or not at all.
 const OPENING: Duration = Duration::from_secs(20);

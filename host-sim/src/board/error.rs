@@ -2,11 +2,9 @@
 
 use std::path::PathBuf;
 
-use stiction_core::frame::FaultKind;
 use stiction_scene::InputError;
 use stiction_tools::process::EmulatorError;
 
-use super::line::Line;
 use crate::files::WriteError;
 
 /// Why a board could not be worked with.
@@ -68,29 +66,4 @@ impl BoardError {
     pub(super) const fn may_pass(&self) -> bool {
         matches!(self, Self::Gone { .. } | Self::Silent { .. })
     }
-}
-
-/// What came over a line on which nothing that was waited for came.
-pub(super) fn what_came(line: &Line) -> String {
-    if line.frames > 0 {
-        return format!("{} frames came, none of them that", line.frames);
-    }
-    if line.echoes > 0 {
-        return "the line sends back what is sent to it: an echo, no board of this format"
-            .to_owned();
-    }
-    if line.bytes == 0 {
-        return "not a single byte came".to_owned();
-    }
-    let faults: Vec<String> = FaultKind::ALL
-        .iter()
-        .map(|kind| (kind.name(), line.faults().of(*kind)))
-        .filter(|(_, count)| *count > 0)
-        .map(|(name, count)| format!("{name} {count}"))
-        .collect();
-    let why = match faults.is_empty() {
-        true => String::new(),
-        false => format!(" ({})", faults.join(", ")),
-    };
-    format!("{} bytes came, no frame among them{why}", line.bytes)
 }

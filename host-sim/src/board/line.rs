@@ -109,4 +109,29 @@ impl Line {
         }
         heard
     }
+
+    /// What came, where nothing that was waited for did.
+    pub(super) fn what_came(&self) -> String {
+        if self.frames > 0 {
+            return format!("{} frames came, none of them that", self.frames);
+        }
+        if self.echoes > 0 {
+            return "the line sends back what is sent to it: an echo, no board of this format"
+                .to_owned();
+        }
+        if self.bytes == 0 {
+            return "not a single byte came".to_owned();
+        }
+        let faults: Vec<String> = FaultKind::ALL
+            .iter()
+            .map(|kind| (kind.name(), self.faults().of(*kind)))
+            .filter(|(_, count)| *count > 0)
+            .map(|(name, count)| format!("{name} {count}"))
+            .collect();
+        let why = match faults.is_empty() {
+            true => String::new(),
+            false => format!(" ({})", faults.join(", ")),
+        };
+        format!("{} bytes came, no frame among them{why}", self.bytes)
+    }
 }

@@ -8,7 +8,6 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 use stiction_core::Evolution;
-use stiction_core::frame::NumberType;
 use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
@@ -19,11 +18,11 @@ use super::feed::Feed;
 use super::heard::About;
 use super::link::News;
 use super::setup::Setup;
-use super::stop;
 use super::stream::Stream;
 use super::wish::Wish;
 use crate::number::Number;
 use crate::record::Frame;
+use crate::stop;
 
 /// How the board fares is told so often.
 const EVERY: Duration = Duration::from_millis(250);
@@ -180,10 +179,7 @@ fn setup(scene: &Arc<SceneFile>, evolution: Evolution) -> Setup {
 fn identify(about: &About, address: &Address) -> Identity {
     Identity {
         name: about.name.clone(),
-        number: match about.number {
-            NumberType::F32 => Number::F32,
-            NumberType::Fixed => Number::Fixed,
-        },
+        number: about.number.into(),
         place: match address {
             Address::Emulated(_) => "QEMU".to_owned(),
             _ => address.to_string(),

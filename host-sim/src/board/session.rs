@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, FaultKind, Health, Reason};
 
 use super::address::Address;
-use super::error::{BoardError, what_came};
+use super::error::BoardError;
 use super::heard::{About, Answer, Heard, Said};
 use super::line::Line;
 use super::link::{News, Open};
 use super::refusal::explain;
-use super::stop;
+use crate::stop;
 
 /// A command without an answer is sent again.
 const AGAIN: Duration = Duration::from_millis(100);
@@ -236,7 +236,7 @@ impl Session {
             address: self.address.clone(),
             what: what.to_owned(),
             seconds: self.timeout.as_secs_f64(),
-            came: what_came(&self.line),
+            came: self.line.what_came(),
         }
     }
 }

@@ -19,8 +19,8 @@ use super::refusal::explain;
 use super::session::{Mail, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
-use super::stop;
 use super::verify::{Twin, Verdict};
+use crate::stop;
 
 /// Samples on their way to a board that makes a step with each: its queue holds them.
 const WINDOW: usize = 4;

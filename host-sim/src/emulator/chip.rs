@@ -6,7 +6,7 @@ use super::Board;
 
 /// A chip on which the solver is counted in emulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chip {
+pub(crate) enum Chip {
     /// Cortex-M4 with a floating point unit.
     CortexM4F,
     /// Cortex-M0.
@@ -15,10 +15,10 @@ pub enum Chip {
 
 impl Chip {
     /// All chips.
-    pub const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
+    pub(crate) const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
 
     /// The name for a reader.
-    pub const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::CortexM4F => "Cortex-M4F",
             Self::CortexM0 => "Cortex-M0",
@@ -26,7 +26,7 @@ impl Chip {
     }
 
     /// The name in files and columns.
-    pub const fn key(self) -> &'static str {
+    pub(crate) const fn key(self) -> &'static str {
         match self {
             Self::CortexM4F => "cortex_m4f",
             Self::CortexM0 => "cortex_m0",
@@ -34,7 +34,7 @@ impl Chip {
     }
 
     /// The emulated board that has it.
-    pub const fn board(self) -> Board {
+    pub(crate) const fn board(self) -> Board {
         match self {
             Self::CortexM4F => Board::Stm32F405,
             Self::CortexM0 => Board::Nrf51822,
@@ -42,7 +42,7 @@ impl Chip {
     }
 
     /// The number type that suits it: fixed point where there is no floating point unit.
-    pub const fn number(self) -> BoardNumber {
+    pub(crate) const fn number(self) -> BoardNumber {
         match self {
             Self::CortexM4F => BoardNumber::F32,
             Self::CortexM0 => BoardNumber::Fixed,

@@ -9,18 +9,18 @@ use crate::emulator::{Chip, Counted, Counter, Profile, footprint, job};
 
 /// What a model takes on a chip. Instructions and stack are those of the build for speed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub(super) struct Measured {
     /// Flash of the build for little flash (bytes).
-    pub flash_small: u64,
+    pub(super) flash_small: u64,
     /// Flash of the build for speed (bytes).
-    pub flash_fast: u64,
+    pub(super) flash_fast: u64,
     /// Every frame, and the sizes.
-    pub counted: Counted,
+    pub(super) counted: Counted,
 }
 
 impl Measured {
     /// Instructions per frame, mean and worst; the start is not among them. `None`: there is no frame but that.
-    pub fn instructions(&self) -> Option<(u64, u32)> {
+    pub(super) fn instructions(&self) -> Option<(u64, u32)> {
         let steps = self.counted.steps();
         let sum: u64 = steps.iter().map(|step| u64::from(step.instructions)).sum();
         let worst = steps.iter().map(|step| step.instructions).max()?;
@@ -32,7 +32,7 @@ impl Measured {
 ///
 /// # Errors
 /// As [`Counter::count`].
-pub fn measure(
+pub(super) fn measure(
     chip: Chip,
     model: SceneModel,
     scene: &SceneFile,

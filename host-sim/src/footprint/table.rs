@@ -4,6 +4,7 @@ use std::fmt;
 
 use stiction_core::Evolution;
 use stiction_scene::SceneModel;
+use stiction_tools::table::aligned;
 
 use super::measure::Measured;
 use crate::emulator::Chip;
@@ -64,7 +65,7 @@ impl Row {
             self.scene.clone(),
             self.model.to_string(),
             label(self.chip).to_owned(),
-            format!("{:?}", self.evolution).to_lowercase(),
+            self.evolution.name().to_owned(),
             both(|measured| measured.flash_small.to_string()),
             both(|measured| measured.flash_fast.to_string()),
             both(|measured| measured.counted.totals.state.to_string()),
@@ -81,28 +82,26 @@ fn or_none(figure: Option<impl fmt::Display>) -> String {
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows: Vec<_> = self.rows.iter().map(Row::cells).collect();
-        let width = |k: usize| {
-            let cells = rows.iter().map(|row| row[k].chars().count());
-            cells.fold(HEADER[k].len(), usize::max)
-        };
-        let widths: [usize; HEADER.len()] = std::array::from_fn(width);
-        let line = |cells: &[String; HEADER.len()]| {
-            let cells = cells.iter().zip(widths).enumerate();
-            let padded = cells.map(|(k, (cell, width))| match k {
-                ..WORDS => format!(" {cell:<width$} |"),
-                _ => format!(" {cell:>width$} |"),
-            });
-            format!("|{}", padded.collect::<String>())
-        };
-        writeln!(f, "{}", line(&HEADER.map(str::to_owned)))?;
-        let rule = widths.iter().enumerate().map(|(k, width)| {
-            let end = if k < WORDS { "-" } else { ":" };
-            format!("-{}{end}|", "-".repeat(*width))
-        });
-        writeln!(f, "|{}", rule.collect::<String>())?;
-        rows.iter().try_for_each(|row| writeln!(f, "{}", line(row)))
+        let header = HEADER.map(str::to_owned).to_vec();
+        let rows = self.rows.iter().map(|row| row.cells().to_vec());
+        let lines: Vec<_> = std::iter::once(header).chain(rows).collect();
+        for (i, cells) in aligned(&lines, WORDS).iter().enumerate() {
+            writeln!(f, "| {} |", cells.join(" | "))?;
+            if i == 0 {
+                writeln!(f, "{}", rule(cells))?;
+            }
+        }
+        Ok(())
     }
+}
+
+/// The line below the header.
+fn rule(header: &[String]) -> String {
+    let dashes = header.iter().enumerate().map(|(k, cell)| {
+        let end = if k < WORDS { "-" } else { ":" };
+        format!("-{}{end}|", "-".repeat(cell.chars().count()))
+    });
+    format!("|{}", dashes.collect::<String>())
 }
 
 #[cfg(test)]

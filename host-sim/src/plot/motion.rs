@@ -2,7 +2,7 @@
 //! contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
 
 use super::legend::{Entry, Mark};
-use super::plane::{hand_angle, holding_point};
+use super::plane::hand_angle;
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
@@ -71,7 +71,7 @@ fn positions(run: &Run, axis: usize, label: &str) -> Panel {
     let held = values(
         run,
         |frame| frame.held,
-        |frame| 1e3 * holding_point(run, frame)[axis],
+        |frame| 1e3 * frame.holding_point(run.stiffness_translation)[axis],
     );
     let mut lines = vec![Line::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));

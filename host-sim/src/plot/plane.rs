@@ -265,11 +265,6 @@ pub(super) fn corners(body: &[[f64; 2]], [x, y, theta]: [f64; 3]) -> Vec<(f64, f
     body.iter().map(place).collect()
 }
 
-/// The holding point in the world while the body is held: p_h - F/k_h [m].
-pub(super) fn holding_point(run: &Run, frame: &Frame) -> [f64; 2] {
-    [0, 1].map(|axis| frame.hand[axis] - frame.wrench[axis] / run.stiffness_translation)
-}
-
 /// Angle of the hand [rad]; while it holds the body less its offset in the grip, so that it differs from the body's angle
 /// only by what the rotational spring yields.
 pub(super) fn hand_angle(run: &Run, frame: &Frame) -> f64 {

@@ -4,7 +4,7 @@
 use super::instants::choose;
 use super::legend::{Entry, Heading, Mark};
 use super::notes::tally;
-use super::plane::{Bounds, View, corners, hand_angle, holding_point, length_unit};
+use super::plane::{Bounds, View, corners, hand_angle, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
 use crate::record::{Frame, Run};
@@ -167,7 +167,7 @@ fn hand(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
         pointer((x, y), phi, OPEN_HAND)?;
         return view.ring((x, y), 5.0, OPEN_HAND);
     }
-    let point = holding_point(run, frame).into();
+    let point = frame.holding_point(run.stiffness_translation).into();
     let [fx, fy, moment] = frame.wrench;
     view.arrow(
         point,

@@ -2,7 +2,7 @@
 //! the end, and the surfaces.
 
 use super::legend::{Entry, Heading, Mark};
-use super::plane::{Bounds, View, corners, holding_point, length_unit};
+use super::plane::{Bounds, View, corners, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
@@ -74,7 +74,7 @@ fn bounds(run: &Run) -> Bounds {
         .iter()
         .map(|frame| (frame.hand[0], frame.hand[1]));
     let held = run.frames.iter().filter(|frame| frame.held);
-    let holding_points = held.map(|frame| holding_point(run, frame).into());
+    let holding_points = held.map(|frame| frame.holding_point(run.stiffness_translation).into());
     let contacts = contacts(run).map(|contact| contact.point.into());
     let bounds = Bounds::around(bodies.chain(hands).chain(holding_points).chain(contacts))
         .unwrap_or_else(|| Bounds::centred((0.0, 0.0), 0.0, 0.0));
@@ -134,7 +134,7 @@ fn paths(view: &View, run: &Run) -> Drawn {
     let hand = |frame: &Frame| (frame.hand[0], frame.hand[1]);
     for span in run.frames.chunk_by(|a, b| a.held == b.held) {
         if span[0].held {
-            let point = |frame| holding_point(run, frame).into();
+            let point = |frame: &Frame| frame.holding_point(run.stiffness_translation).into();
             path(view, span.iter().map(point).collect(), BODY, 3.2)?;
         }
         let color = if span[0].held { HAND } else { OPEN_HAND };

@@ -8,8 +8,8 @@ use stiction_core::Evolution;
 use toml::{Table, Value};
 
 use crate::number::Number;
-use crate::run::{evolution_named, parse_rate};
-use crate::settings::{Settings, parse_events, parse_tolerance};
+use crate::options::{evolution_named, parse_events, parse_rate, parse_tolerance};
+use crate::settings::Settings;
 
 /// What a key takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,6 +6,7 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use fs4::TryLockError;
+use stiction_tools::files::part;
 
 /// Why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
@@ -234,14 +235,7 @@ fn beside(place: &Path) -> PathBuf {
 
 /// Writes a file that is there as a whole or not at all.
 fn write_whole(place: &Path, text: &str) -> io::Result<()> {
-    let folder = match place.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
-    let mut file = tempfile::Builder::new()
-        .prefix(".stiction-")
-        .suffix(".part")
-        .make_in(folder, |path| File::create_new(path))?;
+    let mut file = part(place)?;
     file.write_all(text.as_bytes())?;
     file.persist(place)?;
     Ok(())

@@ -3,7 +3,9 @@
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
-use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar};
+
+use crate::progress::bar;
 
 /// Rows done of all.
 pub(super) struct Progress {
@@ -19,12 +21,9 @@ impl Progress {
 
     /// `done` of `total` rows are there already.
     pub(super) fn new(done: u64, total: u64, quiet: bool) -> Self {
-        let template = "{bar:40} {pos} of {len} rows, {per_sec}, {eta} left";
-        let style = ProgressStyle::with_template(template);
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = match quiet {
             true => ProgressBar::hidden(),
-            false => ProgressBar::new(total).with_style(style),
+            false => bar(total, "{bar:40} {pos} of {len} rows, {per_sec}, {eta} left"),
         };
         bar.set_position(done);
         bar.reset_eta();

@@ -7,8 +7,8 @@ use toml::Value;
 
 use super::plan::{Plan, Point};
 use crate::balance::Imbalance;
+use crate::input::open_path;
 use crate::record::Run;
-use crate::run::open_path;
 use crate::summary::Summary;
 
 /// The names of the columns.

@@ -8,13 +8,13 @@ use crate::record::Frame;
 
 /// Median, 99th percentile and maximum.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Spread {
+pub(super) struct Spread {
     /// Half of the frames are within.
-    pub median: f64,
+    pub(super) median: f64,
     /// 99 % of the frames are within.
-    pub most: f64,
+    pub(super) most: f64,
     /// All frames are within.
-    pub max: f64,
+    pub(super) max: f64,
 }
 
 impl Spread {
@@ -37,31 +37,31 @@ impl Spread {
 
 /// The accuracy of a setting at a rate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Accuracy {
+pub(super) struct Accuracy {
     /// Frames that were compared.
-    pub frames: usize,
+    pub(super) frames: usize,
     /// Distance of the body's origin from where the reference has it (µm).
-    pub position: Spread,
+    pub(super) position: Spread,
     /// Angle between the body and that of the reference (mrad).
-    pub angle: Spread,
+    pub(super) angle: Spread,
     /// Frames in step: with the contact state of the reference, and in all frames so far as many slips.
-    pub in_step: usize,
+    pub(super) in_step: usize,
     /// Distance in these frames (µm).
-    pub position_in_step: Spread,
+    pub(super) position_in_step: Spread,
     /// Angle in these frames (mrad).
-    pub angle_in_step: Spread,
+    pub(super) angle_in_step: Spread,
     /// The largest unbalanced force of a scene / its largest force, or moment / (that force · L).
-    pub residual: f64,
+    pub(super) residual: f64,
     /// Frames in a different contact state.
-    pub other_state: usize,
+    pub(super) other_state: usize,
     /// Slips of the reference.
-    pub reference_slips: u64,
+    pub(super) reference_slips: u64,
     /// Slips more than the reference has, summed over the scenes that have more.
-    pub slips_too_many: u64,
+    pub(super) slips_too_many: u64,
     /// Slips fewer, likewise.
-    pub slips_too_few: u64,
+    pub(super) slips_too_few: u64,
     /// Frames whose status is not ok.
-    pub not_ok: usize,
+    pub(super) not_ok: usize,
 }
 
 impl Accuracy {

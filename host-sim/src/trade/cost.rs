@@ -10,26 +10,26 @@ use crate::emulator::Chip;
 
 /// What a setting costs on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Emulated {
+pub(super) struct Emulated {
     /// Instructions per frame, mean.
-    pub instructions: f64,
+    pub(super) instructions: f64,
     /// Instructions of the worst frame.
-    pub worst: u32,
+    pub(super) worst: u32,
     /// Flash (bytes).
-    pub flash: u64,
+    pub(super) flash: u64,
     /// State of a run (bytes).
-    pub state: u32,
+    pub(super) state: u32,
     /// Deepest stack (bytes).
-    pub stack: u32,
+    pub(super) stack: u32,
 }
 
 /// What a setting costs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Cost {
+pub(super) struct Cost {
     /// Time of a frame on this computer (ns), mean.
-    pub host: f64,
+    pub(super) host: f64,
     /// On each of [`Chip::ALL`], where it was counted.
-    pub emulated: [Option<Emulated>; Chip::ALL.len()],
+    pub(super) emulated: [Option<Emulated>; Chip::ALL.len()],
 }
 
 /// The best of so many runs counts: it is the one that was disturbed least.

@@ -19,17 +19,17 @@ use crate::simulate::simulate;
 
 /// What was measured of a setting at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub(super) struct Row {
     /// The setting.
-    pub setting: Setting,
+    pub(super) setting: Setting,
     /// Frames per second (Hz).
-    pub rate: f64,
+    pub(super) rate: f64,
     /// The scenes; `None`: all of them.
-    pub group: Option<Group>,
+    pub(super) group: Option<Group>,
     /// Accuracy.
-    pub accuracy: Accuracy,
+    pub(super) accuracy: Accuracy,
     /// Cost.
-    pub cost: Cost,
+    pub(super) cost: Cost,
 }
 
 impl Row {
@@ -39,7 +39,7 @@ impl Row {
     }
 
     /// Name and value of every column, in the order of the files.
-    pub fn columns(&self) -> Vec<(String, Value)> {
+    pub(super) fn columns(&self) -> Vec<(String, Value)> {
         let (setting, accuracy) = (&self.setting, &self.accuracy);
         let mut columns: Vec<(String, Value)> = Vec::new();
         let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
@@ -137,7 +137,7 @@ impl Tally {
 ///
 /// # Errors
 /// A scene is refused by a number type.
-pub fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
+pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<Row>, InputError> {
     let settings: Vec<Setting> = Setting::all().collect();
     let combinations: Vec<_> = (settings.iter())
         .flat_map(|&setting| RATES.map(|rate| (setting, rate)))

@@ -14,20 +14,20 @@ use crate::emulator::Chip;
 
 /// What was measured, on what.
 #[derive(Clone, Debug)]
-pub struct Report {
+pub(super) struct Report {
     /// The processor of this computer.
-    pub machine: String,
+    pub(super) machine: String,
     /// The scenes in words.
-    pub scenes: String,
+    pub(super) scenes: String,
     /// For every combination the row over all scenes and one for each group.
-    pub rows: Vec<Row>,
+    pub(super) rows: Vec<Row>,
     /// Recommendations.
-    pub advice: Vec<String>,
+    pub(super) advice: Vec<String>,
 }
 
 impl Report {
     /// The rows over all scenes.
-    pub fn overall(&self) -> Vec<Row> {
+    pub(super) fn overall(&self) -> Vec<Row> {
         let rows = self.rows.iter().filter(|row| row.group.is_none());
         rows.copied().collect()
     }

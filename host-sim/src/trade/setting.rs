@@ -23,7 +23,7 @@ pub struct Dial {
 
 impl Dial {
     /// To the last digits of the number type.
-    pub const EXACT: Self = Self::new("exact", 0.0);
+    pub(super) const EXACT: Self = Self::new("exact", 0.0);
 
     /// All positions that are measured.
     pub const ALL: [Self; 4] = [
@@ -51,7 +51,7 @@ pub struct Setting {
 
 impl Setting {
     /// What every other setting is measured against, at [`FINEST`].
-    pub const REFERENCE: Self = Self {
+    pub(super) const REFERENCE: Self = Self {
         number: Number::F64,
         evolution: Evolution::Path,
         dial: Dial::EXACT,

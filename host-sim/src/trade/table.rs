@@ -1,6 +1,6 @@
 //! Rows as text: columns side by side on a terminal, or a table in Markdown.
 
-use std::fmt::Write as _;
+use stiction_tools::table::aligned;
 
 use super::accuracy::Spread;
 use super::measure::Row;
@@ -126,36 +126,11 @@ impl Table {
 
     /// Columns side by side.
     pub(super) fn text(&self) -> String {
-        let lines: Vec<&Vec<String>> = std::iter::once(&self.header).chain(&self.rows).collect();
-        let width = |k: usize| {
-            lines
-                .iter()
-                .map(|line| line[k].chars().count())
-                .max()
-                .unwrap_or(0)
-        };
-        let widths: Vec<usize> = (0..self.header.len()).map(width).collect();
-        let mut text = String::new();
-        for line in lines {
-            let cells = line
-                .iter()
-                .zip(&widths)
-                .enumerate()
-                .map(|(k, (cell, &width))| {
-                    if k < WORDS {
-                        format!("{cell:<width$}")
-                    } else {
-                        format!("{cell:>width$}")
-                    }
-                });
-            // Writing to a string does not fail.
-            let _ = writeln!(
-                text,
-                "  {}",
-                cells.collect::<Vec<_>>().join("  ").trim_end()
-            );
-        }
-        text
+        let lines: Vec<_> = (std::iter::once(&self.header).chain(&self.rows))
+            .cloned()
+            .collect();
+        let line = |cells: &Vec<String>| format!("  {}\n", cells.join("  ").trim_end());
+        aligned(&lines, WORDS).iter().map(line).collect()
     }
 
     /// A table in Markdown.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use stiction_core::{
-    Angle, Event, Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
+    Angle, Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
 };
 use stiction_scene::{HostSolver, SceneFile};
 
@@ -112,11 +112,7 @@ impl<R: Real<Si: SiFloat>> Solved<R> {
 
     fn accept(&mut self, mut output: Output<R::Si>) {
         output.angle.turns = output.angle.turns.saturating_add(self.turns);
-        if output.events().contains(&Event::Grasp) {
-            self.hold = Hold::Taken;
-        } else if output.held && self.hold == Hold::Never {
-            self.hold = Hold::Given;
-        }
+        self.hold = self.hold.after(output.events(), output.held);
         self.output = output;
     }
 }

@@ -1,9 +1,12 @@
 //! A body that goes on under other parameters, in another number type or evolution: it stays where it is, contacts stick at
 //! first, and it settles anew under the hand that holds it at the same point. From a [`Present`] to a solver and its state.
+//!
+//! A device does the same for itself (`device/change.rs` of the firmware), all in its own f32. Here a body goes from one number
+//! type to another one: what is computed in between is f64.
 
 use stiction_core::{
-    Angle, Description, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State, Status,
-    Wrench, narrow_hand,
+    Angle, Description, Event, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State,
+    Status, Wrench, narrow_hand,
 };
 use stiction_scene::{HostSolver, SceneFile};
 
@@ -21,6 +24,17 @@ pub(super) enum Hold {
     Given,
     /// Where it was at that moment.
     Taken,
+}
+
+impl Hold {
+    /// After a step with these events, that left the body `held`.
+    pub(super) fn after(self, events: &[Event], held: bool) -> Self {
+        match self {
+            _ if events.contains(&Event::Grasp) => Self::Taken,
+            Self::Never if held => Self::Given,
+            hold => hold,
+        }
+    }
 }
 
 /// Where a body and its hand are, SI units.

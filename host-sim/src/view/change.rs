@@ -99,17 +99,21 @@ impl Engine {
     }
 
     fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
-        match self.board {
-            Some(_) => self.pair.changed(setting)?,
-            None => self.pair.change(setting)?,
-        }
+        let result = match self.board {
+            // It has changed already, and its next answer shows what became of the body.
+            Some(_) => self.pair.changed(setting),
+            None => {
+                self.pair.change(setting)?;
+                self.pending.record(&self.pair.frame);
+                Ok(())
+            }
+        };
         self.end_recording();
         if let Some(replay) = &mut self.replay {
             replay.forget();
         }
-        self.pending.record(&self.pair.frame);
         self.changed = true;
-        Ok(())
+        result
     }
 
     fn begin(&mut self, run: Run) -> Result<(), String> {

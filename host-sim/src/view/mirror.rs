@@ -1,6 +1,6 @@
 //! The body of a board, as its last answer says: a body that nobody moves here.
 
-use stiction_core::{Angle, Event, Hand, Wrench};
+use stiction_core::{Angle, Hand, Wrench};
 
 use super::body::{Body, Setting};
 use super::carry::{Hold, Present};
@@ -20,11 +20,6 @@ impl Mirror {
     /// Of an answer, after the body was as in `before`.
     pub(super) fn of(frame: &Frame, before: Present, setting: &Setting) -> Self {
         let [x, y, phi] = frame.hand;
-        let hold = match before.hold {
-            _ if frame.events.contains(&Event::Grasp) => Hold::Taken,
-            Hold::Never if frame.held => Hold::Given,
-            hold => hold,
-        };
         Self {
             frame: frame.clone(),
             hand: Hand {
@@ -33,7 +28,7 @@ impl Mirror {
                 depth: frame.depth,
                 held: frame.held,
             },
-            hold,
+            hold: before.hold.after(&frame.events, frame.held),
             stiffness: [
                 setting.scene.stiffness_translation,
                 setting.scene.stiffness_rotation,

@@ -255,21 +255,22 @@ impl Engine {
     }
 
     fn replay(&mut self, what: Path) -> Result<Change, String> {
-        let missing = |what: &str| Err(format!("there is no {what} to replay"));
+        let missing =
+            |what, allowed| Err(format!("there is no {what} to replay, allowed: {allowed}"));
         let (mut stage, mut setting) = (self.stage.clone(), self.pair.setting.clone());
         let path = match what {
             Path::Scene => match &self.stage.path {
                 Some(path) => ("scene".to_owned(), Way::Path(Arc::clone(path))),
-                None => return missing("path in the scene"),
+                None => return missing("path in the scene", "in a scene with one"),
             },
             Path::Upload => match &self.upload {
                 Some(upload) => upload.clone(),
-                None => return missing("uploaded path"),
+                None => return missing("uploaded path", "after an upload"),
             },
             Path::Recording => {
                 self.end_recording();
                 let Some(recorded) = &self.recorded else {
-                    return missing("recording");
+                    return missing("recording", "after one was made");
                 };
                 stage = recorded.stage.clone();
                 setting = recorded.setting.clone();

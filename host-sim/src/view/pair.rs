@@ -102,10 +102,13 @@ impl Pair {
     /// A board works under another setting: it says itself where the body is. The comparison begins anew from there.
     ///
     /// # Errors
-    /// The reference cannot follow; it stays as it was.
+    /// The reference cannot follow: it and the comparison go on as they were.
     pub(super) fn changed(&mut self, setting: &Setting) -> Result<(), String> {
         self.setting = setting.clone();
-        self.reference = setting.reference().carry(&self.body.present())?;
+        let reference = setting.reference().carry(&self.body.present());
+        self.reference = reference.map_err(|why| {
+            format!("the board has changed, the reference beside it has not: {why}")
+        })?;
         self.comparison = Comparison::default();
         self.look(false);
         Ok(())

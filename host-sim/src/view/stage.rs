@@ -5,8 +5,8 @@ use std::sync::Arc;
 use stiction_core::{Angle, Hand};
 use stiction_scene::{HandPath, InputError, Sample, SceneFile, Source};
 
+use crate::input::open_path;
 use crate::number::Number;
-use crate::run::open_path;
 
 /// How far from a point or a rod a hand may be at least, and still take hold (m): a hand's tremor.
 const LEAST_REACH: f64 = 1e-4;

@@ -1,8 +1,10 @@
 //! Sections of a Markdown file that a command writes: the text between `<!-- NAME: begin -->` and `<!-- NAME: end -->`.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+
+use crate::files::part;
 
 /// A file with a section to be written.
 #[derive(Clone, Debug)]
@@ -46,11 +48,7 @@ impl Section {
     /// The file cannot be read or replaced, or has no such section any more.
     pub fn write(&self, text: &str) -> io::Result<()> {
         let (head, tail) = self.parts()?;
-        let folder = match self.file.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
-        let mut file = tempfile::Builder::new().make_in(folder, |path| File::create_new(path))?;
+        let mut file = part(&self.file)?;
         write!(file, "{head}\n{}\n{tail}", text.trim_end())?;
         file.persist(&self.file)?;
         Ok(())

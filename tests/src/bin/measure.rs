@@ -71,7 +71,7 @@ fn drags(text: &mut String) {
                 let _ = writeln!(
                     text,
                     "| {name} | {number} | {} | {time:.0} | {slips} | {length:.3} |",
-                    format!("{evolution:?}").to_lowercase()
+                    evolution.name()
                 );
             }
         }
@@ -95,7 +95,7 @@ fn survey<R: Number>(evolution: Evolution, text: &mut String) {
         text,
         "| {} | {} | {frames} | {broken} | {limited} | {residual:.1e} |",
         R::NAME,
-        format!("{evolution:?}").to_lowercase()
+        evolution.name()
     );
 }
 

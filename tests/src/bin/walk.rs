@@ -16,6 +16,7 @@ const ROUND: u64 = 100_000;
 const STRIDES: [f64; 4] = [1e-5, 1e-4, 1e-3, 1e-2];
 /// x, y (m) and phi (rad) of the hand stay in here.
 const RANGE: [[f64; 2]; 3] = [[-0.1, 0.11], [-0.01, 0.12], [-1.2, 1.2]];
+/// So many steps, unless the command line says how many.
 const STEPS: u64 = 10_000_000;
 
 /// Random numbers (splitmix64).
@@ -134,13 +135,15 @@ fn report<R: Number>(steps: u64) -> bool {
 }
 
 fn main() -> ExitCode {
-    let steps = match std::env::args().nth(1).map(|text| text.parse()) {
+    let steps = match std::env::args().nth(1) {
         None => STEPS,
-        Some(Ok(steps)) => steps,
-        Some(Err(error)) => {
-            eprintln!("walk: the number of steps: {error}");
-            return ExitCode::from(2);
-        }
+        Some(text) => match text.parse() {
+            Ok(steps) => steps,
+            Err(_) => {
+                eprintln!("walk: the steps are {text:?}, allowed: a whole number");
+                return ExitCode::from(2);
+            }
+        },
     };
     let lawful = [
         report::<f32>(steps),

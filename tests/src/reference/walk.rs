@@ -1,21 +1,18 @@
-//! Motion with the hand frozen, in tiny steps, each looked at for what ends it: turning about a pinned vertex, sliding on one
-//! vertex, sliding on two, and moving freely. The first step with an end is bisected.
+//! Motion in contact with the hand frozen, in tiny steps, each looked at for what ends it: turning about a pinned vertex,
+//! sliding on one vertex and sliding on two. The first step with an end is bisected.
 
-use super::Reference;
 use super::cone::{inner, norm, normal_to, times};
-use super::scene::{Pose, Screw, Touch, add, scale, sub};
+use super::scene::{Pose, Screw, Touch, add, scale};
+use super::search::{bisect, dip};
 use super::statics::sign;
+use super::{CLEARANCE, Reference, TURN};
 
-/// Largest turn in one look at the moment, rad.
-const TURN: f64 = 1e-3;
 /// A turn by more than this in one step of something else is a snap, rad.
 pub(super) const SNAP: f64 = 0.03;
 /// Largest step of a slide, in body sizes.
 const SLIDE: f64 = 1e-3;
 /// Smallest step of a slide, in body sizes: below, a snap is not resolved further.
 const SMALLEST: f64 = 1e-13;
-/// Looks at the gaps during a free move.
-const LOOKS: u32 = 2000;
 /// Steps after which a slide is given up.
 const MANY: u32 = 200_000;
 
@@ -34,6 +31,16 @@ pub(super) enum End {
     Lost,
 }
 
+impl End {
+    /// How deep a vertex may be inside a surface, in body sizes, while the place of this end is bisected.
+    fn depth(self) -> f64 {
+        match self {
+            Self::Touch => 0.0,
+            _ => CLEARANCE,
+        }
+    }
+}
+
 impl Reference {
     /// Whether a vertex that is not in contact is deeper inside a surface than `depth` body sizes.
     pub(super) fn enters(&self, pose: &Pose, depth: f64) -> bool {
@@ -42,7 +49,7 @@ impl Reference {
     }
 
     /// The same where the vertices and surfaces in `closed` may have a gap down to the one given with each.
-    fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
+    pub(super) fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
         let least = |touch| {
             closed
                 .iter()
@@ -83,7 +90,7 @@ impl Reference {
                 return (at(angle), End::Snap);
             }
             let next = dip(angle, angle + way * TURN, |x| way * moment(x));
-            let enters = watched && self.enters(&at(next), super::CLEARANCE);
+            let enters = watched && self.enters(&at(next), CLEARANCE);
             if !enters && way * moment(next) > 0.0 {
                 angle = next;
                 continue;
@@ -135,21 +142,16 @@ impl Reference {
         };
         for _ in 0..MANY {
             let next = at(&pose, step);
-            match end(&next, &closed, super::CLEARANCE) {
+            match end(&next, &closed, CLEARANCE) {
                 None => {
                     pose = next.0;
-                    closed.retain(|&(touch, _)| {
-                        self.scene.gap(&pose, touch) < super::CLEARANCE * self.size
-                    });
+                    closed
+                        .retain(|&(touch, _)| self.scene.gap(&pose, touch) < CLEARANCE * self.size);
                     step = (2.0 * step).min(SLIDE * self.size);
                 }
                 Some(End::Snap) if step > SMALLEST * self.size => step /= 2.0,
                 Some(first) => {
-                    let depth = if first == End::Touch {
-                        0.0
-                    } else {
-                        super::CLEARANCE
-                    };
+                    let depth = first.depth();
                     let (before, after) = bisect(0.0, step, |distance| {
                         end(&at(&pose, distance), &closed, depth).is_some()
                     });
@@ -205,16 +207,12 @@ impl Reference {
         let step = SLIDE * self.size;
         for _ in 0..MANY {
             let next = at(&pose, way, step);
-            let Some(first) = end(&next, way, super::CLEARANCE) else {
+            let Some(first) = end(&next, way, CLEARANCE) else {
                 way = ahead(&next, way);
                 pose = next;
                 continue;
             };
-            let depth = if first == End::Touch {
-                0.0
-            } else {
-                super::CLEARANCE
-            };
+            let depth = first.depth();
             let (before, after) = bisect(0.0, step, |distance| {
                 end(&at(&pose, way, distance), way, depth).is_some()
             });
@@ -260,103 +258,4 @@ impl Reference {
         }
         pose
     }
-
-    /// The pose in which only hand and weight act, from where the body is: the orientation follows the moment.
-    pub(super) fn free_pose(&self, hand: [f64; 3]) -> Pose {
-        let scene = &self.scene;
-        let grip = sub([hand[0], hand[1]], [0.0, scene.weight / scene.k_h]);
-        let at = |angle| Pose::holding(scene.holding_point, grip, angle);
-        if scene.weight == 0.0 {
-            return at(if scene.k_theta > 0.0 {
-                hand[2]
-            } else {
-                self.pose.angle
-            });
-        }
-        let moment = |angle| scene.applied_moment(&at(angle), hand, grip);
-        let way = sign(moment(self.pose.angle));
-        let mut angle = self.pose.angle;
-        if way == 0.0 {
-            return at(angle);
-        }
-        loop {
-            let next = dip(angle, angle + way * TURN, |x| way * moment(x));
-            if way * moment(next) <= 0.0 {
-                return at(bisect(angle, next, |x| way * moment(x) <= 0.0).1);
-            }
-            angle = next;
-        }
-    }
-
-    /// Moves straight, holding point and orientation, to the free pose, or to the first touch if that pose is blocked. The
-    /// contacts in `left` count again once they are open.
-    pub(super) fn sweep(&self, left: &[Touch], hand: [f64; 3]) -> (Pose, End) {
-        let target = self.free_pose(hand);
-        if !self.enters(&target, super::CLEARANCE) {
-            return (target, End::Rest);
-        }
-        let held = self.scene.holding_point;
-        let from = self.pose.apply(held);
-        let shift = sub(target.apply(held), from);
-        let turn = target.angle - self.pose.angle;
-        let at = |part: f64| {
-            Pose::holding(
-                held,
-                add(from, scale(part, shift)),
-                self.pose.angle + part * turn,
-            )
-        };
-        let mut closed: Vec<_> = left
-            .iter()
-            .map(|&touch| (touch, f64::NEG_INFINITY))
-            .collect();
-        for look in 0..LOOKS {
-            let (now, next) = (
-                f64::from(look) / f64::from(LOOKS),
-                f64::from(look + 1) / f64::from(LOOKS),
-            );
-            if self.enters_beside(&at(next), &closed, super::CLEARANCE) {
-                let (before, _) = bisect(now, next, |part| {
-                    self.enters_beside(&at(part), &closed, 0.0)
-                });
-                return (at(before), End::Touch);
-            }
-            closed.retain(|&(touch, _)| {
-                self.scene.gap(&at(next), touch) < super::CLEARANCE * self.size
-            });
-        }
-        (self.pose, End::Lost)
-    }
-}
-
-/// The lowest point between `from` and `to` if `height` falls at the one and rises at the other and is not positive there;
-/// `to` otherwise.
-fn dip(from: f64, to: f64, height: impl Fn(f64) -> f64) -> f64 {
-    let at = |part: f64| from + part * (to - from);
-    let rises = |part: f64| height(at(part + 1e-3)) > height(at(part));
-    if height(to) <= 0.0 || rises(0.0) || !rises(1.0) {
-        return to;
-    }
-    let (bottom, _) = bisect(0.0, 1.0, rises);
-    if height(at(bottom)) <= 0.0 {
-        at(bottom)
-    } else {
-        to
-    }
-}
-
-/// The last point before and the first point after `crossed` becomes true between `low` (false) and `high` (true).
-pub(super) fn bisect(mut low: f64, mut high: f64, crossed: impl Fn(f64) -> bool) -> (f64, f64) {
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle == low || middle == high {
-            break;
-        }
-        if crossed(middle) {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    (low, high)
 }

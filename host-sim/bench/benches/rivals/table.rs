@@ -1,5 +1,7 @@
 //! The table and the words below it: from what was measured to text, for the terminal and for the README.
 
+use stiction_tools::table::aligned;
+
 use crate::measure::Findings;
 
 /// One row: an engine in a case.
@@ -47,32 +49,22 @@ const WIDTH: usize = 118;
 
 /// For the terminal: aligned columns, a blank line after each scene.
 pub(crate) fn plain(rows: &[Row], setting: &Setting) -> String {
-    let cells: Vec<_> = rows.iter().map(Row::cells).collect();
-    let width = |column: usize| {
-        let widths = cells.iter().map(|row| row[column].len());
-        widths.chain([HEAD[column].len()]).max().unwrap_or(0)
-    };
-    let widths: Vec<_> = (0..HEAD.len()).map(width).collect();
-    let line = |row: &[String]| {
-        let mut text = String::new();
-        for (column, (cell, &width)) in row.iter().zip(&widths).enumerate() {
-            let padded = if column < WORDS {
-                format!("{cell:<width$}  ")
-            } else {
-                format!("{cell:>width$}  ")
-            };
-            text.push_str(&padded);
-        }
-        text.trim_end().to_owned() + "\n"
-    };
-    let mut text = line(&HEAD.map(str::to_owned));
+    let header = HEAD.map(str::to_owned).to_vec();
+    let cells = rows.iter().map(|row| row.cells().to_vec());
+    let lines: Vec<_> = std::iter::once(header).chain(cells).collect();
+    let lines = aligned(&lines, WORDS);
+    let mut text = String::new();
     let mut scene = "";
-    for (row, cells) in rows.iter().zip(&cells) {
-        if row.scene != scene {
+    for (k, cells) in lines.iter().enumerate() {
+        // Line 0 is the header.
+        if let Some(row) = k.checked_sub(1).map(|k| &rows[k])
+            && row.scene != scene
+        {
             text.push('\n');
             scene = row.scene;
         }
-        text.push_str(&line(cells));
+        text.push_str(cells.join("  ").trim_end());
+        text.push('\n');
     }
     for paragraph in words(rows, setting) {
         text.push('\n');

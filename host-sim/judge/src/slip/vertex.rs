@@ -2,7 +2,7 @@
 //! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
 
 use super::{Step, drive, static_excess};
-use crate::judge::Evolution;
+use crate::frame::Evolution;
 use crate::pin::{Foot, Pin, follow};
 use crate::vector::{Vec2, add, scaled, sub};
 

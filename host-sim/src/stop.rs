@@ -1,4 +1,4 @@
-//! Ctrl-C ends a stream as its end does: the emulator with it, and what has come is kept.
+//! Ctrl-C ends what lasts as its own end does: emulators end with it, and what has come is kept.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -1,0 +1,51 @@
+//! What a command works on: a scene by its name, and the hand's path in it.
+
+use std::path::Path;
+
+use stiction_scene::{HandPath, InputError, Motion, SceneFile};
+
+use crate::number::Number;
+use crate::scenes;
+
+/// A scene file, or the bundled scene of a name.
+pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, InputError> {
+    if name.exists() {
+        return SceneFile::read(name, number.limit());
+    }
+    match scenes::find(name) {
+        Some(source) => SceneFile::parse(source, number.limit()),
+        None => Err(InputError::of_file(name, scenes::unknown())),
+    }
+}
+
+/// The hand's path and the rate (Hz) to resample it to: a file and a rate that are given, or else those of the scene.
+pub(crate) fn open_path(
+    scene: &SceneFile,
+    hand: Option<&Path>,
+    rate: Option<f64>,
+) -> Result<(HandPath, Option<f64>), InputError> {
+    let rate = rate.or(scene.hand.rate);
+    let path = match (hand, &scene.hand.motion) {
+        (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
+        (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
+        (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
+        (None, Some(Motion::Keyframes(_))) => {
+            let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
+            return Err(scene.source().error(problem));
+        }
+        (None, None) => {
+            let problem =
+                "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
+            return Err(scene.source().error(problem));
+        }
+    };
+    let count = path.frame_count(rate);
+    if count > HandPath::LARGEST_COUNT {
+        let problem = format!(
+            "the rate gives {count} frames, allowed: at most {}",
+            HandPath::LARGEST_COUNT
+        );
+        return Err(scene.source().error(&problem));
+    }
+    Ok((path, rate))
+}

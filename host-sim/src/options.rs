@@ -1,0 +1,55 @@
+//! What several commands take as an option: from its text to its value, or to what is allowed.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use stiction_core::{Evolution, MAX_EVENT_LIMIT};
+
+use crate::trace::Format;
+
+/// The evolution of a name.
+pub(crate) fn evolution_named(name: &str) -> Option<Evolution> {
+    let mut all = Evolution::ALL.into_iter();
+    all.find(|evolution| evolution.name() == name)
+}
+
+/// One of the evolutions.
+pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
+    PossibleValuesParser::new(Evolution::ALL.map(Evolution::name))
+        .map(|name| evolution_named(&name).unwrap_or_default())
+}
+
+/// A rate (Hz).
+pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(rate) if rate > 0.0 && f64::is_finite(rate) => Ok(rate),
+        _ => Err("allowed: a finite number above 0".to_owned()),
+    }
+}
+
+/// A trace that is to be written.
+pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
+    let file = PathBuf::from(text);
+    match Format::of(&file) {
+        Some(format) => Ok((file, format)),
+        None => Err("allowed: a file name that ends in .jsonl or .csv".to_owned()),
+    }
+}
+
+/// A tolerance (rad) that the solver takes as it is.
+pub(crate) fn parse_tolerance(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(radians) if (0.0..=0.01).contains(&radians) => Ok(radians),
+        _ => Err("allowed: a number from 0 to 0.01".to_owned()),
+    }
+}
+
+/// An event limit of a frame.
+pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
+    match text.parse() {
+        Ok(events) if (1..=MAX_EVENT_LIMIT).contains(&events) => Ok(events),
+        _ => Err(format!(
+            "allowed: a whole number from 1 to {MAX_EVENT_LIMIT}"
+        )),
+    }
+}

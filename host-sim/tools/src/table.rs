@@ -1,0 +1,45 @@
+//! Text in columns.
+
+/// Lines whose cells are padded with spaces to the width of their column. The first `words` columns begin together, the
+/// others, which are figures, end together.
+///
+/// # Panics
+/// A line has more cells than the first one.
+pub fn aligned(lines: &[Vec<String>], words: usize) -> Vec<Vec<String>> {
+    let mut widths = vec![0; lines.first().map_or(0, Vec::len)];
+    for line in lines {
+        for (width, cell) in widths.iter_mut().zip(line) {
+            *width = cell.chars().count().max(*width);
+        }
+    }
+    let padded = |(k, cell): (usize, &String)| {
+        let width = widths[k];
+        match k < words {
+            true => format!("{cell:<width$}"),
+            false => format!("{cell:>width$}"),
+        }
+    };
+    let line = |line: &Vec<String>| line.iter().enumerate().map(padded).collect();
+    lines.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::aligned;
+
+    #[test]
+    fn words_begin_together_and_figures_end_together() {
+        let lines = [
+            ["scene", "error (µm)"],
+            ["flat", "1.5"],
+            ["stick-slip", "120"],
+        ];
+        let lines = lines.map(|line| line.map(str::to_owned).to_vec());
+        let expected = [
+            ["scene     ", "error (µm)"],
+            ["flat      ", "       1.5"],
+            ["stick-slip", "       120"],
+        ];
+        assert_eq!(aligned(&lines, 1), expected);
+    }
+}

@@ -1,0 +1,33 @@
+//! Where a function of one number changes: its lowest point, and the place where it crosses.
+
+/// The lowest point between `from` and `to` if `height` falls at the one and rises at the other and is not positive there;
+/// `to` otherwise.
+pub(super) fn dip(from: f64, to: f64, height: impl Fn(f64) -> f64) -> f64 {
+    let at = |part: f64| from + part * (to - from);
+    let rises = |part: f64| height(at(part + 1e-3)) > height(at(part));
+    if height(to) <= 0.0 || rises(0.0) || !rises(1.0) {
+        return to;
+    }
+    let (bottom, _) = bisect(0.0, 1.0, rises);
+    if height(at(bottom)) <= 0.0 {
+        at(bottom)
+    } else {
+        to
+    }
+}
+
+/// The last point before and the first point after `crossed` becomes true between `low` (false) and `high` (true).
+pub(super) fn bisect(mut low: f64, mut high: f64, crossed: impl Fn(f64) -> bool) -> (f64, f64) {
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if middle == low || middle == high {
+            break;
+        }
+        if crossed(middle) {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    (low, high)
+}
