@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-stage() { printf '\n== %s\n' "$*"; }
+stage() { printf '\n== %s (after %d min %02d s)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
 # missing WHAT COMMAND: skips the stage, or fails where everything must be there.
 missing() {
@@ -160,4 +160,4 @@ else
   missing cargo-deny 'cargo install cargo-deny --locked'
 fi
 
-printf '\nAll checks hold.\n'
+stage 'all checks hold'

@@ -76,7 +76,7 @@ impl HandPath {
         match (rate, self.samples.as_slice()) {
             (Some(rate), [first, .., last]) => {
                 // A part of a millionth of a frame is rounding; both ends are frames.
-                let steps = ((last.t - first.t) * rate - 1e-6).ceil();
+                let steps = ((last.t - first.t) * rate - 1e-6).ceil().max(1.0);
                 (steps as usize).saturating_add(1)
             }
             _ => self.samples.len(),
@@ -113,6 +113,9 @@ impl HandPath {
     }
 
     fn resampled(&self, k: usize, rate: f64, reached: &mut usize) -> Sample {
+        if k == 0 {
+            return self.samples[0];
+        }
         let t = self.time(k, rate);
         let rounding = 1e-6 / rate;
         while (self.samples.get(*reached + 1)).is_some_and(|next| next.t <= t + rounding) {

@@ -179,6 +179,34 @@ fn turns_are_followed_from_pose_to_pose() {
     }
 }
 
+/// FRAME.md 5.1: bit 7 is grasp or release.
+#[test]
+fn every_event_has_a_bit_of_its_own() {
+    const EVENTS: usize = 7 + 17;
+    for (bit, event) in Event::ALL.into_iter().take(8).enumerate() {
+        let events = EventSet::of(&[event]);
+        let message = Report::Pose(Pose {
+            events,
+            ..Pose::default()
+        });
+        let mut bytes = encoded(&Frame {
+            sequence: 0,
+            time: 0,
+            message,
+        });
+        bytes.pop();
+        cobs::decode_in_place(&mut bytes).expect("COBS");
+        assert_eq!(bytes[EVENTS], 1 << bit, "{event:?}");
+        for other in Event::ALL.into_iter().take(8) {
+            assert_eq!(
+                events.contains(other),
+                other == event,
+                "{event:?} {other:?}"
+            );
+        }
+    }
+}
+
 #[test]
 fn grasp_and_release_are_told_by_the_hold() {
     for (event, other, held) in [
