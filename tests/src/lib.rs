@@ -1,6 +1,7 @@
 //! Fixtures of the integration tests: scenes in f64 that any number type can run, a driver that leads the hand and
 //! gathers frames as f64, an independent judge of the laws, and random scenes.
 
+pub mod counted;
 pub mod diagram;
 pub mod expect;
 pub mod extremes;

@@ -1,5 +1,6 @@
 //! The number types under test, and the bounds that hold for each of them.
 
+use crate::counted::Counted;
 use stiction_core::{Angle, CordicFixed, Fixed, LibmSingle, MicromathSingle, Real};
 
 /// A number type with its bounds. All bounds are relative to the characteristic size of what they bound.
@@ -40,6 +41,22 @@ impl Number for f64 {
     const GAP: f64 = 1e-9;
     const ROUNDING: f64 = f64::EPSILON / 2.0;
     const FARTHEST: f64 = 1e12;
+
+    fn si(x: f64) -> f64 {
+        x
+    }
+    fn wide(x: f64) -> f64 {
+        x
+    }
+}
+
+impl Number for Counted {
+    const NAME: &'static str = "counted f64";
+    const ANALYTIC: f64 = f64::ANALYTIC;
+    const RESIDUAL: f64 = f64::RESIDUAL;
+    const GAP: f64 = f64::GAP;
+    const ROUNDING: f64 = f64::ROUNDING;
+    const FARTHEST: f64 = f64::FARTHEST;
 
     fn si(x: f64) -> f64 {
         x

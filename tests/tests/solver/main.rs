@@ -24,3 +24,4 @@ mod snapshot;
 mod symmetry;
 mod tolerance;
 mod transitions;
+mod work;

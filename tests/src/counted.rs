@@ -1,0 +1,114 @@
+//! A number that counts what is done with it: f64, so that the work of a frame is the same on every machine and in every
+//! build.
+
+use std::cell::Cell;
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use stiction_core::Real;
+
+thread_local! {
+    static OPERATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// An f64 whose operations are counted on this thread.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Counted(f64);
+
+/// What a function makes, and how many operations it takes: sums, products, quotients, comparisons, roots and
+/// trigonometric functions each count 1.
+pub fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let before = OPERATIONS.get();
+    let made = work();
+    (made, OPERATIONS.get() - before)
+}
+
+fn count<T>(value: T) -> T {
+    OPERATIONS.set(OPERATIONS.get() + 1);
+    value
+}
+
+impl Add for Counted {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        count(Self(self.0 + other.0))
+    }
+}
+
+impl Sub for Counted {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        count(Self(self.0 - other.0))
+    }
+}
+
+impl Mul for Counted {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        count(Self(self.0 * other.0))
+    }
+}
+
+impl Div for Counted {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        count(Self(self.0 / other.0))
+    }
+}
+
+impl Neg for Counted {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl PartialOrd for Counted {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        count(self.0.partial_cmp(&other.0))
+    }
+}
+
+impl Real for Counted {
+    type Si = f64;
+
+    const ZERO: Self = Self(<f64 as Real>::ZERO);
+    const HALF: Self = Self(<f64 as Real>::HALF);
+    const ONE: Self = Self(<f64 as Real>::ONE);
+    const TWO: Self = Self(<f64 as Real>::TWO);
+    const TAU: Self = Self(<f64 as Real>::TAU);
+    const EPSILON: Self = Self(<f64 as Real>::EPSILON);
+    const TOUCH: Self = Self(<f64 as Real>::TOUCH);
+    const MICRO: Self = Self(<f64 as Real>::MICRO);
+    const RANGE: Self = Self(<f64 as Real>::RANGE);
+    const LOAD: Self = Self(<f64 as Real>::LOAD);
+    const HUGE: Self = Self(<f64 as Real>::HUGE);
+    const LEAST: Self = Self(<f64 as Real>::LEAST);
+
+    fn from_int(n: i32) -> Self {
+        Self(n.into())
+    }
+    fn from_si(x: f64, per: f64) -> Self {
+        count(Self(x * per))
+    }
+    fn to_si(self, unit: f64) -> f64 {
+        count(self.0 * unit)
+    }
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    fn sqrt(self) -> Self {
+        count(Self(Real::sqrt(self.0)))
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = count(Real::sin_cos(self.0));
+        (Self(sin), Self(cos))
+    }
+    fn atan2(self, other: Self) -> Self {
+        count(Self(Real::atan2(self.0, other.0)))
+    }
+    fn turns(self) -> (i32, Self) {
+        let (turns, rest) = Real::turns(self.0);
+        (turns, Self(rest))
+    }
+}
