@@ -105,9 +105,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         } else if !self.carries(&state.contact, &to) {
             return false;
         } else {
+            // A way begins in balance: out of it there is only a jump.
             match self.evolution {
-                Evolution::Path => self.along_path(state, &to, log),
-                Evolution::Frame => self.by_jump(state, &to, log),
+                Evolution::Path if state.unrest == Status::Ok => self.along_path(state, &to, log),
+                _ => self.by_jump(state, &to, log),
             }
         }
         state.grip = to;
