@@ -9,8 +9,9 @@ export RUST_BACKTRACE=0 PROPTEST_MAX_SHRINK_ITERS=0 CARGO_INCREMENTAL=1
 mkdir -p target/mutants
 mutants() {
   local status=0
+  # The time of the unmutated tests is taken of core's own alone; the tests that hang are ended by nextest.
   cargo mutants --package stiction-core --test-package stiction-core,stiction-tests --test-tool nextest --profile mutants \
-    --output target/mutants --no-shuffle "$@" || status=$?
+    --output target/mutants --no-shuffle --timeout 1200 "$@" || status=$?
   # 2 and 3: mutants were missed, or timed out.
   [ $status = 0 ] || [ $status = 2 ] || [ $status = 3 ] || exit $status
 }

@@ -1,7 +1,7 @@
 //! What a frame takes, counted in operations on numbers: the same on every machine, so that a shortcut that is not taken
 //! any more, or a search that takes more steps, shows.
 
-use stiction_core::{Evolution, Scene, Solver};
+use stiction_core::{Evolution, Solver};
 use stiction_tests::counted::{Counted, counted};
 use stiction_tests::run::planar;
 use stiction_tests::{Scenario, scenes};
@@ -10,7 +10,7 @@ const FRAMES_PER_LEG: usize = 250;
 
 /// Mean and worst of a scene's frames, the start not counted.
 fn work(scenario: &Scenario, evolution: Evolution) -> [u64; 2] {
-    let scene: Scene<Counted, 64, 4> = scenario.setup.scene().expect("a sound scene");
+    let scene = scenario.setup.scene::<Counted>().expect("a sound scene");
     let solver = Solver::new(scene, evolution);
     let mut hands = scenario.hands(FRAMES_PER_LEG).into_iter();
     let first = hands.next().expect("a path");
