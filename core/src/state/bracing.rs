@@ -79,10 +79,11 @@ impl<R: Real> Bracing<R> {
             return false;
         }
         let load = stance.load();
-        if self.support.bears_on(*bearers, load) {
+        let little = Self::little(&stance, R::ZERO);
+        if self.support.bears_on(*bearers, load, little) {
             return true;
         }
-        let found = self.support.bearers(load);
+        let found = self.support.bearers(load, little);
         *bearers = found.unwrap_or(*bearers);
         found.is_some()
     }
@@ -106,8 +107,9 @@ impl<R: Real> Bracing<R> {
         let (load, rounding) = (stance.load(), stance.rounding().doubled().doubled());
         let holds = || self.support.first_yield(load, load, rounding).is_none();
         // At the edge of a cone a load may be borne and beyond a facet by a rounding.
-        let is_borne = self.support.bearers(load).is_some();
-        if is_borne || (holds() && self.leaves_little(&stance, R::ZERO)) {
+        let little = Self::little(&stance, R::ZERO);
+        let is_borne = self.support.bearers(load, little).is_some();
+        if is_borne || (holds() && self.support.left(load, little) <= little) {
             Trigger::Balanced
         } else {
             self.give_way(scene, (grip, grip), attempt)
@@ -117,14 +119,14 @@ impl<R: Real> Bracing<R> {
     /// True if there are reactions that balance the load, to what the end of a slip is found to.
     pub(super) fn is_at_rest(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let stance = self.pivot.stance(scene, grip);
-        self.leaves_little(&stance, stance.tolerance.doubled().doubled())
+        let little = Self::little(&stance, stance.tolerance.doubled().doubled());
+        self.support.left(stance.load(), little) <= little
     }
 
-    /// True if reactions balance the load but for a `part` of its size and what is as small as a gap that counts as closed: at
-    /// the edge of a cone nothing is driven yet.
-    fn leaves_little(&self, stance: &Stance<R>, part: R) -> bool {
-        let small = stance.rounding() * R::from_int(64) + stance.size() * (R::TOUCH + part);
-        self.support.left(stance.load()) <= small
+    /// What reactions may leave of a load: a `part` of its size and what is as small as a gap that counts as closed. At the
+    /// edge of a cone nothing is driven yet.
+    fn little(stance: &Stance<R>, part: R) -> R {
+        stance.rounding() * R::from_int(64) + stance.size() * (R::TOUCH + part)
     }
 
     /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
@@ -233,11 +235,12 @@ impl<R: Real> Bracing<R> {
 
     /// Reactions, which are statically indeterminate.
     pub(super) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        let shares = self.support.share(stance.load());
+        let little = Self::little(stance, R::ZERO);
+        let shares = self.support.share(stance.load(), little);
         let pairs = self.contacts.iter().zip(&shares);
         gather(pairs.map(|(contact, &[plus, minus])| {
             let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);
-            [(plus + minus) * n, (plus - minus) * t]
+            [plus * n + minus * n, plus * t - minus * t]
         }))
     }
 }

@@ -8,44 +8,46 @@ use crate::output::MAX_CONTACTS;
 use crate::real::Real;
 
 impl<R: Real> Support<R> {
-    /// True if three edges alone bear a load.
-    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Screw<R>) -> bool {
-        let way = self.on_three(edges.map(usize::from), load);
-        way.is_some_and(|way| way.iter().all(|&(_, part)| part >= R::ZERO))
+    /// True if three edges alone bear a load but for a little.
+    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Screw<R>, little: R) -> bool {
+        self.bearing(edges.map(usize::from), load, little).is_some()
     }
 
-    /// Three edges that bear a load.
-    pub(crate) fn bearers(&self, load: Screw<R>) -> Option<[u8; 3]> {
+    /// Three edges that bear a load but for a little.
+    pub(crate) fn bearers(&self, load: Screw<R>, little: R) -> Option<[u8; 3]> {
         let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
         let mut triples = self.triples().map(small);
-        triples.find(|&edges| self.bears_on(edges, load))
+        triples.find(|&edges| self.bears_on(edges, load, little))
     }
 
     /// What the reactions that come nearest to bearing a load leave of it.
-    pub(crate) fn left(&self, load: Screw<R>) -> R {
-        self.rest(load, &self.parts(load)).size()
+    pub(crate) fn left(&self, load: Screw<R>, little: R) -> R {
+        self.rest(load, &self.parts(load, little)).size()
     }
 
-    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it
-    /// on three edges. For two contacts that is the middle of the interval of (E5).
-    pub(crate) fn share(&self, load: Screw<R>) -> Vec<[R; 2], MAX_CONTACTS> {
-        let parts = self.parts(load);
+    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it, but
+    /// for a little, on three edges. For two contacts that is the middle of the interval of (E5).
+    pub(crate) fn share(&self, load: Screw<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
+        let parts = self.parts(load, little);
         let pairs = parts.chunks_exact(2);
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
     /// As [`Self::share`], edge by edge.
-    fn parts(&self, load: Screw<R>) -> Parts<R> {
-        let mut parts: Parts<R> = gather(self.edges.iter().map(|_| R::ZERO));
+    fn parts(&self, load: Screw<R>, little: R) -> Parts<R> {
+        let mut parts = self.none();
         let mut ways = 0_i32;
-        for way in self.triples().filter_map(|t| self.on_three(t, load)) {
-            if way
-                .iter()
-                .all(|&(_, part)| part >= R::ZERO && part < R::RANGE)
-            {
+        let mut beyond = None;
+        for way in self.triples().filter_map(|t| self.bearing(t, load, little)) {
+            if way.iter().all(|&(_, part)| part < R::RANGE) {
                 ways = ways.saturating_add(1);
                 add(&mut parts, &way);
+            } else {
+                beyond = Some(way);
             }
+        }
+        if let (0, Some(way)) = (ways, beyond) {
+            add(&mut parts, &way);
         }
         let share = R::ONE / R::from_int(ways.max(1));
         for part in &mut parts {
@@ -55,6 +57,7 @@ impl<R: Real> Support<R> {
         for _ in 0..2 {
             let rest = self.rest(load, &parts);
             let triple = self.triples().filter_map(|t| self.on_three(t, rest));
+            let triple = triple.map(|(way, _)| way);
             let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
             let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, rest));
             let mut best = rest.size();
@@ -80,7 +83,13 @@ impl<R: Real> Support<R> {
         parts
     }
 
+    fn none(&self) -> Parts<R> {
+        gather(self.edges.iter().map(|_| R::ZERO))
+    }
+
     /// What parts of the edges leave of a load.
+    // Once in an image.
+    #[inline(never)]
     fn rest(&self, load: Screw<R>, parts: &Parts<R>) -> Screw<R> {
         let edges = self.edges.iter().zip(parts);
         edges.fold(load, |rest, (edge, &part)| Screw {
@@ -104,14 +113,48 @@ impl<R: Real> Support<R> {
         self.edges.get(edge).map(|edge| edge.screw)
     }
 
-    /// The parts of three edges that bear a load.
-    fn on_three(&self, [i, j, k]: [usize; 3], load: Screw<R>) -> Option<[(usize, R); 3]> {
+    /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: they count if they
+    /// leave little of the load.
+    #[inline(never)]
+    fn bearing(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
+        let (way, volume) = self.on_three(edges, load)?;
+        let presses = |way: &[(usize, R); 3]| way.iter().all(|&(_, part)| part >= R::ZERO);
+        let is_finite = |way: &[(usize, R); 3]| way.iter().all(|&(_, part)| part < R::HUGE);
+        let leaves_little = |way: &[(usize, R); 3], load| {
+            let mut parts = self.none();
+            add(&mut parts, way);
+            self.rest(load, &parts).size() <= little
+        };
+        if !presses(&way) {
+            return None;
+        }
+        let bears = if is_finite(&way) {
+            volume > Self::sharp() || leaves_little(&way, load)
+        } else {
+            // Parts beyond all numbers: a smaller load is borne in the same way.
+            let load = load.scaled(R::ONE / R::from_int(16));
+            let (way, _) = self.on_three(edges, load)?;
+            presses(&way) && is_finite(&way) && leaves_little(&way, load)
+        };
+        bears.then_some(way)
+    }
+
+    /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings.
+    fn sharp() -> R {
+        R::MICRO * R::from_int(2048)
+    }
+
+    /// The parts of three edges that balance a load, and the volume of the edges.
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Screw<R>) -> Option<([(usize, R); 3], R)> {
         let (a, b, c) = (self.screw(i)?, self.screw(j)?, self.screw(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
         let part = |face: Screw<R>| -face.dot(load) / volume;
         let usable = volume.abs() > Self::tolerance();
-        usable.then(|| [(i, part(bc)), (j, part(ca)), (k, part(ab))])
+        usable.then(|| {
+            let way = [(i, part(bc)), (j, part(ca)), (k, part(ab))];
+            (way, volume.abs())
+        })
     }
 
     /// The parts of two edges that come nearest to bearing a load.
