@@ -4,7 +4,8 @@ use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, decoded, encoded, times};
 use stiction_core::frame::{
-    Command, EventSet, Frame, List, Pose, Report, SceneCommand, scene_bytes, wire_bytes,
+    Command, EventSet, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text,
+    scene_bytes, wire_bytes,
 };
 use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
 
@@ -204,6 +205,40 @@ fn every_event_has_a_bit_of_its_own() {
                 "{event:?} {other:?}"
             );
         }
+    }
+}
+
+#[test]
+fn union_of_events_has_those_of_both() {
+    let all = &Event::ALL[..8];
+    for split in 0..=8 {
+        for overlap in 0..=split {
+            let (some, rest) = (EventSet::of(&all[..split]), EventSet::of(&all[overlap..]));
+            assert_eq!(some.union(rest), EventSet::of(all));
+            assert_eq!(some.union(EventSet::default()), some);
+            assert_eq!(rest.union(rest), rest);
+        }
+    }
+}
+
+#[test]
+fn reply_says_whether_the_command_was_carried_out() {
+    let command = Reference {
+        code: 3,
+        sequence: 9,
+    };
+    assert!(Reply::done(command).is_done());
+    for reason in Reason::ALL.into_iter().filter(|r| *r != Reason::Done) {
+        assert!(!Reply::refused(command, reason).is_done(), "{reason:?}");
+    }
+}
+
+#[test]
+fn text_is_compared_by_its_characters() {
+    assert!(Text::new("more than 0") == "more than 0");
+    assert!(Text::new("") == "");
+    for other in ["", "more than", "more than 1", "more than 0 "] {
+        assert!(Text::new("more than 0") != other, "{other}");
     }
 }
 
