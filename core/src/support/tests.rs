@@ -1,0 +1,178 @@
+//! What contacts bear together, against the definition: a load is borne if reactions within the friction cones balance it,
+//! which is decided here by a slow descent.
+
+use super::*;
+
+/// Numbers in [-1, 1), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+    fn vector(&mut self) -> Vec2<f64> {
+        Vec2::new(self.next(), self.next())
+    }
+    fn screw(&mut self) -> Screw<f64> {
+        Screw {
+            force: self.vector(),
+            moment: self.next(),
+        }
+    }
+}
+
+/// Contacts at levers on surfaces of an angle, with a coefficient of friction.
+fn support(contacts: &[(Vec2<f64>, f64, f64)]) -> (Support<f64>, Vec<Screw<f64>, MAX_EDGES>) {
+    let mut support = Support::default();
+    let mut edges = Vec::new();
+    for &(lever, angle, mu) in contacts {
+        let (sin, cos) = libm::sincos(angle);
+        let (normal, tangent) = (Vec2::new(-sin, cos), Vec2::new(cos, sin));
+        let size = libm::hypot(1.0, mu);
+        support.add(&Bearing {
+            lever,
+            normal,
+            tangent,
+            edges: [(1.0 / size, mu / size), (1.0 / size, -mu / size)],
+        });
+        for sign in [1.0, -1.0] {
+            let force = (normal + tangent * (mu * sign)) * (1.0 / size);
+            let moment = lever.x * force.y - lever.y * force.x;
+            edges.push(Screw { force, moment }).expect("room");
+        }
+    }
+    (support, edges)
+}
+
+/// How far a load is from what the edges bear: the least that parts of theirs leave of it, by descent over one part after the
+/// other. Nothing where that is too slow.
+fn outside(edges: &[Screw<f64>], load: Screw<f64>) -> Option<f64> {
+    let mut parts = [0.0_f64; MAX_EDGES];
+    let mut rest = load.scaled(-1.0);
+    for _ in 0..20_000 {
+        let mut moved = 0.0_f64;
+        for (part, edge) in parts.iter_mut().zip(edges) {
+            let step = (rest.dot(*edge) / edge.dot(*edge)).max(-*part);
+            *part += step;
+            moved = moved.max(step.abs());
+            rest = sum(rest, *edge, [1.0, -step]);
+        }
+        if moved < 1e-12 {
+            return Some(rest.size());
+        }
+    }
+    None
+}
+
+/// The sum of two loads, each so many times.
+fn sum(a: Screw<f64>, b: Screw<f64>, [n, m]: [f64; 2]) -> Screw<f64> {
+    Screw {
+        force: a.force * n + b.force * m,
+        moment: a.moment * n + b.moment * m,
+    }
+}
+
+fn contacts(random: &mut Random, smooth: bool) -> Vec<(Vec2<f64>, f64, f64), 4> {
+    let count = if random.next() > 0.0 { 2 } else { 3 };
+    let mut list = Vec::new();
+    for i in 0..count {
+        let lever = if i == 0 { Vec2::ZERO } else { random.vector() };
+        let mu = if smooth {
+            0.0
+        } else {
+            0.5 + 0.4 * random.next()
+        };
+        list.push((lever, 3.0 * random.next(), mu)).expect("room");
+    }
+    list
+}
+
+/// The way of a load from one that is borne: it yields where it leaves the cone.
+#[test]
+fn load_yields_where_no_reactions_balance_it() {
+    let mut found = [0; 2];
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let smooth = seed % 4 == 0;
+        let (support, edges) = support(&contacts(&mut random, smooth));
+        // Borne by some part of every edge, or, for contacts without friction, of each contact.
+        let mut from = Screw {
+            force: Vec2::ZERO,
+            moment: 0.0,
+        };
+        for edge in &edges {
+            from = sum(from, *edge, [1.0, -0.2 - random.next().abs()]);
+        }
+        let to = random.screw().scaled(3.0);
+        let axes =
+            [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)].map(|(x, y, moment)| Screw {
+                force: Vec2::new(x, y),
+                moment,
+            });
+        let mut both = axes.iter().flat_map(|axis| [*axis, axis.scaled(-1.0)]);
+        if both.all(|load| support.bearers(load).is_some()) {
+            // Jammed: whatever comes is borne.
+            assert!(support.bearers(to).is_some());
+            continue;
+        }
+        let rounding = 1e-9;
+        assert_eq!(support.first_yield(from, from, rounding), None, "{seed}");
+        let on_way = |part: f64| outside(&edges, sum(from, to, [1.0 - part, part]));
+        let Some(part) = support.first_yield(from, to, rounding) else {
+            assert!(outside(&edges, to).is_none_or(|off| off < 1e-6), "{seed}");
+            found[0] += 1;
+            continue;
+        };
+        found[1] += 1;
+        assert!((0.0..=1.0).contains(&part), "{seed}: {part}");
+        let is_planar = smooth && edges.len() < 6;
+        let (before, after) = (on_way((part - 1e-4).max(0.0)), on_way(part + 1e-3));
+        assert!(
+            is_planar || before.is_none_or(|off| off < 1e-6),
+            "{seed} {part} {before:?}"
+        );
+        assert!(
+            after.is_none_or(|off| off > 1e-7),
+            "{seed} {part} {after:?}"
+        );
+        assert!(
+            support.bearers(to).is_none() && support.left(to) > 1e-9,
+            "{seed}"
+        );
+    }
+    assert!(found.iter().all(|count| *count > 20), "{found:?}");
+}
+
+/// Whatever is borne is shared out with no part below zero, and nothing is left of it.
+#[test]
+fn shares_of_what_is_borne_add_up_to_it() {
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let (support, edges) = support(&contacts(&mut random, false));
+        let load = random.screw();
+        let off = outside(&edges, load);
+        let is_borne = support
+            .bearers(load)
+            .is_some_and(|bearers| support.bears_on(bearers, load));
+        assert!(
+            off.is_none_or(|off| is_borne == (off < 1e-9)),
+            "{seed} {off:?}"
+        );
+        let mut rest = load;
+        for (pair, edges) in support.share(load).iter().zip(edges.chunks(2)) {
+            for (part, edge) in pair.iter().zip(edges) {
+                assert!(*part >= -1e-12, "{seed} {part}");
+                rest = sum(rest, *edge, [1.0, *part]);
+            }
+        }
+        let left = rest.size();
+        assert!((left - support.left(load)).abs() < 1e-9, "{seed}");
+        if is_borne {
+            assert!(left < 1e-9, "{seed}: {left}");
+        } else if let Some(off) = off {
+            assert!(left > 0.99 * off, "{seed}: {left} {off}");
+        }
+    }
+}
