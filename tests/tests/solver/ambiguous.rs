@@ -41,9 +41,15 @@ mod cases {
             lawful_or_said::<R>(&setup, run.step(rest));
             assert_eq!(run.frame.status, first);
         }
+        // Out of balance there is no way along which it could be kept: the next frame is a jump, whatever the evolution.
+        let mut jumps = Run::<R>::start(&setup, Evolution::Frame, rest);
         // A hand a little to the side ends the dilemma.
-        lawful_or_said::<R>(&setup, run.step([0.0, 0.01, slope]));
+        let aside = [0.0, 0.01, slope];
+        lawful_or_said::<R>(&setup, run.step(aside));
         assert_eq!(run.frame.status, Status::Ok);
+        if first != Status::Ok {
+            assert_eq!(run.frame, *jumps.step(aside));
+        }
     }
 
     /// A point between a floor and two ceilings at the same height: no friction, so the hand takes it along.
