@@ -234,6 +234,33 @@ fn reply_says_whether_the_command_was_carried_out() {
 }
 
 #[test]
+fn frame_is_referred_to_by_its_type_and_number() {
+    let mut random = Random(5);
+    for _ in 0..200 {
+        let store = Store::fill(&mut random, 3);
+        let frame = store.frame(&mut random);
+        let (reference, wire) = match &frame {
+            Either::Command(frame) => (frame.reference(), encoded(frame)),
+            Either::Report(frame) => (frame.reference(), encoded(frame)),
+        };
+        let mut bytes = wire;
+        bytes.pop();
+        cobs::decode_in_place(&mut bytes).expect("COBS");
+        assert_eq!([reference.code, reference.sequence], bytes[1..3]);
+    }
+}
+
+#[test]
+fn list_knows_how_long_it_is() {
+    let items = [[0.5_f32, 1.5], [2.5, 3.5]];
+    for n in 0..=2 {
+        let list = List::from(&items[..n]);
+        assert_eq!((list.len(), list.is_empty()), (n, n == 0));
+        assert!(list.iter().eq(items[..n].iter().copied()));
+    }
+}
+
+#[test]
 fn text_is_compared_by_its_characters() {
     assert!(Text::new("more than 0") == "more than 0");
     assert!(Text::new("") == "");
