@@ -48,6 +48,15 @@ impl Random {
 
 const STEP: f64 = 1e-4;
 
+/// Places and how far a bound must hold from there.
+const WINDOWS: [(f64, f64); 5] = [
+    (0.0, 0.1),
+    (0.05, 0.02),
+    (0.3, 0.5),
+    (0.01, 2.0),
+    (3.0, 0.01),
+];
+
 /// The first and the second derivative at a place.
 fn derivatives(f: impl Fn(f64) -> f64, x: f64) -> [f64; 2] {
     let (before, at, after) = (f(x - STEP), f(x), f(x + STEP));
@@ -191,7 +200,7 @@ mod cases {
     pub(super) fn fold_is_where_the_part_stops_growing<B: Bend<f64>>(random: &mut Random) {
         let motion = random.motion::<B>();
         let [h, d] = turns(&motion);
-        for (x, window) in [(0.0, 0.1), (0.05, 0.02), (0.3, 0.5), (0.01, 2.0)] {
+        for (x, window) in WINDOWS {
             let p = motion.at(x);
             let fold = motion.fold(&p, window);
             let size = motion.whole() * (p.d.abs() + p.h.abs());
@@ -227,7 +236,7 @@ mod cases {
         close(margin.rounding, 1e-15 * (a.abs() + b.abs()), 0.0);
         let [h, d] = turns(&motion);
         let size = margin.start.abs() + margin.along.abs() + margin.turning.reach();
-        for (x, window) in [(0.0, 0.1), (0.05, 0.02), (0.3, 0.5), (0.01, 2.0)] {
+        for (x, window) in WINDOWS {
             let p = motion.at(x);
             let e = level(&margin, &p, p.part());
             let parts = a * level(&one, &p, p.part()) + b * level(&other, &p, p.part());
@@ -342,7 +351,7 @@ mod cases {
 /// On a motion of two contacts: each with its bounds from its beginning to the end of the window.
 #[test]
 fn jets_are_bounded() {
-    const WINDOW: f64 = 1.0;
+    const WINDOW: f64 = 0.8;
     for seed in 1..=200 {
         let mut random = Random(seed);
         let motion = random.kinematic();
@@ -382,7 +391,44 @@ fn jets_are_bounded() {
             assert!(slopes <= steepest * (1.0 + 1e-9) && steepest <= 1.3 * slopes);
             assert!(curvatures <= bent + 1e-5 && bent <= 1.3 * curvatures + 1e-5);
         }
+        for way in [0.3, 3.0] {
+            let reach = motion.course_to(way).reach;
+            let most = largest(formula, (0.0, way));
+            let steepest = largest(|x| motion.at(x).h_slope, once);
+            assert!(
+                most <= reach && reach <= 1.3 * way * steepest,
+                "{most} {reach}"
+            );
+        }
         assert_eq!(motion.rate_jet().value, motion.rate);
         assert_eq!(motion.rate_jet().bounds, [motion.rate.abs(), 0.0, 0.0]);
+    }
+}
+
+/// STATICS 11: u + kappa sin u = delta folds on its way from 0.
+#[test]
+fn turn_of_the_hand_ends_at_the_fold() {
+    for (kappa, fold, delta) in [
+        (1.05, 2.831_748_013_8, 3.151_904_225_7),
+        (1.5, 2.300_523_983_0, 3.418_557_971_8),
+        (2.0, 2.094_395_102_4, 3.826_445_910_0),
+        (5.0, 1.772_154_247_6, 6.671_133_733_2),
+    ] {
+        let moment = Moment {
+            couple: 0.0,
+            stiffness: 1.0,
+            hold: Vec2::new(kappa, 0.0),
+            bend: Unbent,
+            tolerance: 0.0,
+        };
+        for turn in [1.01 * delta, 1.5 * delta, 10.0 * delta] {
+            let course = Motion::balanced(&moment, Vec2::ZERO, turn).course();
+            assert!(course.folds && !course.unsure, "{kappa}");
+            // A double root: half of the digits.
+            assert!((course.end.turn - fold).abs() < 1e-6, "{kappa}");
+            assert!((course.end.part() * turn - delta).abs() < 1e-9, "{kappa}");
+        }
+        let course = Motion::balanced(&moment, Vec2::ZERO, 0.99 * delta).course();
+        assert!(!course.folds && course.end.turn < fold);
     }
 }

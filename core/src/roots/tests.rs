@@ -143,6 +143,51 @@ fn downhill_ends_at_the_first_balance() {
     }
 }
 
+/// The step leads to the zero of the lowest course that a bound of the curvature allows, E + d x - K x²/2; what starts at
+/// zero and rises is left at the crest of that.
+#[test]
+fn steps_follow_the_lowest_course() {
+    const ROUNDING: f64 = 1e-9;
+    let slope = |value: f64, slope: f64, curvature: f64| Slope {
+        value,
+        slope,
+        curvature,
+        rounding: ROUNDING,
+    };
+    for e in [1e-3, 0.5, 40.0] {
+        for d in [-30.0, -0.2, 0.0, 0.2, 30.0] {
+            for k in [1e-3, 1.0, 70.0] {
+                let f = slope(e, d, k);
+                let step = f.safe_step();
+                let lowest = |x: f64| e + d * x - k * x * x / 2.0;
+                let size = e + d.abs() * step;
+                assert!(lowest(step).abs() < 1e-12 * size && lowest(0.99 * step) > 0.0);
+                assert_eq!(f.first_step(), step);
+                assert!(f.is_clear_of(0.99 * step - ROUNDING / e));
+                assert!(!f.is_clear_of(1.01 * step));
+            }
+        }
+        assert_eq!(slope(e, 1.0, 0.0).safe_step(), <f64 as Real>::HUGE);
+    }
+    let zero = 0.5 * ROUNDING;
+    for (value, d, first) in [
+        (zero, 3.0, 1.5),
+        (-1.0, 3.0, 1.5),
+        (zero, -3.0, 0.0),
+        (zero, 0.0, 0.0),
+    ] {
+        assert_eq!(slope(value, d, 2.0).first_step(), first, "{value} {d}");
+        // Later on it is there, or, where it still falls, just before.
+        let next = slope(value, d, 2.0).safe_step();
+        assert!(if value > 0.0 && d < 0.0 {
+            next > 0.0 && next < ROUNDING
+        } else {
+            next == 0.0
+        });
+    }
+    assert_eq!(slope(zero, 3.0, 0.0).first_step(), <f64 as Real>::HUGE);
+}
+
 /// The search never passes a zero, even where a later one is steeper.
 #[test]
 fn first_zero_is_the_first() {

@@ -176,3 +176,48 @@ fn shares_of_what_is_borne_add_up_to_it() {
         }
     }
 }
+
+/// (E5): two contacts share a load by the middle of the interval of the internal force along the line between them.
+#[test]
+fn two_contacts_share_by_the_middle_of_the_interval() {
+    let mut count = 0;
+    for seed in 0..2000 {
+        let mut random = Random(seed);
+        let contacts: Vec<_, 4> = contacts(&mut random, false).into_iter().take(2).collect();
+        let (support, edges) = support(&contacts);
+        let load = random.screw();
+        if support.bearers(load).is_none() {
+            continue;
+        }
+        let shares = support.share(load);
+        let forces: Vec<_, 2> = (shares.iter().zip(edges.chunks(2)))
+            .map(|(part, edge)| edge[0].force * part[0] + edge[1].force * part[1])
+            .collect();
+        let way = contacts[1].0 * (1.0 / contacts[1].0.length());
+        // The parts of the two edges fall to zero at the ends of the interval.
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for ((force, pair), sign) in forces.iter().zip(edges.chunks(2)).zip([1.0, -1.0]) {
+            let (plus, minus) = (pair[0].force, pair[1].force);
+            let per = 1.0 / plus.cross(minus);
+            for (at, rate) in [
+                (force.cross(minus) * per, way.cross(minus) * per * sign),
+                (plus.cross(*force) * per, plus.cross(way) * per * sign),
+            ] {
+                let end = -at / rate;
+                if rate > 0.0 {
+                    low = low.max(end);
+                } else {
+                    high = high.min(end);
+                }
+            }
+        }
+        if low.is_finite() && high.is_finite() && high < 1e3 && low > -1e3 {
+            assert!(
+                (low + high).abs() < 1e-9 * (high - low + 1.0),
+                "{seed}: {low} {high}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 30, "{count}");
+}
