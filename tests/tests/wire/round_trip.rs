@@ -257,6 +257,8 @@ fn list_knows_how_long_it_is() {
         let list = List::from(&items[..n]);
         assert_eq!((list.len(), list.is_empty()), (n, n == 0));
         assert!(list.iter().eq(items[..n].iter().copied()));
+        assert_eq!(list == List::from(&items[..]), n == 2);
+        assert_eq!(list == List::from(&[[0.5, 1.5]][..]), n == 1);
     }
 }
 
