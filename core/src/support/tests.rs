@@ -221,3 +221,58 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
     }
     assert!(count > 30, "{count}");
 }
+
+fn screw(x: f64, y: f64, moment: f64) -> Screw<f64> {
+    Screw {
+        force: Vec2::new(x, y),
+        moment,
+    }
+}
+
+/// Two contacts without friction on one floor bear what presses between them, and yield at one end or the other, where the
+/// body begins to turn about the contact there.
+#[test]
+fn without_friction_an_edge_bears_what_presses_between_its_ends() {
+    let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(2.0, 0.0), 0.0, 0.0)]);
+    for (from, to, part, contact) in [
+        (-1.0, -3.0, 0.5, 1),
+        (-0.5, 1.5, 0.25, 0),
+        (-1.9, -2.1, 0.5, 1),
+    ] {
+        let [from, to] = [from, to].map(|moment| screw(0.0, -1.0, moment));
+        let found = support.first_yield(from, to, 1e-9);
+        assert!(
+            found.is_some_and(|at| (at - part).abs() < 1e-12),
+            "{found:?}"
+        );
+        let yields = support.yields(to, 1e-9, &|_| true);
+        assert_eq!(yields, Some(Yield::Pivot { contact }));
+        assert_eq!(support.first_yield(from, from, 1e-9), None);
+    }
+    // Along the floor they bear nothing.
+    assert_eq!(
+        support.first_yield(screw(1e-3, -1.0, -1.0), screw(1e-3, -1.0, -1.0), 1e-9),
+        Some(0.0)
+    );
+}
+
+/// On opposite sides of a slot all reactions lie in one line; on one side of it in half of that.
+#[test]
+fn without_friction_a_slot_bears_what_lies_across_it() {
+    const ROUNDING: f64 = 1e-3;
+    let half = core::f64::consts::PI;
+    for (angles, down, up) in [([0.0, half], true, true), ([0.0, 0.0], true, false)] {
+        let (support, _) = support(&angles.map(|angle| (Vec2::ZERO, angle, 0.0)));
+        let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+        for size in [0.01, 1.0, 30.0] {
+            assert_eq!(bears(screw(0.0, -size, 0.0)), down);
+            assert_eq!(bears(screw(0.0, size, 0.0)), up);
+            for off in [0.5 * ROUNDING, -0.5 * ROUNDING] {
+                assert!(bears(screw(off, -size, 0.0)) && bears(screw(0.0, -size, off)));
+            }
+            for off in [2.0 * ROUNDING, -2.0 * ROUNDING, 1.0] {
+                assert!(!bears(screw(off, -size, 0.0)) && !bears(screw(0.0, -size, off)));
+            }
+        }
+    }
+}

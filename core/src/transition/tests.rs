@@ -2,7 +2,8 @@
 //! was tried in vain.
 
 use super::*;
-use crate::geometry::{Angle, Orientation, Vec2};
+use crate::geometry::{Angle, Orientation, Pose, Vec2};
+use crate::state::{Corner, Edge, Locked, SingleVertex, TwoVertex};
 
 use StateKind as Kind;
 
@@ -58,6 +59,50 @@ fn arm_of_what_lasts_leads_from_state_to_state() {
     for before in [Kind::Edge, Kind::TwoVertex] {
         let [slides, stays] = [true, false].map(|s| keep_arm(before, Kind::SingleVertex, s).0);
         assert!(slides.describe().contains("slides on") && !stays.describe().contains("slides on"));
+    }
+}
+
+/// Of what is done in a state: it rests, slips, lifts off or turns over.
+#[test]
+fn arm_of_a_verb_leads_from_the_state() {
+    let orientation = Orientation::new(Angle::<f64>::default());
+    let pose = Pose {
+        position: Vec2::ZERO,
+        orientation,
+    };
+    let pivot = Pivot {
+        contact: Pair::default(),
+        foot: 0.0,
+        orientation,
+    };
+    let other = Pair {
+        vertex: 1,
+        surface: 1,
+    };
+    let states = [
+        ContactState::Free(Free { pose }),
+        ContactState::SingleVertex(SingleVertex::new(pivot)),
+        ContactState::Edge(Edge { pivot, vertex: 1 }),
+        ContactState::TwoVertex(TwoVertex::new(pivot, other)),
+        ContactState::Corner(Corner { pivot, surface: 1 }),
+        ContactState::Locked(Locked::new(pivot, &[other])),
+    ];
+    for (state, kind) in states.iter().zip(Kind::ALL) {
+        assert_eq!(state.kind(), kind);
+        let mut log = Log::default();
+        rests(state, &mut log);
+        let mut arms = log.transitions.iter();
+        leads(arms.next().expect("an arm"), kind, kind);
+        assert_eq!(arms.next(), None);
+        if kind != Kind::NonContact {
+            leads(clear_arm(state), kind, Kind::NonContact);
+        }
+        if matches!(kind, Kind::SingleVertex | Kind::Edge | Kind::TwoVertex) {
+            leads(slip_arm(state), kind, kind);
+        }
+        if matches!(kind, Kind::NonContact | Kind::SingleVertex | Kind::Corner) {
+            leads(fold_arm(state), kind, kind);
+        }
     }
 }
 

@@ -79,7 +79,7 @@ mod cases {
                 unbalanced += 1;
             }
         }
-        println!("{unbalanced} frames after an imbalance");
+        assert!(unbalanced > 0, "{}", R::NAME);
     }
 
     /// A point between a floor and two ceilings at the same height: no friction, so the hand takes it along.

@@ -30,9 +30,12 @@ fn fixed_point_says_which_loads_it_does_not_carry() {
         (8.0, 0.0, -8.1),
         (0.0, 0.0, 40.0),
     ] {
-        let setup = Setup::rod(1.0).held_at([LEVER, 0.0]).springs(1.0, rotation);
+        let setup = Setup::rod(1.0)
+            .held_at([LEVER, 0.0])
+            .springs(1.0, rotation)
+            .at([3.0, -2.0, 0.0]);
         for evolution in Evolution::ALL {
-            let run = Run::<Fixed>::start(&setup, evolution, [pull, 0.0, turn]);
+            let run = Run::<Fixed>::start(&setup, evolution, [3.0 + pull, -2.0, turn]);
             let carried = LEVER * pull + rotation * turn.abs() <= 64.0;
             let saturated = run.frame.status == Status::Saturated;
             assert_eq!(

@@ -257,6 +257,7 @@ fn list_knows_how_long_it_is() {
         let list = List::from(&items[..n]);
         assert_eq!((list.len(), list.is_empty()), (n, n == 0));
         assert!(list.iter().eq(items[..n].iter().copied()));
+        assert_eq!(format!("{list:?}"), format!("{:?}", &items[..n]));
         assert_eq!(list == List::from(&items[..]), n == 2);
         assert_eq!(list == List::from(&[[0.5, 1.5]][..]), n == 1);
     }
@@ -266,6 +267,7 @@ fn list_knows_how_long_it_is() {
 fn text_is_compared_by_its_characters() {
     assert!(Text::new("more than 0") == "more than 0");
     assert!(Text::new("") == "");
+    assert_eq!(format!("{:?}", Text::new("more\n")), "\"more?\"");
     for other in ["", "more than", "more than 1", "more than 0 "] {
         assert!(Text::new("more than 0") != other, "{other}");
     }
