@@ -236,16 +236,19 @@ mod tests {
                 } else if leaves(0.0) && leaves(angle) {
                     assert_eq!(trigger, Trigger::Clear, "{angle} {turn}");
                 } else {
-                    assert!(
-                        matches!(
-                            trigger,
-                            Trigger::Keep {
-                                sliding: Some(_),
-                                ..
-                            }
-                        ),
-                        "{angle} {turn}"
-                    );
+                    let Trigger::Keep {
+                        contacts,
+                        sliding: Some(sign),
+                    } = trigger
+                    else {
+                        panic!("{angle} {turn} {trigger:?}");
+                    };
+                    // Where the hand pulls, and not into the other surface.
+                    let [along, other] =
+                        [contacts[0], 1 - contacts[0]].map(|i| scene.surface(i as u8));
+                    let way = along.tangent * sign;
+                    assert!(way.dot(pull) > 0.0, "{angle} {turn}");
+                    assert!(other.normal.dot(way) > -1e-12, "{angle} {turn}");
                 }
             }
         }
