@@ -214,3 +214,6 @@ pub(crate) struct Moving<'a, R, B> {
     /// The contacts that last; the first one is at the point.
     pub(crate) keeps: &'a [Pair],
 }
+
+#[cfg(test)]
+mod tests;

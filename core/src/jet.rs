@@ -125,3 +125,90 @@ impl<R: Real> Sub for JetVec<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// c exp(a x) for x <= 0: it and its derivatives are largest at 0.
+    fn exponential(c: f64, a: f64, x: f64) -> Jet<f64> {
+        let value = c * libm::exp(a * x);
+        let size = c.abs();
+        Jet {
+            value,
+            slope: a * value,
+            bounds: [size, size * a, size * a * a],
+        }
+    }
+
+    #[track_caller]
+    fn same(is: Jet<f64>, should: Jet<f64>) {
+        let numbers = |jet: Jet<f64>| [jet.value, jet.slope].into_iter().chain(jet.bounds);
+        for (is, should) in numbers(is).zip(numbers(should)) {
+            assert!((is - should).abs() < 1e-12, "{is} {should}");
+        }
+    }
+
+    /// Sums and products of growing exponentials reach their bounds, all at one place: there the rules are equations.
+    #[test]
+    fn bounds_are_reached_where_all_is_largest_at_one_place() {
+        for (c, d) in [(2.0, 3.0), (0.7, 5.0)] {
+            for x in [0.0, -0.3, -2.0] {
+                let (a, b) = (1.5, 0.25);
+                let (f, g) = (exponential(c, a, x), exponential(d, b, x));
+                same(f * g, exponential(c * d, a + b, x));
+                let [sum, difference] = [f + g, f - g];
+                let bounds = [c + d, c * a + d * b, c * a * a + d * b * b];
+                let (slope, other) = (f.slope + g.slope, f.slope - g.slope);
+                let value = f.value + g.value;
+                same(
+                    sum,
+                    Jet {
+                        value,
+                        slope,
+                        bounds,
+                    },
+                );
+                let (value, slope) = (f.value - g.value, other);
+                same(
+                    difference,
+                    Jet {
+                        value,
+                        slope,
+                        bounds,
+                    },
+                );
+                same(f * Jet::constant(-2.0), exponential(-2.0 * c, a, x));
+            }
+        }
+    }
+
+    /// u×v = u_x v_y - u_y v_x, with k times as much for k u; sums and differences go by part.
+    #[test]
+    fn vectors_go_by_part() {
+        let x = -0.4;
+        let vector = |a: f64| JetVec {
+            x: exponential(2.0, a, x),
+            y: exponential(3.0, 2.0 * a, x),
+        };
+        let (u, v, k) = (vector(0.5), vector(0.75), exponential(1.5, 0.3, x));
+        same(u.cross(v), u.x * v.y - u.y * v.x);
+        same(u.scaled(k).cross(v), u.x * k * v.y - u.y * k * v.x);
+        same((u + v).x, u.x + v.x);
+        same((u + v).y, u.y + v.y);
+        same((u - v).x, u.x - v.x);
+        same((u - v).y, u.y - v.y);
+        let still = JetVec::constant(Vec2::new(2.0, -3.0));
+        same(still.y, Jet::constant(-3.0));
+        assert_eq!((still.x.value, still.x.bounds), (2.0, [2.0, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn zero_is_searched_for_in_the_direction_of_a_sign() {
+        let jet = exponential(-2.0, 0.5, -1.0);
+        let slope = jet.as_slope(-1.0);
+        assert_eq!((slope.value, slope.slope), (-jet.value, -jet.slope));
+        assert_eq!(slope.curvature, 0.5);
+        assert!((2.0..=16.0).contains(&(slope.rounding / f64::EPSILON)));
+    }
+}

@@ -301,3 +301,6 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

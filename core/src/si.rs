@@ -51,3 +51,51 @@ pub fn narrow_hand<F: SiFloat>(hand: &Hand<f64>) -> Hand<F> {
         held: hand.held,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn float_goes_to_f64_and_back_by_its_bits() {
+        for x in [0.0, -0.0, 1.5, -0.1, 3e-42, f32::MAX, f32::INFINITY] {
+            assert_eq!(f32::narrow(x.widen()).bits(), u64::from(x.to_bits()));
+            assert_eq!(x.widen(), f64::from(x));
+        }
+        for x in [0.0, -0.0, 1.5, -0.1, 3e-320, f64::MAX, f64::INFINITY] {
+            assert_eq!(f64::narrow(x.widen()).bits(), x.to_bits());
+            assert_eq!(x.widen(), x);
+        }
+        // To the nearest one, and to infinity.
+        let next = f32::from_bits(1.0_f32.to_bits() + 1);
+        assert_eq!(f32::narrow(1.0 + 0.7 * f64::from(f32::EPSILON)), next);
+        assert_eq!(f32::narrow(-1e300), f32::NEG_INFINITY);
+    }
+
+    #[test]
+    fn narrow_hand_keeps_turns_and_hold() {
+        let angle = Angle {
+            turns: 1_000_000,
+            rest: -0.1,
+        };
+        for held in [true, false] {
+            let hand = Hand {
+                position: [0.1, 1e300],
+                angle,
+                depth: 0.3,
+                held,
+            };
+            let narrow = Hand {
+                position: [0.1_f32, f32::INFINITY],
+                angle: Angle {
+                    turns: 1_000_000,
+                    rest: -0.1_f32,
+                },
+                depth: 0.3_f32,
+                held,
+            };
+            assert_eq!(narrow_hand::<f32>(&hand), narrow);
+            assert_eq!(narrow_hand::<f64>(&hand), hand);
+        }
+    }
+}

@@ -345,3 +345,6 @@ pub(crate) fn seat<R: Real>(
     }
     pivot
 }
+
+#[cfg(test)]
+mod tests;

@@ -67,3 +67,6 @@ impl<R: Real> Support<R> {
         R::from_int(64) * R::EPSILON
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -307,3 +307,6 @@ fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, 
         _ => (Transition::LockedTips, Event::Tip),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -284,7 +284,16 @@ mod tests {
         check_angles::<R>(errors);
         assert_eq!(R::ZERO.sqrt(), R::ZERO);
         assert_eq!(R::ZERO.atan2(R::ZERO), R::ZERO);
-        assert!(!(R::ONE / R::ZERO).is_finite() && !(-R::ONE / R::ZERO).is_finite());
+        let (above, below) = (R::ONE / R::ZERO, -R::ONE / R::ZERO);
+        assert!(!above.is_finite() && !below.is_finite());
+        assert!(above > R::ZERO && below < R::ZERO);
+        for (y, x) in [(0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)] {
+            let angle = R::from_si(y, 1.0).atan2(R::from_si(x, 1.0));
+            let exact = libm::atan2(f64::from(y), f64::from(x));
+            // Half a turn is one, either way round.
+            let apart = (wide(angle) - exact).abs();
+            assert!(apart.min((apart - TAU).abs()) <= errors.angle, "{y} {x}");
+        }
     }
 
     #[test]

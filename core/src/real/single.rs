@@ -147,6 +147,11 @@ mod tests {
                 "{angle}"
             );
         }
+        for (y, x) in [(0.0, 2.0), (2.0, 0.0), (-2.0, 0.0), (0.0, -2.0)] {
+            let exact = libm::atan2(f64::from(y), f64::from(x)) as f32;
+            assert_eq!(Real::atan2(y, x), exact, "{y} {x}");
+        }
+        assert_eq!(Real::atan2(0.0, 0.0_f32), 0.0);
     }
 
     #[test]

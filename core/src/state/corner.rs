@@ -173,3 +173,84 @@ impl<R: Real> Corner<R> {
         Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Angle, Orientation};
+    use crate::scene::{Description, Scene, SurfaceDescription};
+
+    const MU: f64 = 0.5;
+
+    /// A point on a floor and on a plane whose normal is turned from the floor's by an angle.
+    fn corner(angle: f64) -> (Scene<f64, 1, 2>, Corner<f64>) {
+        let surface = |angle: f64| SurfaceDescription {
+            normal: [-libm::sin(angle), libm::cos(angle)],
+            offset: 0.0,
+            friction_static: MU,
+            friction_dynamic: MU / 2.0,
+        };
+        let scene = Scene::new(&Description {
+            vertices: &[[0.0, 0.0]],
+            start: [0.0; 3],
+            weight: 0.0,
+            holding_point: Some([0.0, 0.0]),
+            reach: 0.0,
+            stiffness_translation: 1.0,
+            stiffness_rotation: 1.0,
+            surfaces: &[surface(0.0), surface(angle)],
+        });
+        let pivot = Pivot {
+            contact: Pair::default(),
+            foot: 0.0,
+            orientation: Orientation::new(Angle::default()),
+        };
+        (scene.expect("a sound scene"), Corner { pivot, surface: 1 })
+    }
+
+    /// The reaction may have any direction between the outer edges of the two cones, these included; where both surfaces are
+    /// left the vertex is free, else it slides on one of them.
+    #[test]
+    fn vertex_stays_while_the_reaction_is_between_the_outer_edges() {
+        let cone = libm::atan(MU);
+        for angle in [0.3, 1.2, 1.9, -0.7] {
+            let (scene, corner) = corner(angle);
+            let (first, last) = (angle.min(0.0) - cone, angle.max(0.0) + cone);
+            for i in -300..=300 {
+                // Of the reaction from the floor's normal; both edges are among them.
+                let edges = [first, last];
+                let turn = match i {
+                    -300 | 300 => edges[usize::from(i > 0)],
+                    _ => f64::from(i) * core::f64::consts::PI / 300.0,
+                };
+                let pull = Vec2::new(libm::sin(turn), -libm::cos(turn));
+                let grip = Grip {
+                    holding_point: Vec2::ZERO,
+                    hand: pull,
+                    angle: Angle::default(),
+                };
+                let leaves = |normal: f64| libm::cos(turn - normal) < -1e-12;
+                let trigger = corner.test(&scene, &grip);
+                if (first..=last).contains(&turn) {
+                    assert_eq!(trigger, Trigger::Balanced, "{angle} {turn}");
+                } else if leaves(0.0) && leaves(angle) {
+                    assert_eq!(trigger, Trigger::Clear, "{angle} {turn}");
+                } else {
+                    let Trigger::Keep {
+                        contacts,
+                        sliding: Some(sign),
+                    } = trigger
+                    else {
+                        panic!("{angle} {turn} {trigger:?}");
+                    };
+                    // Where the hand pulls, and not into the other surface.
+                    let [along, other] =
+                        [contacts[0], 1 - contacts[0]].map(|i| scene.surface(i as u8));
+                    let way = along.tangent * sign;
+                    assert!(way.dot(pull) > 0.0, "{angle} {turn}");
+                    assert!(other.normal.dot(way) > -1e-12, "{angle} {turn}");
+                }
+            }
+        }
+    }
+}

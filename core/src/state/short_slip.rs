@@ -139,3 +139,6 @@ impl<R: Real> ShortSlip<R> {
         about
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -330,3 +330,6 @@ impl<R: Real> Trammel<R> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,11 +1,13 @@
 //! Where no motion is consistent the body stays, out of balance, and every frame says so (STATICS 9, rule 8).
 
-use stiction_core::{Evolution, Status};
+use stiction_core::{Evolution, Solver, Status};
 use stiction_tests::laws::{judge, worst};
+use stiction_tests::run::planar;
 use stiction_tests::{Frame, Number, Run, Setup, test_each};
 
 test_each! {
     cases::imbalance_is_told_until_the_hand_moves,
+    cases::frame_after_an_imbalance_is_a_jump,
     cases::slot_without_friction_bears_nothing_along_it,
     cases::straight_across_a_slot_the_weight_is_borne,
 }
@@ -44,6 +46,40 @@ mod cases {
         // A hand a little to the side ends the dilemma.
         lawful_or_said::<R>(&setup, run.step([0.0, 0.01, slope]));
         assert_eq!(run.frame.status, Status::Ok);
+    }
+
+    /// A heavy rod on two smooth slopes that both lead down the same way. Out of balance there is no way on which it could be
+    /// kept: the frame after is a jump, whatever the evolution.
+    pub(super) fn frame_after_an_imbalance_is_a_jump<R: Number>(evolution: Evolution) {
+        let (up, tilt) = (
+            [7.5f64.to_radians(), 30f64.to_radians()],
+            22.5f64.to_radians(),
+        );
+        let normal = |angle: f64| [angle.sin(), angle.cos()];
+        let setup = Setup::new(&[[0.05, 0.0], [-0.05, 0.0]])
+            .held_at([0.0, 0.05])
+            .springs(10_000.0, 0.0)
+            .weighing(281.25)
+            .surface(normal(up[0]), -0.025, [0.0, 0.0])
+            .surface(normal(up[1]), -0.039_667_667_014_559_76, [0.0, 0.0])
+            .at([0.0, 0.0, tilt]);
+        let [x, y] = setup.grip();
+        let mut run = Run::<R>::start(&setup, evolution, [x, y, tilt]);
+        let jumps = Solver::new(setup.scene::<R>().expect("a sound scene"), Evolution::Frame);
+        let mut unbalanced = 0;
+        for i in 1..=100 {
+            let part = f64::from(i) / 100.0;
+            let hand = [x + 0.0313 * part, y - 0.0677 * part, tilt];
+            let (before, mut twin) = (run.frame.status, run.state.clone());
+            run.step(hand);
+            lawful_or_said::<R>(&setup, &run.frame);
+            if before > Status::EventLimit {
+                let output = jumps.step(&mut twin, planar::<R>(hand));
+                assert_eq!(run.frame, Frame::new(&jumps, &twin, &output), "{i}");
+                unbalanced += 1;
+            }
+        }
+        assert!(unbalanced > 0, "{}", R::NAME);
     }
 
     /// A point between a floor and two ceilings at the same height: no friction, so the hand takes it along.

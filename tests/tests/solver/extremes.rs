@@ -1,7 +1,7 @@
 //! The ends of every parameter (STATICS 10): whatever a number type is given, it gives finite numbers, and every frame
 //! either obeys the laws or says in its status that it does not.
 
-use stiction_core::{Angle, Evolution, Hand, StateKind, Status};
+use stiction_core::{Angle, Evolution, Fixed, Hand, StateKind, Status};
 use stiction_tests::extremes::{Outcome, SWEEPS, outcome};
 use stiction_tests::laws::{FINITE, assert_lawful, judge};
 use stiction_tests::run::{planar, polyline, run};
@@ -14,6 +14,38 @@ test_each! {
     cases::million_turns_cost_no_digits,
     cases::denormal_parameters,
     cases::number_type_holds_what_users_need,
+}
+
+/// Lever times pull and the moment of the turn, together: up to 64 k_h L² in fixed point.
+#[test]
+fn fixed_point_says_which_loads_it_does_not_carry() {
+    const LEVER: f64 = 7.0;
+    for (rotation, pull, turn) in [
+        (0.0, 9.0, 0.0),
+        (0.0, 9.3, 0.0),
+        (8.0, 7.0, 1.8),
+        (8.0, 7.0, 2.0),
+        (8.0, 7.0, -2.0),
+        (8.0, 0.0, 7.9),
+        (8.0, 0.0, -8.1),
+        (0.0, 0.0, 40.0),
+    ] {
+        let setup = Setup::rod(1.0)
+            .held_at([LEVER, 0.0])
+            .springs(1.0, rotation)
+            .at([3.0, -2.0, 0.0]);
+        for evolution in Evolution::ALL {
+            let run = Run::<Fixed>::start(&setup, evolution, [3.0 + pull, -2.0, turn]);
+            let carried = LEVER * pull + rotation * turn.abs() <= 64.0;
+            let saturated = run.frame.status == Status::Saturated;
+            assert_eq!(
+                saturated, !carried,
+                "{rotation} {pull} {turn}: {:?}",
+                run.frame
+            );
+            assert_eq!(run.frame.held, carried);
+        }
+    }
 }
 
 mod cases {

@@ -20,6 +20,7 @@ mod projection;
 mod residual;
 mod scene_errors;
 mod size;
+mod slips;
 mod snapshot;
 mod symmetry;
 mod tolerance;

@@ -2,7 +2,7 @@
 //! none escapes the laws of balance by being ambiguous.
 
 use std::collections::BTreeMap;
-use stiction_core::{Evolution, Fixed, Status};
+use stiction_core::{Evolution, Fixed, Status, Wrench};
 use stiction_tests::laws::{Finding, worst};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
@@ -51,6 +51,20 @@ fn survey<R: Number>(evolution: Evolution) {
         "{} {evolution:?}: first in scene, frame: {first:?}",
         R::NAME
     );
+}
+
+/// What the body feels of the hand, the hand feels of the body.
+#[test]
+fn feedback_is_the_opposite_wrench() {
+    let wrench = Wrench {
+        force: [1.5, -5.0],
+        moment: 0.25,
+    };
+    let opposite = Wrench {
+        force: [-1.5, 5.0],
+        moment: -0.25,
+    };
+    assert_eq!(wrench.feedback(), opposite);
 }
 
 #[test]

@@ -131,6 +131,31 @@ fn stiffnesses() {
     );
 }
 
+/// L, k_h L and k_h L² are divided by: neither of them may be beyond the float, not even the last.
+#[test]
+fn units() {
+    let sized = |size: f64, k_h: f64| {
+        changed(|s| {
+            for vertex in &mut s.vertices {
+                *vertex = vertex.map(|x| x * size);
+            }
+            (s.stiffness_translation, s.stiffness_rotation) = (k_h, 0.0);
+        })
+    };
+    for (size, k_h) in [
+        (1e-16, 1e20),
+        (1e3, 1e-19),
+        (1e-6, 1e-5),
+        (1e10, 1e25),
+        (1e10, 1e35),
+    ] {
+        refused::<f32>(&sized(size, k_h), Parameter::StiffnessTranslation, k_h);
+    }
+    for (size, k_h) in [(1e-14, 1e20), (1e3, 1e-15), (1e-6, 1.0), (1e10, 1e15)] {
+        assert!(sized(size, k_h).scene::<f32>().is_ok(), "{size} {k_h}");
+    }
+}
+
 #[test]
 fn number_of_surfaces() {
     let crowd = |s: &mut Setup| s.surfaces = vec![s.surfaces[0]; SURFACES + 1];

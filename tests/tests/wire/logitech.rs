@@ -135,3 +135,14 @@ fn lost_byte_costs_one_record() {
         assert_eq!(decoder.faults(), u32::from(lost != 0));
     }
 }
+
+/// Bit 6: at the fringe, bit 5: out of range, below: the buttons.
+#[test]
+fn every_flag_has_its_bits() {
+    for flags in 0..128_u8 {
+        let record = read(&record(flags, [1, 2, 3], [4; 3]));
+        assert_eq!(record.at_fringe, flags & 64 != 0, "{flags}");
+        assert_eq!(record.out_of_range, flags & 32 != 0, "{flags}");
+        assert_eq!(record.buttons, flags & 31, "{flags}");
+    }
+}

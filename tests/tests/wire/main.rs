@@ -4,6 +4,7 @@ mod examples;
 mod faulty_line;
 mod logitech;
 mod malformed;
+mod names;
 #[cfg(not(miri))] // It starts another program.
 mod other_client;
 mod random;

@@ -4,7 +4,8 @@ use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, decoded, encoded, times};
 use stiction_core::frame::{
-    Command, EventSet, Frame, List, Pose, Report, SceneCommand, scene_bytes, wire_bytes,
+    Command, EventSet, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text,
+    scene_bytes, wire_bytes,
 };
 use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
 
@@ -204,6 +205,71 @@ fn every_event_has_a_bit_of_its_own() {
                 "{event:?} {other:?}"
             );
         }
+    }
+}
+
+#[test]
+fn union_of_events_has_those_of_both() {
+    let all = &Event::ALL[..8];
+    for split in 0..=8 {
+        for overlap in 0..=split {
+            let (some, rest) = (EventSet::of(&all[..split]), EventSet::of(&all[overlap..]));
+            assert_eq!(some.union(rest), EventSet::of(all));
+            assert_eq!(some.union(EventSet::default()), some);
+            assert_eq!(rest.union(rest), rest);
+        }
+    }
+}
+
+#[test]
+fn reply_says_whether_the_command_was_carried_out() {
+    let command = Reference {
+        code: 3,
+        sequence: 9,
+    };
+    assert!(Reply::done(command).is_done());
+    for reason in Reason::ALL.into_iter().filter(|r| *r != Reason::Done) {
+        assert!(!Reply::refused(command, reason).is_done(), "{reason:?}");
+    }
+}
+
+#[test]
+fn frame_is_referred_to_by_its_type_and_number() {
+    let mut random = Random(5);
+    for _ in 0..200 {
+        let store = Store::fill(&mut random, 3);
+        let frame = store.frame(&mut random);
+        let (reference, wire) = match &frame {
+            Either::Command(frame) => (frame.reference(), encoded(frame)),
+            Either::Report(frame) => (frame.reference(), encoded(frame)),
+        };
+        let mut bytes = wire;
+        bytes.pop();
+        cobs::decode_in_place(&mut bytes).expect("COBS");
+        assert_eq!([reference.code, reference.sequence], bytes[1..3]);
+    }
+}
+
+#[test]
+fn list_knows_how_long_it_is() {
+    let items = [[0.5_f32, 1.5], [2.5, 3.5]];
+    for n in 0..=2 {
+        let list = List::from(&items[..n]);
+        assert_eq!((list.len(), list.is_empty()), (n, n == 0));
+        assert!(list.iter().eq(items[..n].iter().copied()));
+        assert_eq!(format!("{list:?}"), format!("{:?}", &items[..n]));
+        assert_eq!(list == List::from(&items[..]), n == 2);
+        assert_eq!(list == List::from(&[[0.5, 1.5]][..]), n == 1);
+    }
+}
+
+#[test]
+fn text_is_compared_by_its_characters() {
+    assert!(Text::new("more than 0") == "more than 0");
+    assert!(Text::new("") == "");
+    assert_eq!(format!("{:?}", Text::new("more\n")), "\"more?\"");
+    for other in ["", "more than", "more than 1", "more than 0 "] {
+        assert!(Text::new("more than 0") != other, "{other}");
     }
 }
 

@@ -136,6 +136,16 @@ mod tests {
                 assert_eq!(from_single(to_single(x, 1.0), 1.0), x);
             }
         }
+        // Beyond the normal numbers of f32 as near as these are.
+        for x in edges() {
+            for unit in [1e-37_f32, 1e-40, 1e38, f32::INFINITY] {
+                let exact = f64::from(x) / f64::from(1 << PLACES) * f64::from(unit);
+                let nearest = f64::from(to_single(x, unit));
+                let off = (nearest - exact).abs();
+                let close = off <= 1e-7 * exact.abs() + 2e-45 || nearest == f64::from(exact as f32);
+                assert!(close || x == 0 && nearest == 0.0, "{x} {unit}");
+            }
+        }
         for (x, unit) in random(2_000_000).zip(random(2_000_001).skip(1)) {
             check_to(x, (unit as f32).abs() / 1000.0 + 1e-12);
         }

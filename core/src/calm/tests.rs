@@ -1,0 +1,185 @@
+//! The calm frame against the balance found by halving: its conditions, its end and its bounds.
+
+use super::*;
+use crate::detect::Placed;
+use crate::geometry::Angle;
+use crate::motion::Unbent;
+
+/// A balance at the end of the hand's way, and what the way added to z.
+#[derive(Clone, Copy, Debug)]
+struct Case {
+    /// M with the body not yet turned.
+    now: f64,
+    stiffness: f64,
+    hold: Vec2<f64>,
+    drive: Vec2<f64>,
+}
+
+impl Case {
+    /// The moment on a body that is turned by an angle.
+    fn moment(&self, turn: f64) -> Moment<f64, Unbent> {
+        let (sin, cos) = libm::sincos(turn);
+        let Vec2 { x, y } = self.hold;
+        Moment {
+            couple: self.now - y - self.stiffness * turn,
+            stiffness: self.stiffness,
+            hold: Vec2::new(x * cos + y * sin, y * cos - x * sin),
+            bend: Unbent,
+            tolerance: 0.0,
+        }
+    }
+
+    fn calm(&self) -> Option<Calm<f64>> {
+        let start = Orientation::new(Angle::default());
+        Calm::turn(&self.moment(0.0), self.drive, start, |orientation| {
+            self.moment(orientation.angle().radians())
+        })
+    }
+
+    /// z at a part of the way.
+    fn hold(&self, part: f64) -> Vec2<f64> {
+        self.hold - self.drive * (1.0 - part)
+    }
+
+    /// The balance next to the unturned body at a part of the way, by halving.
+    fn balance(&self, part: f64, within: f64) -> f64 {
+        let Vec2 { x, y } = self.hold(part);
+        let load = |turn: f64| {
+            let (sin, cos) = libm::sincos(turn);
+            // The way begins in balance.
+            self.now * part - self.stiffness * turn + y * (cos - 1.0) - x * sin
+        };
+        let (mut low, mut high) = (-within, within);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if load(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// Grips from soft to stiff, pulled and pushed, near the balance and far from it, ways to all sides.
+fn cases() -> impl Iterator<Item = Case> {
+    let holds = [
+        (0.0, 0.0),
+        (1.0, 0.4),
+        (-0.5, 0.3),
+        (-0.9, -0.1),
+        (3.0, -2.0),
+    ];
+    let moments = [0.0, 1e-9, -1e-4, 0.01, -0.05, 0.1, 0.2, -0.4];
+    let ways = (0..8).flat_map(|i| [0.0, 0.02, 0.2, 0.4, 0.7].map(|size| (size, i)));
+    let all = [0.1, 1.0]
+        .into_iter()
+        .flat_map(move |k| holds.map(|hold| (k, hold)));
+    all.flat_map(move |(stiffness, (x, y))| {
+        let ways = ways.clone();
+        moments.into_iter().flat_map(move |now| {
+            ways.clone().map(move |(size, i)| {
+                let (sin, cos) = libm::sincos(f64::from(i) * 0.7);
+                Case {
+                    now,
+                    stiffness,
+                    hold: Vec2::new(x, y),
+                    drive: Vec2::new(cos * size, sin * size),
+                }
+            })
+        })
+    })
+}
+
+/// (E8): where its conditions hold amply the frame is calm, where one fails it is not.
+#[test]
+fn frame_is_calm_where_kantorovich_says_so() {
+    let mut found = [0, 0];
+    for case in cases() {
+        let stability = case.stiffness + case.hold.x;
+        let least = stability - case.drive.x.max(0.0);
+        let (hold, pull) = (case.hold, case.drive);
+        let (hold, pull) = (libm::hypot(hold.x, hold.y), libm::hypot(pull.x, pull.y));
+        let (step, bend) = (case.now.abs() / least, (hold + pull) / least);
+        let conditions = [pull / least * 2.0, step * 4.0, bend * step * 4.0];
+        let most = conditions.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let calm = case.calm().is_some();
+        if least <= 0.0 || most > 1.0 {
+            assert!(!calm, "{case:?}");
+        } else if most <= 0.4 {
+            assert!(calm, "{case:?}");
+        }
+        found[usize::from(calm)] += 1;
+    }
+    assert!(found.iter().all(|count| *count > 100), "{found:?}");
+}
+
+/// All the way there is a stable balance within what the calm frame promises, and it ends in that at the end.
+#[test]
+fn calm_turn_keeps_the_balance_and_its_bounds() {
+    for case in cases() {
+        let Some(calm) = case.calm() else { continue };
+        let end = calm.orientation.angle().radians();
+        assert!((end - case.balance(1.0, 0.6)).abs() < 1e-12, "{case:?}");
+        for i in 0..=10 {
+            let part = f64::from(i) / 10.0;
+            let (turn, hold) = (case.balance(part, 0.6), case.hold(part));
+            assert!(turn.abs() <= calm.reach * part + 1e-12, "{case:?}");
+            let (sin, cos) = libm::sincos(turn);
+            let stability = case.stiffness + hold.x * cos + hold.y * sin;
+            assert!(stability * calm.per_least >= 1.0 - 1e-12, "{case:?}");
+            let size = libm::hypot(hold.x, hold.y);
+            assert!(size <= calm.bend * stability * (1.0 + 1e-12), "{case:?}");
+        }
+    }
+}
+
+/// The rate of the turn in tau and its change stay below a bound, which (E8) says with lengths and the least stability.
+#[test]
+fn balance_bends_no_more_than_promised() {
+    const STEP: f64 = 1e-3;
+    for case in cases() {
+        let Some(calm) = case.calm() else { continue };
+        // About a pivot at a distance of 1 from the holding point, along x.
+        let lever = Vec2::new(1.0, 0.0);
+        let way = Way {
+            hand: case.drive,
+            turn: (case.now - case.drive.y) / case.stiffness,
+        };
+        let stance = Stance {
+            placed: Placed {
+                point: Vec2::ZERO,
+                body_point: Vec2::ZERO,
+                orientation: Orientation::new(Angle::default()),
+                on: None,
+            },
+            lever,
+            centroid: Vec2::ZERO,
+            spring: Vec2::ZERO,
+            couple: 0.0,
+            hold: case.hold,
+            force: Vec2::ZERO,
+            stiffness: case.stiffness,
+            tolerance: 0.0,
+        };
+        let bow = calm.bow(&stance, &way);
+        let mut most = 0.0_f64;
+        for i in 1..10 {
+            let part = f64::from(i) / 10.0;
+            let at = |part: f64| case.balance(part, 0.6);
+            let (before, now, after) = (at(part - STEP), at(part), at(part + STEP));
+            let rate = (after - before) / (2.0 * STEP);
+            let change = (after - 2.0 * now + before) / (STEP * STEP);
+            most = most.max(rate * rate + change.abs());
+        }
+        assert!(most <= bow * (1.0 + 1e-6) + 1e-9, "{case:?}: {most} {bow}");
+        let least = case.stiffness + case.hold.x - case.drive.x.max(0.0);
+        let (pull, hold) = (case.drive, case.hold);
+        let p = libm::hypot(pull.x, pull.y) / least;
+        let bend = libm::hypot(hold.x, hold.y) / least + p;
+        let r = p + case.stiffness * way.turn.abs() / least;
+        let formula = r * r + bend * r * r + 2.0 * p * r;
+        assert!(bow <= 4.0 * formula + 1e-12, "{case:?}: {bow} {formula}");
+    }
+}

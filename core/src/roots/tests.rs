@@ -1,0 +1,214 @@
+//! The searches against slow ones: folds, balances downhill, first zeros; what is polished and what is carried.
+
+use super::*;
+use crate::motion::Unbent;
+use crate::real::Fixed;
+
+/// STATICS 11: where u + kappa sin u = delta lands beyond its fold.
+#[test]
+fn fold_lands_on_the_first_stable_balance() {
+    for (kappa, fold, delta, lands) in [
+        (1.05, 2.831_748_013_8, 3.151_904_225_7, 3.764_317_194_1),
+        (1.5, 2.300_523_983_0, 3.418_557_971_8, 4.893_912_630_5),
+        (2.0, 2.094_395_102_4, 3.826_445_910_0, 5.387_598_242_9),
+        (5.0, 1.772_154_247_6, 6.671_133_733_2, 6.347_880_979_4_f64),
+    ] {
+        let moment = Moment {
+            couple: delta - fold,
+            stiffness: 1.0,
+            hold: Vec2::new(kappa * libm::cos(fold), -kappa * libm::sin(fold)),
+            bend: Unbent,
+            tolerance: 0.0,
+        };
+        let found = moment.over_fold(1.0);
+        assert!(found.snapped && !found.unsure);
+        assert!(
+            (fold + found.turn - lands).abs() < 1e-8,
+            "kappa {kappa}: {found:?}"
+        );
+    }
+}
+
+/// A moment of a number type, its own balance off by `now`.
+fn moment<R: Real>(now: f64, stiffness: f64, (x, y): (f64, f64)) -> Moment<R, Unbent>
+where
+    R::Si: From<f32>,
+{
+    let number = |x: f64| R::from_si(R::Si::from(x as f32), R::Si::ONE);
+    Moment {
+        couple: number(now - y),
+        stiffness: number(stiffness),
+        hold: Vec2::new(number(x), number(y)),
+        bend: Unbent,
+        tolerance: R::ZERO,
+    }
+}
+
+/// Where the stability has no reciprocal in fixed point a balance is polished all the same, and a moment so many times as
+/// large has one.
+#[test]
+fn soft_grip_is_polished() {
+    for stiffness in [1.0, 0.1, 0.01, 0.007, 0.004, 0.001] {
+        let soft = moment::<Fixed>(0.0, stiffness, (0.0, 0.0));
+        let unit = <Fixed as Real>::EPSILON;
+        let turned = Moment {
+            couple: unit + unit,
+            ..soft
+        };
+        let turn = turned.polish().to_si(1.0);
+        let should = 2.0 * unit.to_si(1.0) / soft.stiffness.to_si(1.0);
+        assert!(
+            (turn - should).abs() <= 0.01 * should + 1e-7,
+            "{turn} {should}"
+        );
+        let times = soft.softness();
+        let firm = soft.times(times).stability().to_si(1.0) * <Fixed as Real>::HUGE.to_si(1.0);
+        assert!(firm >= 15.0, "{stiffness}: {firm}");
+        assert!(
+            times == <Fixed as Real>::ONE || firm < 33.0,
+            "{stiffness}: {firm}"
+        );
+    }
+    let unstable = moment::<Fixed>(1e-6, 0.1, (-0.2, 0.0));
+    assert_eq!(unstable.polish(), <Fixed as Real>::ZERO);
+    assert_eq!(unstable.softness(), <Fixed as Real>::ONE);
+}
+
+/// Load and couple together, each of either sign, up to what the number type carries.
+#[test]
+fn load_is_carried_together_with_the_couple() {
+    let most = <Fixed as Real>::LOAD.to_si(1.0) as f64;
+    for (load, couple) in [
+        (0.4, 0.5),
+        (0.9, 0.0),
+        (0.0, 0.99),
+        (0.7, 0.7),
+        (1.1, 0.0),
+        (0.0, 1.1),
+    ] {
+        for (x, y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let (load, couple) = (load * most * x, couple * most * y);
+            let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
+            let carries = load.abs() + couple.abs() <= most;
+            assert_eq!(moment.is_carried(), carries, "{load} {couple}");
+        }
+    }
+}
+
+/// From anywhere downhill to the first balance, by small steps; the springs' couple alone may outweigh the load for turns.
+#[test]
+fn downhill_ends_at_the_first_balance() {
+    const STEP: f64 = 1e-4;
+    for (now, k, load) in [
+        (0.5, 1.0, (0.25, 0.25)),
+        (-0.5, 1.0, (-3.0, 0.25)),
+        (30.0, 1.0, (2.0, -2.0)),
+        (-30.0, 0.75, (2.0, 2.0)),
+        (0.015_625, 0.125, (-3.0, 1.0)),
+        (7.0, 0.25, (-0.0625, -0.125)),
+        (0.015_625, 0.0, (1.0, 0.5)),
+        (-2.0, 0.0, (-1.0, -2.0)),
+    ] {
+        let moment = moment::<f64>(now, k, load);
+        let (x, y) = load;
+        let at = |turn: f64| {
+            let (sin, cos) = libm::sincos(turn);
+            now - k * turn + y * (cos - 1.0) - x * sin
+        };
+        let found = moment.downhill();
+        let direction = now.signum();
+        let first = (0..10_000_000).map(|i| f64::from(i) * STEP * direction);
+        let mut most = now.abs();
+        let passed = first.into_iter().find(|&turn| {
+            most = most.max(at(turn).abs());
+            at(turn) * direction <= 0.0
+        });
+        let passed = passed.expect("a balance");
+        let left = (passed - found.turn) * direction;
+        assert!(
+            (0.0..=STEP * 1.01).contains(&left),
+            "{now} {k} {load:?}: {found:?} {passed}"
+        );
+        let balance = at(found.turn).abs();
+        assert!(
+            balance < 1e-12 * (1.0 + now.abs()),
+            "{now} {k} {load:?} {balance} {found:?}"
+        );
+        assert!(!found.unsure);
+        assert_eq!(
+            found.snapped,
+            most > now.abs() * (1.0 + 1e-6),
+            "{now} {k} {load:?}"
+        );
+    }
+}
+
+/// The step leads to the zero of the lowest course that a bound of the curvature allows, E + d x - K x²/2; what starts at
+/// zero and rises is left at the crest of that.
+#[test]
+fn steps_follow_the_lowest_course() {
+    const ROUNDING: f64 = 1e-9;
+    let slope = |value: f64, slope: f64, curvature: f64| Slope {
+        value,
+        slope,
+        curvature,
+        rounding: ROUNDING,
+    };
+    for e in [1e-3, 0.5, 40.0] {
+        for d in [-30.0, -0.2, 0.0, 0.2, 30.0] {
+            for k in [1e-3, 1.0, 70.0] {
+                let f = slope(e, d, k);
+                let step = f.safe_step();
+                let lowest = |x: f64| e + d * x - k * x * x / 2.0;
+                let size = e + d.abs() * step;
+                assert!(lowest(step).abs() < 1e-12 * size && lowest(0.99 * step) > 0.0);
+                assert_eq!(f.first_step(), step);
+                assert!(f.is_clear_of(0.99 * step - ROUNDING / e));
+                assert!(!f.is_clear_of(1.01 * step));
+            }
+        }
+        assert_eq!(slope(e, 1.0, 0.0).safe_step(), <f64 as Real>::HUGE);
+    }
+    let zero = 0.5 * ROUNDING;
+    for (value, d, first) in [
+        (zero, 3.0, 1.5),
+        (-1.0, 3.0, 1.5),
+        (zero, -3.0, 0.0),
+        (zero, 0.0, 0.0),
+    ] {
+        assert_eq!(slope(value, d, 2.0).first_step(), first, "{value} {d}");
+        // Later on it is there, or, where it still falls, just before.
+        let next = slope(value, d, 2.0).safe_step();
+        assert!(if value > 0.0 && d < 0.0 {
+            next > 0.0 && next < ROUNDING
+        } else {
+            next == 0.0
+        });
+    }
+    assert_eq!(slope(zero, 3.0, 0.0).first_step(), <f64 as Real>::HUGE);
+}
+
+/// The search never passes a zero, even where a later one is steeper.
+#[test]
+fn first_zero_is_the_first() {
+    for shift in [0.3, 1.0, 1.7, 2.9_f64] {
+        let found = first_zero((100.0, 0.0), |x| {
+            Look::far([Slope {
+                value: libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1,
+                slope: libm::cos(shift + x) + 1.4 * libm::cos(7.0 * (shift + x)),
+                curvature: 1.0 + 9.8,
+                rounding: 1e-15,
+            }])
+        });
+        let f = |x: f64| libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1;
+        // The interpreter is slow.
+        let step = if cfg!(miri) { 1e-3 } else { 1e-5 };
+        let first = (0..1_000_000)
+            .map(|i| f64::from(i) * step)
+            .find(|&x| f(x) <= 0.0);
+        let (Found::Zero { x, .. }, Some(first)) = (found, first) else {
+            panic!("{found:?} {first:?}");
+        };
+        assert!(x <= first && first - x < 2.0 * step, "{x} {first}");
+    }
+}

@@ -1,0 +1,277 @@
+//! The trammel motion against statics written out: reactions that oppose the sliding, and the drive that is left, balance the
+//! load at every place; their slopes are derivatives, and their bounds hold up to the window.
+
+use super::*;
+use crate::coupling::Pivot;
+use crate::geometry::{Angle, Orientation, Pose};
+use crate::scene::{Description, Scene, SurfaceDescription};
+
+const MU_D: [f64; 2] = [0.3, 0.2];
+
+/// Numbers in [-1, 1), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+    fn vector(&mut self) -> Vec2<f64> {
+        Vec2::new(self.next(), self.next())
+    }
+}
+
+struct Case {
+    scene: Scene<f64, 3, 2>,
+    state: TwoVertex<f64>,
+    grip: Grip<f64>,
+}
+
+/// A triangle with vertex 0 on one surface and vertex 1 on another one, pushed.
+fn case(random: &mut Random) -> Option<Case> {
+    let vertices = [[0.0, 0.0], [1.0, 0.0], [0.4, 0.3]];
+    let pose = Pose {
+        position: random.vector(),
+        orientation: Orientation::new(Angle::from_radians(3.0 * random.next())),
+    };
+    let at = |[x, y]: [f64; 2]| pose.position + pose.orientation.rotation().apply(Vec2::new(x, y));
+    let mut surface = |i: usize| {
+        let (sin, cos) = libm::sincos(3.0 * random.next());
+        SurfaceDescription {
+            normal: [-sin, cos],
+            offset: Vec2::new(-sin, cos).dot(at(vertices[i])),
+            friction_static: MU_D[i] + 0.2,
+            friction_dynamic: MU_D[i],
+        }
+    };
+    let surfaces = [surface(0), surface(1)];
+    let holding_point = random.vector();
+    let scene = Scene::new(&Description {
+        vertices: &vertices,
+        start: [
+            pose.position.x,
+            pose.position.y,
+            pose.orientation.angle().radians(),
+        ],
+        weight: 0.3 * random.next().abs(),
+        holding_point: None,
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: random.next().abs(),
+        surfaces: &surfaces,
+    });
+    let first = Pair {
+        vertex: 0,
+        surface: 0,
+    };
+    let second = Pair {
+        vertex: 1,
+        surface: 1,
+    };
+    let scene = scene.ok()?;
+    let state = TwoVertex::new(Pivot::at(&scene, &pose, first), second);
+    let grip = Grip {
+        holding_point,
+        hand: pose.position + random.vector() * 2.0,
+        angle: Angle::from_radians(3.0 * random.next()),
+    };
+    Some(Case { scene, state, grip })
+}
+
+/// At a place of a motion: the contacts from where contact 1 began, and the load about it.
+struct Place2 {
+    contacts: [Vec2<f64>; 2],
+    force: Vec2<f64>,
+    moment: f64,
+}
+
+impl Case {
+    fn at(&self, slide: f64, turn: f64) -> Place2 {
+        let pivot = self.state.pivot.moved(slide, turn);
+        let rotation = pivot.orientation.rotation();
+        let contact = pivot.point(&self.scene);
+        let grip = &self.grip;
+        let lever = rotation.apply(grip.holding_point);
+        let spring = grip.hand - contact - lever;
+        let weight = self.scene.weight();
+        let couple = self.scene.stiffness() * grip.angle.minus(pivot.orientation.angle());
+        Place2 {
+            contacts: [contact, contact + rotation.apply(self.scene.vertex(1))],
+            force: spring + weight,
+            moment: couple
+                + lever.cross(spring)
+                + rotation.apply(self.scene.centroid()).cross(weight),
+        }
+    }
+}
+
+/// All that are driven, of many.
+fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> usize {
+    let mut count = 0;
+    for seed in 0..3000 {
+        let Some(case) = case(&mut Random(seed)) else {
+            continue;
+        };
+        if let Some(trammel) = Trammel::driven(&case.scene, &case.state, &case.grip, demand) {
+            look(&case, &trammel, seed);
+            count += 1;
+        }
+    }
+    count
+}
+
+/// Slide, turn and velocities, N_1, N_2 and delta at x of a trammel.
+fn quantities(trammel: &Trammel<f64>, x: f64) -> ([f64; 2], [f64; 2], [f64; 3]) {
+    let p = trammel.sense.motion.at(x);
+    let found = trammel.quantities(&p, 1.0);
+    let per = 1.0 / (found.resistance.value * trammel.per_load);
+    let [n1, n2] = found.normals.map(|n| n.value * per);
+    let velocities = found.velocities.map(|v| v.value);
+    (
+        [p.part(), p.turn],
+        velocities,
+        [n1, n2, found.imbalance.value * per],
+    )
+}
+
+/// N_1 w_1 + N_2 w_2 + load = delta (v_1 w_t1 + v_2 w_t2), forces and moments; friction N_i mu_d against the velocities at the
+/// beginning.
+#[test]
+fn reactions_and_what_drives_balance_the_load() {
+    let count = driven(Demand::Pressed, |case, trammel, seed| {
+        let (_, begin, [_, _, drive]) = quantities(trammel, 0.0);
+        assert!(drive > 0.0, "{seed}");
+        for x in [0.0, 0.1, 0.4] {
+            let ([slide, turn], velocities, [n1, n2, delta]) = quantities(trammel, x);
+            let place = case.at(slide, turn);
+            let (mut force, mut moment) = (place.force, place.moment);
+            for (i, n) in [n1, n2].into_iter().enumerate() {
+                let surface = trammel.surfaces[i];
+                let still = begin[i].abs() < 1e-14;
+                let mu = if still {
+                    0.0
+                } else {
+                    MU_D[i] * begin[i].signum()
+                };
+                // N is along the edge of the cone, whose size is 1.
+                let edge = (surface.normal - surface.tangent * mu) * (1.0 / libm::hypot(1.0, mu));
+                let sum = edge * n - surface.tangent * (velocities[i] * delta);
+                force = force + sum;
+                moment += (place.contacts[i] - place.contacts[0]).cross(sum);
+            }
+            let size = n1.abs() + n2.abs() + delta.abs() + place.force.length() + 1.0;
+            assert!(
+                force.length() < 1e-11 * size && moment.abs() < 1e-11 * size,
+                "{seed} {x}"
+            );
+        }
+    });
+    assert!(count > 100, "{count}");
+}
+
+/// Both contacts stay on their surfaces; their velocities are those along them.
+#[test]
+fn contacts_stay_on_their_surfaces() {
+    driven(Demand::AtTheEnd, |case, trammel, seed| {
+        let contacts = |x: f64| {
+            let ([slide, turn], ..) = quantities(trammel, x);
+            case.at(slide, turn).contacts
+        };
+        let begin = contacts(0.0);
+        for x in [0.0, 0.1, 0.4] {
+            let (_, velocities, _) = quantities(trammel, x);
+            for i in 0..2 {
+                let surface = trammel.surfaces[i];
+                let way = contacts(x)[i] - begin[i];
+                assert!(surface.normal.dot(way).abs() < 1e-12, "{seed} {x} {i}");
+                let step = (contacts(x + 1e-5)[i] - contacts(x - 1e-5)[i]) * 0.5e5;
+                assert!(
+                    (surface.tangent.dot(step) - velocities[i]).abs() < 1e-8,
+                    "{seed}"
+                );
+            }
+        }
+    });
+}
+
+#[test]
+fn slopes_are_derivatives_and_bounds_hold() {
+    driven(Demand::AtTheEnd, |_, trammel, seed| {
+        let all = |x: f64| {
+            let q = trammel.quantities(&trammel.sense.motion.at(x), 1.0);
+            let [n1, n2] = q.normals;
+            let [v1, v2] = q.velocities;
+            [q.imbalance, n1, n2, q.resistance, v1, v2]
+        };
+        for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
+            let (before, at, after) = (all(x - 1e-5), all(x), all(x + 1e-5));
+            for (i, jet) in at.iter().enumerate() {
+                let slope = (after[i].value - before[i].value) * 0.5e5;
+                let bent = (after[i].slope - before[i].slope) * 0.5e5;
+                assert!((slope - jet.slope).abs() < 1e-7, "{seed} {i}");
+                let sizes = [jet.value, jet.slope, bent];
+                for (size, bound) in sizes.into_iter().zip(jet.bounds) {
+                    assert!(size.abs() <= bound + 1e-7, "{seed} {i} {size} {bound}");
+                }
+            }
+        }
+    });
+}
+
+/// By small steps: before the end the motion is driven, both contacts press and slide on; at the end what ends it is zero.
+#[test]
+fn run_ends_at_what_comes_first() {
+    let mut ends = [0; 4];
+    driven(Demand::Pressed, |case, trammel, seed| {
+        let (run, ending) = trammel.run(&case.scene, &case.state, Demand::Pressed);
+        let (_, begin, _) = quantities(trammel, 0.0);
+        let left = |x: f64| {
+            let (_, velocities, [n1, n2, delta]) = quantities(trammel, x);
+            let on = |i: usize| {
+                if begin[i].abs() < 1e-12 {
+                    1.0
+                } else {
+                    velocities[i] * begin[i].signum()
+                }
+            };
+            [delta, n1, n2, on(0), on(1)]
+        };
+        let steps = (1..1000).map(|i| f64::from(i) / 1000.0);
+        let slide = |x: f64| quantities(trammel, x).0;
+        let length = |[slide, turn]: [f64; 2]| slide.abs() + turn.abs();
+        let whole = length([run.slide, run.turn]);
+        for x in steps {
+            if length(slide(x)) > whole * (1.0 - 1e-6) {
+                break;
+            }
+            assert!(
+                left(x).iter().all(|left| *left > -1e-9),
+                "{seed} {x} {ending:?}"
+            );
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if length(slide(middle)) < whole {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let [delta, n1, n2, v1, v2] = left(high).map(f64::abs);
+        let (which, off) = match ending {
+            Ending::Stopped => (0, delta),
+            Ending::Opens { lasts, sliding } => {
+                assert_eq!(sliding, begin[lasts].signum(), "{seed}");
+                (1, if lasts == 0 { n2 } else { n1 })
+            }
+            Ending::Reverses => (2, v1.min(v2)),
+            Ending::Window => (3, 1.0 - high),
+            Ending::Touches(_) => return,
+        };
+        assert!(off < 1e-6, "{seed} {ending:?} {off}");
+        ends[which] += 1;
+    });
+    assert!(ends.iter().all(|count| *count > 0), "{ends:?}");
+}

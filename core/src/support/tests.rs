@@ -1,0 +1,278 @@
+//! What contacts bear together, against the definition: a load is borne if reactions within the friction cones balance it,
+//! which is decided here by a slow descent.
+
+use super::*;
+
+/// Numbers in [-1, 1), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
+        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+    fn vector(&mut self) -> Vec2<f64> {
+        Vec2::new(self.next(), self.next())
+    }
+    fn screw(&mut self) -> Screw<f64> {
+        Screw {
+            force: self.vector(),
+            moment: self.next(),
+        }
+    }
+}
+
+/// Contacts at levers on surfaces of an angle, with a coefficient of friction.
+fn support(contacts: &[(Vec2<f64>, f64, f64)]) -> (Support<f64>, Vec<Screw<f64>, MAX_EDGES>) {
+    let mut support = Support::default();
+    let mut edges = Vec::new();
+    for &(lever, angle, mu) in contacts {
+        let (sin, cos) = libm::sincos(angle);
+        let (normal, tangent) = (Vec2::new(-sin, cos), Vec2::new(cos, sin));
+        let size = libm::hypot(1.0, mu);
+        support.add(&Bearing {
+            lever,
+            normal,
+            tangent,
+            edges: [(1.0 / size, mu / size), (1.0 / size, -mu / size)],
+        });
+        for sign in [1.0, -1.0] {
+            let force = (normal + tangent * (mu * sign)) * (1.0 / size);
+            let moment = lever.x * force.y - lever.y * force.x;
+            edges.push(Screw { force, moment }).expect("room");
+        }
+    }
+    (support, edges)
+}
+
+/// How far a load is from what the edges bear: the least that parts of theirs leave of it, by descent over one part after the
+/// other. Nothing where that is too slow.
+fn outside(edges: &[Screw<f64>], load: Screw<f64>) -> Option<f64> {
+    let mut parts = [0.0_f64; MAX_EDGES];
+    let mut rest = load.scaled(-1.0);
+    for _ in 0..20_000 {
+        let mut moved = 0.0_f64;
+        for (part, edge) in parts.iter_mut().zip(edges) {
+            let step = (rest.dot(*edge) / edge.dot(*edge)).max(-*part);
+            *part += step;
+            moved = moved.max(step.abs());
+            rest = sum(rest, *edge, [1.0, -step]);
+        }
+        if moved < 1e-12 {
+            return Some(rest.size());
+        }
+    }
+    None
+}
+
+/// The sum of two loads, each so many times.
+fn sum(a: Screw<f64>, b: Screw<f64>, [n, m]: [f64; 2]) -> Screw<f64> {
+    Screw {
+        force: a.force * n + b.force * m,
+        moment: a.moment * n + b.moment * m,
+    }
+}
+
+fn contacts(random: &mut Random, smooth: bool) -> Vec<(Vec2<f64>, f64, f64), 4> {
+    let count = if random.next() > 0.0 { 2 } else { 3 };
+    let mut list = Vec::new();
+    for i in 0..count {
+        let lever = if i == 0 { Vec2::ZERO } else { random.vector() };
+        let mu = if smooth {
+            0.0
+        } else {
+            0.5 + 0.4 * random.next()
+        };
+        list.push((lever, 3.0 * random.next(), mu)).expect("room");
+    }
+    list
+}
+
+/// The way of a load from one that is borne: it yields where it leaves the cone.
+#[test]
+fn load_yields_where_no_reactions_balance_it() {
+    let mut found = [0; 2];
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let smooth = seed % 4 == 0;
+        let (support, edges) = support(&contacts(&mut random, smooth));
+        // Borne by some part of every edge, or, for contacts without friction, of each contact.
+        let mut from = Screw {
+            force: Vec2::ZERO,
+            moment: 0.0,
+        };
+        for edge in &edges {
+            from = sum(from, *edge, [1.0, -0.2 - random.next().abs()]);
+        }
+        let to = random.screw().scaled(3.0);
+        let axes =
+            [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)].map(|(x, y, moment)| Screw {
+                force: Vec2::new(x, y),
+                moment,
+            });
+        let mut both = axes.iter().flat_map(|axis| [*axis, axis.scaled(-1.0)]);
+        if both.all(|load| support.bearers(load).is_some()) {
+            // Jammed: whatever comes is borne.
+            assert!(support.bearers(to).is_some());
+            continue;
+        }
+        let rounding = 1e-9;
+        assert_eq!(support.first_yield(from, from, rounding), None, "{seed}");
+        let on_way = |part: f64| outside(&edges, sum(from, to, [1.0 - part, part]));
+        let Some(part) = support.first_yield(from, to, rounding) else {
+            assert!(outside(&edges, to).is_none_or(|off| off < 1e-6), "{seed}");
+            found[0] += 1;
+            continue;
+        };
+        found[1] += 1;
+        assert!((0.0..=1.0).contains(&part), "{seed}: {part}");
+        let is_planar = smooth && edges.len() < 6;
+        let (before, after) = (on_way((part - 1e-4).max(0.0)), on_way(part + 1e-3));
+        assert!(
+            is_planar || before.is_none_or(|off| off < 1e-6),
+            "{seed} {part} {before:?}"
+        );
+        assert!(
+            after.is_none_or(|off| off > 1e-7),
+            "{seed} {part} {after:?}"
+        );
+        assert!(
+            support.bearers(to).is_none() && support.left(to) > 1e-9,
+            "{seed}"
+        );
+    }
+    assert!(found.iter().all(|count| *count > 20), "{found:?}");
+}
+
+/// Whatever is borne is shared out with no part below zero, and nothing is left of it.
+#[test]
+fn shares_of_what_is_borne_add_up_to_it() {
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let (support, edges) = support(&contacts(&mut random, false));
+        let load = random.screw();
+        let off = outside(&edges, load);
+        let is_borne = support
+            .bearers(load)
+            .is_some_and(|bearers| support.bears_on(bearers, load));
+        assert!(
+            off.is_none_or(|off| is_borne == (off < 1e-9)),
+            "{seed} {off:?}"
+        );
+        let mut rest = load;
+        for (pair, edges) in support.share(load).iter().zip(edges.chunks(2)) {
+            for (part, edge) in pair.iter().zip(edges) {
+                assert!(*part >= -1e-12, "{seed} {part}");
+                rest = sum(rest, *edge, [1.0, *part]);
+            }
+        }
+        let left = rest.size();
+        assert!((left - support.left(load)).abs() < 1e-9, "{seed}");
+        if is_borne {
+            assert!(left < 1e-9, "{seed}: {left}");
+        } else if let Some(off) = off {
+            assert!(left > 0.99 * off, "{seed}: {left} {off}");
+        }
+    }
+}
+
+/// (E5): two contacts share a load by the middle of the interval of the internal force along the line between them.
+#[test]
+fn two_contacts_share_by_the_middle_of_the_interval() {
+    let mut count = 0;
+    for seed in 0..2000 {
+        let mut random = Random(seed);
+        let contacts: Vec<_, 4> = contacts(&mut random, false).into_iter().take(2).collect();
+        let (support, edges) = support(&contacts);
+        let load = random.screw();
+        if support.bearers(load).is_none() {
+            continue;
+        }
+        let shares = support.share(load);
+        let forces: Vec<_, 2> = (shares.iter().zip(edges.chunks(2)))
+            .map(|(part, edge)| edge[0].force * part[0] + edge[1].force * part[1])
+            .collect();
+        let way = contacts[1].0 * (1.0 / contacts[1].0.length());
+        // The parts of the two edges fall to zero at the ends of the interval.
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for ((force, pair), sign) in forces.iter().zip(edges.chunks(2)).zip([1.0, -1.0]) {
+            let (plus, minus) = (pair[0].force, pair[1].force);
+            let per = 1.0 / plus.cross(minus);
+            for (at, rate) in [
+                (force.cross(minus) * per, way.cross(minus) * per * sign),
+                (plus.cross(*force) * per, plus.cross(way) * per * sign),
+            ] {
+                let end = -at / rate;
+                if rate > 0.0 {
+                    low = low.max(end);
+                } else {
+                    high = high.min(end);
+                }
+            }
+        }
+        if low.is_finite() && high.is_finite() && high < 1e3 && low > -1e3 {
+            assert!(
+                (low + high).abs() < 1e-9 * (high - low + 1.0),
+                "{seed}: {low} {high}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 30, "{count}");
+}
+
+fn screw(x: f64, y: f64, moment: f64) -> Screw<f64> {
+    Screw {
+        force: Vec2::new(x, y),
+        moment,
+    }
+}
+
+/// Two contacts without friction on one floor bear what presses between them, and yield at one end or the other, where the
+/// body begins to turn about the contact there.
+#[test]
+fn without_friction_an_edge_bears_what_presses_between_its_ends() {
+    let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(2.0, 0.0), 0.0, 0.0)]);
+    for (from, to, part, contact) in [
+        (-1.0, -3.0, 0.5, 1),
+        (-0.5, 1.5, 0.25, 0),
+        (-1.9, -2.1, 0.5, 1),
+    ] {
+        let [from, to] = [from, to].map(|moment| screw(0.0, -1.0, moment));
+        let found = support.first_yield(from, to, 1e-9);
+        assert!(
+            found.is_some_and(|at| (at - part).abs() < 1e-12),
+            "{found:?}"
+        );
+        let yields = support.yields(to, 1e-9, &|_| true);
+        assert_eq!(yields, Some(Yield::Pivot { contact }));
+        assert_eq!(support.first_yield(from, from, 1e-9), None);
+    }
+    // Along the floor they bear nothing.
+    assert_eq!(
+        support.first_yield(screw(1e-3, -1.0, -1.0), screw(1e-3, -1.0, -1.0), 1e-9),
+        Some(0.0)
+    );
+}
+
+/// On opposite sides of a slot all reactions lie in one line; on one side of it in half of that.
+#[test]
+fn without_friction_a_slot_bears_what_lies_across_it() {
+    const ROUNDING: f64 = 1e-3;
+    let half = core::f64::consts::PI;
+    for (angles, down, up) in [([0.0, half], true, true), ([0.0, 0.0], true, false)] {
+        let (support, _) = support(&angles.map(|angle| (Vec2::ZERO, angle, 0.0)));
+        let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+        for size in [0.01, 1.0, 30.0] {
+            assert_eq!(bears(screw(0.0, -size, 0.0)), down);
+            assert_eq!(bears(screw(0.0, size, 0.0)), up);
+            for off in [0.5 * ROUNDING, -0.5 * ROUNDING] {
+                assert!(bears(screw(off, -size, 0.0)) && bears(screw(0.0, -size, off)));
+            }
+            for off in [2.0 * ROUNDING, -2.0 * ROUNDING, 1.0] {
+                assert!(!bears(screw(off, -size, 0.0)) && !bears(screw(0.0, -size, off)));
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The table arm by arm: each leads from the state that it is taken in to the one that it is taken to; and the counts of what
+//! was tried in vain.
+
+use super::*;
+use crate::geometry::{Angle, Orientation, Pose, Vec2};
+use crate::state::{Corner, Edge, Locked, SingleVertex, TwoVertex};
+
+use StateKind as Kind;
+
+#[track_caller]
+fn leads(arm: Transition, before: Kind, after: Kind) {
+    assert_eq!((arm.before(), arm.after()), (Some(before), Some(after)));
+}
+
+#[test]
+fn arm_of_a_touch_leads_from_state_to_state() {
+    let lasts = |kind: Kind| match kind {
+        Kind::NonContact => 0,
+        Kind::SingleVertex => 1,
+        Kind::Edge | Kind::TwoVertex | Kind::Corner => 2,
+        Kind::Locked => 3,
+    };
+    for before in Kind::ALL {
+        for after in Kind::ALL {
+            if lasts(after) <= lasts(before) || before == Kind::Locked {
+                continue;
+            }
+            let (arm, event) = touch_arm(before, after);
+            leads(arm, before, after);
+            let should = match after {
+                Kind::Edge => Event::Land,
+                Kind::Locked => Event::Jam,
+                _ => Event::Touch,
+            };
+            assert_eq!(event, should, "{arm:?}");
+        }
+    }
+}
+
+#[test]
+fn arm_of_what_lasts_leads_from_state_to_state() {
+    for sliding in [true, false] {
+        for before in [Kind::Edge, Kind::TwoVertex, Kind::Corner] {
+            let (arm, event) = keep_arm(before, Kind::SingleVertex, sliding);
+            leads(arm, before, Kind::SingleVertex);
+            assert_eq!(event == Event::Tip, before == Kind::Edge);
+        }
+        for after in [
+            Kind::SingleVertex,
+            Kind::Edge,
+            Kind::TwoVertex,
+            Kind::Corner,
+        ] {
+            let (arm, event) = keep_arm(Kind::Locked, after, sliding);
+            leads(arm, Kind::Locked, after);
+            assert_eq!(event == Event::Tip, after == Kind::SingleVertex);
+        }
+    }
+    for before in [Kind::Edge, Kind::TwoVertex] {
+        let [slides, stays] = [true, false].map(|s| keep_arm(before, Kind::SingleVertex, s).0);
+        assert!(slides.describe().contains("slides on") && !stays.describe().contains("slides on"));
+    }
+}
+
+/// Of what is done in a state: it rests, slips, lifts off or turns over.
+#[test]
+fn arm_of_a_verb_leads_from_the_state() {
+    let orientation = Orientation::new(Angle::<f64>::default());
+    let pose = Pose {
+        position: Vec2::ZERO,
+        orientation,
+    };
+    let pivot = Pivot {
+        contact: Pair::default(),
+        foot: 0.0,
+        orientation,
+    };
+    let other = Pair {
+        vertex: 1,
+        surface: 1,
+    };
+    let states = [
+        ContactState::Free(Free { pose }),
+        ContactState::SingleVertex(SingleVertex::new(pivot)),
+        ContactState::Edge(Edge { pivot, vertex: 1 }),
+        ContactState::TwoVertex(TwoVertex::new(pivot, other)),
+        ContactState::Corner(Corner { pivot, surface: 1 }),
+        ContactState::Locked(Locked::new(pivot, &[other])),
+    ];
+    for (state, kind) in states.iter().zip(Kind::ALL) {
+        assert_eq!(state.kind(), kind);
+        let mut log = Log::default();
+        rests(state, &mut log);
+        let mut arms = log.transitions.iter();
+        leads(arms.next().expect("an arm"), kind, kind);
+        assert_eq!(arms.next(), None);
+        if kind != Kind::NonContact {
+            leads(clear_arm(state), kind, Kind::NonContact);
+        }
+        if matches!(kind, Kind::SingleVertex | Kind::Edge | Kind::TwoVertex) {
+            leads(slip_arm(state), kind, kind);
+        }
+        if matches!(kind, Kind::NonContact | Kind::SingleVertex | Kind::Corner) {
+            leads(fold_arm(state), kind, kind);
+        }
+    }
+}
+
+#[test]
+fn set_of_arms_has_what_was_added() {
+    let mut all = Transitions::default();
+    for (i, &arm) in Transition::ALL.iter().enumerate() {
+        let mut one = Transitions::default();
+        one.add(arm);
+        assert!(one.iter().eq([arm]));
+        assert!(!all.contains(arm));
+        all.add(arm);
+        all.add(arm);
+        assert!(all.iter().eq(Transition::ALL.iter().copied().take(i + 1)));
+        assert_eq!(all.union(one), all);
+        assert_eq!(one.union(all), all);
+    }
+}
+
+#[test]
+fn attempts_are_counted_while_nothing_moves() {
+    const NEAR: f64 = 0.4 * <f64 as Real>::MICRO;
+    const FAR: f64 = 0.8 * <f64 as Real>::MICRO;
+    let placed = |x: f64, y: f64, turn: f64| Placed {
+        point: Vec2::new(5.0 + x, -3.0 + y),
+        body_point: Vec2::ZERO,
+        orientation: Orientation::new(Angle::from_radians(0.3 + turn)),
+        on: None,
+    };
+    let here = placed(0.0, 0.0, 0.0);
+    for kind in [Kind::TwoVertex, Kind::Locked] {
+        let mut attempts = Attempts::default();
+        for count in 0..5 {
+            assert_eq!(attempts.count(&here, kind), count);
+        }
+        // Of another state by itself.
+        let other = if kind == Kind::Locked {
+            Kind::TwoVertex
+        } else {
+            Kind::Locked
+        };
+        assert_eq!(attempts.count(&here, other), 0);
+        assert_eq!(attempts.count(&here, kind), 5);
+        // From the last place, so that it may creep.
+        assert_eq!(attempts.count(&placed(NEAR, 0.0, NEAR), kind), 6);
+        assert_eq!(attempts.count(&placed(NEAR, -NEAR, 0.0), kind), 7);
+        let ways = [
+            (FAR, 0.0, FAR),
+            (FAR, 0.0, -FAR),
+            (-2.0 * FAR, 0.0, 0.0),
+            (0.0, 0.0, -2.0 * FAR),
+        ];
+        for (x, y, turn) in ways {
+            attempts.count(&here, kind);
+            assert!(attempts.count(&here, kind) > 0);
+            assert_eq!(attempts.count(&placed(x, y, turn), kind), 0);
+        }
+        for single in [
+            Kind::NonContact,
+            Kind::SingleVertex,
+            Kind::Edge,
+            Kind::Corner,
+        ] {
+            assert_eq!([0; 3].map(|_| attempts.count(&here, single)), [0; 3]);
+        }
+    }
+}
+
+/// A slide without jumps goes on only through what is one slip and nothing else.
+#[test]
+fn log_tells_one_slip_from_more() {
+    let mut log = Log::<f64>::default();
+    assert!(!log.is_one_slip());
+    log.slip(-2.0);
+    assert!(log.is_one_slip());
+    assert_eq!(log.longest_slip, 2.0);
+    let with = |change: fn(&mut Log<f64>)| {
+        let mut log = log.clone();
+        change(&mut log);
+        log
+    };
+    assert!(!with(|log| log.slip(1.0)).is_one_slip());
+    assert!(!with(|log| log.event(Event::Tip)).is_one_slip());
+    assert!(!with(|log| log.limit(Status::IterationLimit)).is_one_slip());
+    assert!(!with(|log| log.ambiguous = true).is_one_slip());
+    let mut merged = with(|log| log.slip(-3.0));
+    merged.merge(&log);
+    assert_eq!((merged.slips, merged.longest_slip), (3, 3.0));
+    assert_eq!(merged.events, [Event::Slip]);
+}

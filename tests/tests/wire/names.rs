@@ -1,0 +1,56 @@
+//! The names of states, events and messages in traces and logs: those of the variants, with hyphens.
+
+use std::fmt::Debug;
+
+use stiction_core::frame::{
+    Command, Drive, FaultKind, Frame, NumberType, Reason, Report, Reset, Stepping,
+};
+use stiction_core::{Event, Evolution, StateKind, Status};
+
+use crate::Either;
+use crate::random::{Random, Store};
+
+/// `TooLong` is `too-long`; what a variant holds does not belong to its name.
+fn hyphenated(variant: &impl Debug) -> String {
+    let shown = format!("{variant:?}");
+    let letters = shown.chars().take_while(char::is_ascii_alphanumeric);
+    let mut name = String::new();
+    for letter in letters {
+        if letter.is_ascii_uppercase() && !name.is_empty() {
+            name.push('-');
+        }
+        name.push(letter.to_ascii_lowercase());
+    }
+    name
+}
+
+macro_rules! named {
+    ($($kind:ident),*) => {$(
+        for variant in $kind::ALL {
+            assert_eq!(variant.name(), hyphenated(&variant));
+        }
+    )*};
+}
+
+#[test]
+fn names_are_those_of_the_variants() {
+    named!(
+        StateKind, Event, Status, Evolution, Reason, Drive, Reset, Stepping, NumberType, FaultKind
+    );
+}
+
+#[test]
+fn messages_are_named_by_what_they_are() {
+    let mut random = Random(4);
+    for _ in 0..200 {
+        let store = Store::fill(&mut random, 3);
+        match store.frame(&mut random) {
+            Either::Command(Frame { message, .. }) => {
+                assert_eq!(Command::name(&message), hyphenated(&message));
+            }
+            Either::Report(Frame { message, .. }) => {
+                assert_eq!(Report::name(&message), hyphenated(&message));
+            }
+        }
+    }
+}
