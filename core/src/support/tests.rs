@@ -3,6 +3,9 @@
 
 use super::*;
 
+/// What reactions may leave of a load of the size of one.
+const LITTLE: f64 = 1e-12;
+
 /// Numbers in [-1, 1), the same in every run.
 struct Random(u64);
 
@@ -112,9 +115,9 @@ fn load_yields_where_no_reactions_balance_it() {
                 moment,
             });
         let mut both = axes.iter().flat_map(|axis| [*axis, axis.scaled(-1.0)]);
-        if both.all(|load| support.bearers(load).is_some()) {
+        if both.all(|load| support.bearers(load, LITTLE).is_some()) {
             // Jammed: whatever comes is borne.
-            assert!(support.bearers(to).is_some());
+            assert!(support.bearers(to, LITTLE).is_some());
             continue;
         }
         let rounding = 1e-9;
@@ -138,7 +141,7 @@ fn load_yields_where_no_reactions_balance_it() {
             "{seed} {part} {after:?}"
         );
         assert!(
-            support.bearers(to).is_none() && support.left(to) > 1e-9,
+            support.bearers(to, LITTLE).is_none() && support.left(to, LITTLE) > 1e-9,
             "{seed}"
         );
     }
@@ -154,21 +157,21 @@ fn shares_of_what_is_borne_add_up_to_it() {
         let load = random.screw();
         let off = outside(&edges, load);
         let is_borne = support
-            .bearers(load)
-            .is_some_and(|bearers| support.bears_on(bearers, load));
+            .bearers(load, LITTLE)
+            .is_some_and(|bearers| support.bears_on(bearers, load, LITTLE));
         assert!(
             off.is_none_or(|off| is_borne == (off < 1e-9)),
             "{seed} {off:?}"
         );
         let mut rest = load;
-        for (pair, edges) in support.share(load).iter().zip(edges.chunks(2)) {
+        for (pair, edges) in support.share(load, LITTLE).iter().zip(edges.chunks(2)) {
             for (part, edge) in pair.iter().zip(edges) {
                 assert!(*part >= -1e-12, "{seed} {part}");
                 rest = sum(rest, *edge, [1.0, *part]);
             }
         }
         let left = rest.size();
-        assert!((left - support.left(load)).abs() < 1e-9, "{seed}");
+        assert!((left - support.left(load, LITTLE)).abs() < 1e-9, "{seed}");
         if is_borne {
             assert!(left < 1e-9, "{seed}: {left}");
         } else if let Some(off) = off {
@@ -186,10 +189,10 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
         let contacts: Vec<_, 4> = contacts(&mut random, false).into_iter().take(2).collect();
         let (support, edges) = support(&contacts);
         let load = random.screw();
-        if support.bearers(load).is_none() {
+        if support.bearers(load, LITTLE).is_none() {
             continue;
         }
-        let shares = support.share(load);
+        let shares = support.share(load, LITTLE);
         let forces: Vec<_, 2> = (shares.iter().zip(edges.chunks(2)))
             .map(|(part, edge)| edge[0].force * part[0] + edge[1].force * part[1])
             .collect();

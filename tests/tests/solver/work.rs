@@ -87,44 +87,44 @@ fn random_frames_take_no_more_than_their_budget() {
 }
 
 /// Thousands of operations, as below: with path and frame evolution, exact and with a tolerance.
-const RANDOM: [[u64; 2]; 2] = [[64_200, 10_820], [58_000, 10_050]];
+const RANDOM: [[u64; 2]; 2] = [[64_300, 10_940], [58_100, 10_180]];
 
 /// Mean and worst with path evolution, and with frame evolution. Budgets, not results: as much as the frames of a scene take,
 /// and a little more. Less is better; more has to be worth it.
 const BUDGETS: [(&str, [[u64; 2]; 2]); 22] = [
     ("box on a vertex", [[412, 1960], [272, 718]]),
     ("box flat", [[195, 1000], [176, 731]]),
-    ("box as a ladder", [[268, 72_300], [263, 69_600]]),
-    ("block against a wall", [[242, 9810], [232, 12_800]]),
+    ("box as a ladder", [[303, 72_300], [298, 69_600]]),
+    ("block against a wall", [[259, 9900], [248, 12_900]]),
     (
         "block dropped into a corner",
-        [[483, 41_000], [399, 30_900]],
+        [[515, 41_000], [432, 31_100]],
     ),
-    ("block in a wide corner", [[710, 62_800], [564, 37_700]]),
+    ("block in a wide corner", [[735, 62_800], [588, 37_700]]),
     ("block lifted straight", [[156, 3610], [150, 1050]]),
     ("block lifted obliquely", [[236, 34_600], [144, 2290]]),
     ("block tips", [[200, 25_200], [158, 1500]]),
     ("block set down tilted", [[214, 20_800], [174, 1370]]),
     (
         "block slid flush against a slanted wall",
-        [[5750, 2_190_000], [369, 16_300]],
+        [[5790, 2_200_000], [378, 16_300]],
     ),
     ("strut buckles", [[240, 2150], [233, 1560]]),
-    ("strut buckles in a groove", [[452, 5410], [388, 5670]]),
+    ("strut buckles in a groove", [[483, 5460], [419, 5780]]),
     ("pendulum folds", [[271, 3850], [267, 1060]]),
     ("strut falls on its edge", [[276, 31_800], [187, 2270]]),
     (
         "rod slides between floor and wall",
-        [[310, 21_500], [296, 21_700]],
+        [[326, 21_600], [313, 21_800]],
     ),
     (
         "rod lies down between floor and wall",
         [[1660, 27_300], [1530, 28_200]],
     ),
-    ("rod taken off floor and wall", [[187, 400], [187, 400]]),
+    ("rod taken off floor and wall", [[232, 448], [232, 448]]),
     (
         "rod dropped between floor and wall",
-        [[341, 20_200], [335, 20_200]],
+        [[378, 20_300], [373, 20_300]],
     ),
     ("point in a corner", [[355, 40_400], [265, 1710]]),
     ("tip slides along", [[230, 16_300], [185, 1480]]),
