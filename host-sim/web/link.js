@@ -102,8 +102,12 @@ export class Link {
     return true;
   }
 
-  /** @param {{type: string, [field: string]: unknown}} message @returns {Promise<void>} */
+  /**
+   * Asks, after what the hand did before.
+   * @param {{type: string, [field: string]: unknown}} message @returns {Promise<void>}
+   */
   request(message) {
+    this.flush();
     const id = this.nextId++;
     return new Promise((done, failed) => {
       if (!this.send({ ...message, id })) {

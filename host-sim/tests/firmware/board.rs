@@ -14,7 +14,7 @@ use stiction_tools::image::RAM;
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
 /// A command without an answer is sent again.
-const AGAIN: Duration = Duration::from_secs(1);
+const AGAIN: Duration = Duration::from_secs(5);
 
 /// A board that runs.
 pub(crate) struct Board {
@@ -128,26 +128,37 @@ impl Board {
         }
     }
 
-    /// A command that is carried out.
+    /// A command that is carried out. It is sent again as long as there is no answer: between a board's samples it may be lost,
+    /// or its answer.
     pub(crate) fn done(&mut self, command: Command<'_>) {
-        self.send(command);
-        let reason = self.wait(|_, said| match said {
-            Said::Reply(answer) => Some((answer.reason, answer.allowed.clone())),
+        let (reason, allowed) = self.answer(command, |sequence, said| match said {
+            Said::Reply(answer) if answer.command.sequence == sequence => {
+                Some((answer.reason, answer.allowed.clone()))
+            }
             _ => None,
         });
-        assert_eq!(reason.0, stiction_core::frame::Reason::Done, "{}", reason.1);
+        assert_eq!(reason, stiction_core::frame::Reason::Done, "{allowed}");
     }
 
-    /// What it says of itself. Hello is sent again as long as there is no answer: in a flood it may be lost, or its answer.
+    /// What it says of itself.
     pub(crate) fn info(&mut self) -> Known {
+        self.answer(Command::Hello, |_, said| match said {
+            Said::Info(info) => Some(info.clone()),
+            _ => None,
+        })
+    }
+
+    /// Sends a command until its answer comes; what comes before it is passed over.
+    fn answer<T>(&mut self, command: Command<'_>, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
         let begun = Instant::now();
         loop {
-            self.send(Command::Hello);
+            let sequence = self.client.sequence;
+            self.send(command);
             let asked = Instant::now();
             while asked.elapsed() < AGAIN {
                 while let Some(heard) = self.client.heard.pop_front() {
-                    if let Said::Info(info) = heard.said {
-                        return info;
+                    if let Some(found) = wanted(sequence, &heard.said) {
+                        return found;
                     }
                 }
                 self.listen();

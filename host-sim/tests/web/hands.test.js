@@ -203,6 +203,24 @@ liveTest(
   },
 );
 
+liveTest("a sample that waits is not later than a reset", async (bench) => {
+  const { page } = await bench.open();
+  const types = await page.evaluate(async () => {
+    /** @type {string[]} */
+    const sent = [];
+    const { Link } = await import(new URL("link.js", document.baseURI).href);
+    const link = Object.assign(Object.create(Link.prototype), {
+      open: new Map(), nextId: 1, lastSample: -Infinity, waiting: null,
+      send: (/** @type {{type: string}} */ message) => sent.push(message.type),
+    });
+    for (const x of [0, 1, 2]) link.hand([x, 0, 0], true, 0);
+    link.request({ type: "reset" }).catch(() => {});
+    await new Promise((done) => setTimeout(done, 50));
+    return sent;
+  });
+  assert.deepEqual(types, ["hand", "hand", "reset"]);
+});
+
 liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
   const live = await bench.open({
     viewport: { width: 412, height: 800 },
