@@ -125,6 +125,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             tolerance: R::ZERO,
         };
         for event in 0..self.event_limit {
+            if log.ambiguous {
+                // Out of balance there is no way on, only a jump.
+                return self.by_jump(state, to, log);
+            }
             let way = (&state.grip, to);
             if event > 0 && state.contact.follow(&self.scene, way, terms).is_some() {
                 rests(&state.contact, log);

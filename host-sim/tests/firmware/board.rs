@@ -148,8 +148,12 @@ impl Board {
         })
     }
 
-    /// Sends a command until its answer comes; what comes before it is passed over.
-    fn answer<T>(&mut self, command: Command<'_>, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
+    /// Sends a command until what is wanted comes, which may be the answer to its number; what comes before it is passed over.
+    fn answer<T>(
+        &mut self,
+        command: Command<'_>,
+        mut wanted: impl FnMut(u8, &Said) -> Option<T>,
+    ) -> T {
         let begun = Instant::now();
         loop {
             let sequence = self.client.sequence;
