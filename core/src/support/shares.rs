@@ -113,30 +113,43 @@ impl<R: Real> Support<R> {
         self.edges.get(edge).map(|edge| edge.screw)
     }
 
-    /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: they count if they
-    /// leave little of the load.
+    /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: what they leave is
+    /// shared out once more, and little may be left then. Once in an image.
     #[inline(never)]
     fn bearing(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
         let (way, volume) = self.on_three(edges, load)?;
         let presses = |way: &[(usize, R); 3]| way.iter().all(|&(_, part)| part >= R::ZERO);
-        let is_finite = |way: &[(usize, R); 3]| way.iter().all(|&(_, part)| part < R::HUGE);
-        let leaves_little = |way: &[(usize, R); 3], load| {
-            let mut parts = self.none();
-            add(&mut parts, way);
-            self.rest(load, &parts).size() <= little
-        };
         if !presses(&way) {
             return None;
         }
-        let bears = if is_finite(&way) {
-            volume > Self::sharp() || leaves_little(&way, load)
-        } else {
+        if way.iter().any(|&(_, part)| part >= R::HUGE) {
             // Parts beyond all numbers: a smaller load is borne in the same way.
-            let load = load.scaled(R::ONE / R::from_int(16));
-            let (way, _) = self.on_three(edges, load)?;
-            presses(&way) && is_finite(&way) && leaves_little(&way, load)
+            let small = load.scaled(R::ONE / R::from_int(16));
+            let small = self.refined(edges, small, little);
+            return small.filter(presses).map(|_| way);
+        }
+        if volume > Self::sharp() {
+            return Some(way);
+        }
+        self.refined(edges, load, little).filter(presses)
+    }
+
+    /// The parts of three edges that balance a load, what they leave of it shared out once more; nothing where more than a little
+    /// is left then.
+    fn refined(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
+        let rest_of = |way: &[(usize, R); 3]| {
+            let mut parts = self.none();
+            add(&mut parts, way);
+            self.rest(load, &parts)
         };
-        bears.then_some(way)
+        let (mut way, _) = self.on_three(edges, load)?;
+        // In finer steps.
+        let fine = R::from_int(256);
+        let (more, _) = self.on_three(edges, rest_of(&way).scaled(fine))?;
+        for (part, (_, more)) in way.iter_mut().zip(more) {
+            part.1 = part.1 + more / fine;
+        }
+        (rest_of(&way).size() <= little).then_some(way)
     }
 
     /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings.

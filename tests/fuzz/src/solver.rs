@@ -70,13 +70,14 @@ fn hand<R: Number>((pose, held): ([f64; 3], bool)) -> Hand<R::Si> {
 /// Those of `stiction check`. A body may start up to 1e-5 of its size in a surface. A point that is held from afar, by levers
 /// of several of its units of length, has moments of as many roundings.
 fn bounds<R: Number>() -> Bounds {
-    let of_type = match R::NAME {
-        "f64" => Bounds::DOUBLE,
-        _ => Bounds::SINGLE,
+    let (of_type, roundings) = match R::NAME {
+        // What two contacts leave of their load counts as none up to 1e-10 k_h L.
+        "f64" => (Bounds::DOUBLE, 64.0),
+        _ => (Bounds::SINGLE, 8.0),
     };
     Bounds {
         gap: of_type.gap.max(1.1e-5),
-        rounding: 8.0 * of_type.rounding,
+        rounding: roundings * of_type.rounding,
         ..of_type
     }
 }
