@@ -100,6 +100,8 @@ mod list;
 mod model;
 mod motion;
 mod output;
+#[cfg(test)]
+mod random;
 mod real;
 mod roots;
 mod scene;

@@ -3,44 +3,39 @@
 
 use super::*;
 use crate::jet::Jet;
+use crate::random::Random;
 
-/// Numbers in [-1, 1), the same in every run.
-struct Random(u64);
+mod jets;
 
 impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
     /// Of sizes from 0.03 to 10.
     fn number(&mut self) -> f64 {
         let size = libm::exp(3.0 * self.next() - 0.7);
         size * self.next().sign()
     }
-    fn vector(&mut self) -> Vec2<f64> {
+    fn numbers(&mut self) -> Vec2<f64> {
         Vec2::new(self.number(), self.number())
     }
     fn moment<B: Bend<f64>>(&mut self) -> Moment<f64, B> {
         Moment {
             couple: 0.0,
             stiffness: self.number().abs(),
-            hold: self.vector(),
+            hold: self.numbers(),
             bend: B::gliding((self.number(), self.number())),
             tolerance: 0.0,
         }
     }
     fn motion<B: Bend<f64>>(&mut self) -> Motion<f64, B> {
-        Motion::balanced(&self.moment::<B>(), self.vector(), self.number())
+        Motion::balanced(&self.moment::<B>(), self.numbers(), self.number())
     }
     fn kinematic(&mut self) -> Motion<f64> {
-        Motion::kinematic(self.number(), self.vector())
+        Motion::kinematic(self.number(), self.numbers())
     }
     fn margin(&mut self) -> Margin<f64> {
         Margin {
             start: self.number(),
             along: self.number(),
-            turning: self.vector(),
+            turning: self.numbers(),
             rounding: 1e-15,
         }
     }
@@ -138,8 +133,8 @@ mod cases {
     pub(super) fn curve_is_in_balance<B: Bend<f64>>(random: &mut Random) {
         let (k, hold, drive, dphi) = (
             random.number().abs(),
-            random.vector(),
-            random.vector(),
+            random.numbers(),
+            random.numbers(),
             random.number(),
         );
         let (along, off) = (random.number(), random.number());
@@ -345,63 +340,6 @@ mod cases {
             assert!(left.abs() <= third * turn * turn * turn + 1e-15, "{left}");
             assert!(turn > 0.5 * OFF / stability);
         }
-    }
-}
-
-/// On a motion of two contacts: each with its bounds from its beginning to the end of the window.
-#[test]
-fn jets_are_bounded() {
-    const WINDOW: f64 = 0.8;
-    for seed in 1..=200 {
-        let mut random = Random(seed);
-        let motion = random.kinematic();
-        let formula = |x: f64| {
-            let (sin, cos) = libm::sincos(motion.rate * x);
-            (sin * motion.hold.x + (1.0 - cos) * motion.hold.y) / motion.rate
-        };
-        let once = (0.0, core::f64::consts::TAU / motion.rate.abs());
-        let jets = [
-            |m: &Motion<f64>, x: f64| m.rotation_jets(&m.at(x)).0,
-            |m: &Motion<f64>, x: f64| m.rotation_jets(&m.at(x)).1,
-            |m: &Motion<f64>, x: f64| m.turn_jet(&m.at(x), WINDOW),
-            |m: &Motion<f64>, x: f64| m.part_jet(&m.at(x), WINDOW),
-            |m: &Motion<f64>, x: f64| m.part_velocity(&m.at(x)),
-        ];
-        for (i, jet) in jets.into_iter().enumerate() {
-            let at = |x: f64| jet(&motion, x);
-            for x in [0.0, 0.3, 0.8] {
-                let Jet { value, slope, .. } = at(x);
-                let (sin, cos) = libm::sincos(motion.rate * x);
-                let turn = motion.rate * x;
-                let velocity = cos * motion.hold.x + sin * motion.hold.y;
-                let should = [cos, sin, turn, formula(x), velocity];
-                close(value, should[i], motion.hold.reach());
-                close(slope, derivatives(|x| at(x).value, x)[0], at(x).bounds[1]);
-            }
-            let [most, steepest, bent] = at(0.0).bounds;
-            let values = largest(|x| at(x).value, (0.0, WINDOW));
-            let slopes = largest(|x| at(x).slope, once);
-            let size = match i {
-                // What grows with the way grows at most by this.
-                2 | 3 => slopes * WINDOW,
-                _ => largest(|x| at(x).value, once),
-            };
-            let curvatures = largest(|x| derivatives(|x| at(x).slope, x)[0], once);
-            assert!(values <= most * (1.0 + 1e-9) && most <= 1.3 * size);
-            assert!(slopes <= steepest * (1.0 + 1e-9) && steepest <= 1.3 * slopes);
-            assert!(curvatures <= bent + 1e-5 && bent <= 1.3 * curvatures + 1e-5);
-        }
-        for way in [0.3, 3.0] {
-            let reach = motion.course_to(way).reach;
-            let most = largest(formula, (0.0, way));
-            let steepest = largest(|x| motion.at(x).h_slope, once);
-            assert!(
-                most <= reach && reach <= 1.3 * way * steepest,
-                "{most} {reach}"
-            );
-        }
-        assert_eq!(motion.rate_jet().value, motion.rate);
-        assert_eq!(motion.rate_jet().bounds, [motion.rate.abs(), 0.0, 0.0]);
     }
 }
 

@@ -2,22 +2,12 @@
 //! which is decided here by a slow descent.
 
 use super::*;
+use crate::random::Random;
 
 /// What reactions may leave of a load of the size of one.
 const LITTLE: f64 = 1e-12;
 
-/// Numbers in [-1, 1), the same in every run.
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-    fn vector(&mut self) -> Vec2<f64> {
-        Vec2::new(self.next(), self.next())
-    }
     fn screw(&mut self) -> Screw<f64> {
         Screw {
             force: self.vector(),

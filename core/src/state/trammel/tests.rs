@@ -4,23 +4,10 @@
 use super::*;
 use crate::coupling::Pivot;
 use crate::geometry::{Angle, Orientation, Pose};
+use crate::random::Random;
 use crate::scene::{Description, Scene, SurfaceDescription};
 
 const MU_D: [f64; 2] = [0.3, 0.2];
-
-/// Numbers in [-1, 1), the same in every run.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
-        self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-    fn vector(&mut self) -> Vec2<f64> {
-        Vec2::new(self.next(), self.next())
-    }
-}
 
 struct Case {
     scene: Scene<f64, 3, 2>,
