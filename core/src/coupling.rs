@@ -297,38 +297,20 @@ impl<R: Real> Stance<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::{loads, unloaded};
 
     /// The pull on the lever and the couple together, each of either sign, up to what the number type carries.
     #[test]
     fn load_is_carried_together_with_the_couple() {
         let most = <f64 as Real>::LOAD;
-        for (load, couple) in [
-            (0.4, 0.5),
-            (0.9, 0.0),
-            (0.0, 0.99),
-            (0.7, 0.7),
-            (1.1, 0.0),
-            (0.0, 1.1),
-        ] {
-            for (x, y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-                let stance = Stance {
-                    placed: Placed {
-                        point: Vec2::ZERO,
-                        body_point: Vec2::ZERO,
-                        orientation: Orientation::new(Angle::default()),
-                        on: None,
-                    },
-                    lever: Vec2::ZERO,
-                    centroid: Vec2::ZERO,
-                    spring: Vec2::ZERO,
-                    couple: couple * most * y,
-                    hold: Vec2::new(0.0, load * most * x),
-                    force: Vec2::ZERO,
-                    stiffness: 1.0,
-                    tolerance: 0.0,
-                };
-                assert_eq!(stance.is_carried(), load + couple <= 1.0, "{load} {couple}");
-            }
+        for (load, couple) in loads() {
+            let stance = Stance {
+                couple: couple * most,
+                hold: Vec2::new(0.0, load * most),
+                ..unloaded()
+            };
+            let carries = load.abs() + couple.abs() <= 1.0;
+            assert_eq!(stance.is_carried(), carries, "{load} {couple}");
         }
     }
 }

@@ -91,6 +91,8 @@ mod body;
 mod calm;
 mod coupling;
 mod detect;
+#[cfg(test)]
+mod fixtures;
 pub mod frame;
 mod friction;
 mod geometry;
@@ -100,8 +102,6 @@ mod list;
 mod model;
 mod motion;
 mod output;
-#[cfg(test)]
-mod random;
 mod real;
 mod roots;
 mod scene;

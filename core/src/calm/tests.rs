@@ -1,7 +1,7 @@
 //! The calm frame against the balance found by halving: its conditions, its end and its bounds.
 
 use super::*;
-use crate::detect::Placed;
+use crate::fixtures::unloaded;
 use crate::geometry::Angle;
 use crate::motion::Unbent;
 
@@ -148,20 +148,10 @@ fn balance_bends_no_more_than_promised() {
             turn: (case.now - case.drive.y) / case.stiffness,
         };
         let stance = Stance {
-            placed: Placed {
-                point: Vec2::ZERO,
-                body_point: Vec2::ZERO,
-                orientation: Orientation::new(Angle::default()),
-                on: None,
-            },
             lever,
-            centroid: Vec2::ZERO,
-            spring: Vec2::ZERO,
-            couple: 0.0,
             hold: case.hold,
-            force: Vec2::ZERO,
             stiffness: case.stiffness,
-            tolerance: 0.0,
+            ..unloaded()
         };
         let bow = calm.bow(&stance, &way);
         let mut most = 0.0_f64;

@@ -1,6 +1,7 @@
 //! The searches against slow ones: folds, balances downhill, first zeros; what is polished and what is carried.
 
 use super::*;
+use crate::fixtures::loads;
 use crate::motion::Unbent;
 use crate::real::Fixed;
 
@@ -78,20 +79,11 @@ fn soft_grip_is_polished() {
 #[test]
 fn load_is_carried_together_with_the_couple() {
     let most = <Fixed as Real>::LOAD.to_si(1.0) as f64;
-    for (load, couple) in [
-        (0.4, 0.5),
-        (0.9, 0.0),
-        (0.0, 0.99),
-        (0.7, 0.7),
-        (1.1, 0.0),
-        (0.0, 1.1),
-    ] {
-        for (x, y) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-            let (load, couple) = (load * most * x, couple * most * y);
-            let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
-            let carries = load.abs() + couple.abs() <= most;
-            assert_eq!(moment.is_carried(), carries, "{load} {couple}");
-        }
+    for (load, couple) in loads() {
+        let (load, couple) = (load * most, couple * most);
+        let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
+        let carries = load.abs() + couple.abs() <= most;
+        assert_eq!(moment.is_carried(), carries, "{load} {couple}");
     }
 }
 

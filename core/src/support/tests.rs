@@ -2,7 +2,7 @@
 //! which is decided here by a slow descent.
 
 use super::*;
-use crate::random::Random;
+use crate::fixtures::Random;
 
 /// What reactions may leave of a load of the size of one.
 const LITTLE: f64 = 1e-12;

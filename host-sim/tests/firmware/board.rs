@@ -111,19 +111,27 @@ impl Board {
     }
 
     /// Waits for a report of a kind; those before it are passed over.
-    pub(crate) fn wait<T>(&mut self, mut wanted: impl FnMut(u32, &Said) -> Option<T>) -> T {
+    pub(crate) fn wait<T>(&mut self, wanted: impl FnMut(u32, &Said) -> Option<T>) -> T {
+        let found = self.listen_for(PATIENCE, wanted);
+        found.unwrap_or_else(|| panic!("{} does not answer", self.chip.name()))
+    }
+
+    /// The same, nothing if it does not come in time.
+    fn listen_for<T>(
+        &mut self,
+        time: Duration,
+        mut wanted: impl FnMut(u32, &Said) -> Option<T>,
+    ) -> Option<T> {
         let begun = Instant::now();
         loop {
             while let Some(heard) = self.client.heard.pop_front() {
                 if let Some(found) = wanted(heard.time, &heard.said) {
-                    return found;
+                    return Some(found);
                 }
             }
-            assert!(
-                begun.elapsed() < PATIENCE,
-                "{} does not answer",
-                self.chip.name()
-            );
+            if begun.elapsed() >= time {
+                return None;
+            }
             self.listen();
         }
     }
@@ -158,14 +166,9 @@ impl Board {
         loop {
             let sequence = self.client.sequence;
             self.send(command);
-            let asked = Instant::now();
-            while asked.elapsed() < AGAIN {
-                while let Some(heard) = self.client.heard.pop_front() {
-                    if let Some(found) = wanted(sequence, &heard.said) {
-                        return found;
-                    }
-                }
-                self.listen();
+            let found = self.listen_for(AGAIN, |_, said| wanted(sequence, said));
+            if let Some(found) = found {
+                return found;
             }
             assert!(
                 begun.elapsed() < PATIENCE,

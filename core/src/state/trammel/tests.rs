@@ -3,8 +3,8 @@
 
 use super::*;
 use crate::coupling::Pivot;
+use crate::fixtures::Random;
 use crate::geometry::{Angle, Orientation, Pose};
-use crate::random::Random;
 use crate::scene::{Description, Scene, SurfaceDescription};
 
 const MU_D: [f64; 2] = [0.3, 0.2];
