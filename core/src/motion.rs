@@ -106,15 +106,26 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
 
     /// No turn: tau = x.
     pub(crate) fn straight() -> Self {
-        Self::turning(R::ZERO)
-    }
-
-    /// A turn by `angle` in proportion to tau = x.
-    pub(crate) fn turning(angle: R) -> Self {
         Self {
             stiffness: R::ONE,
-            ..Self::kinematic(angle, Vec2::ZERO)
+            ..Self::kinematic(R::ZERO, Vec2::ZERO)
         }
+    }
+
+    /// A turn by `angle` in proportion to tau, and its course to tau = 1. Its units of x are of few radians, as curvatures go
+    /// with their square.
+    pub(crate) fn turning(angle: R) -> (Self, Course<R>) {
+        let unit = angle.abs().halved().max(R::ONE).unit();
+        let motion = Self {
+            stiffness: R::ONE.in_units(unit),
+            ..Self::kinematic(angle.in_units(unit), Vec2::ZERO)
+        };
+        let course = motion.course_to(unit);
+        let end = Place {
+            turn: angle,
+            ..course.end
+        };
+        (motion, Course { end, ..course })
     }
 
     /// ϑ = rate x, tau = [sin ϑ hold.x + (1 - cos ϑ) hold.y] / rate.

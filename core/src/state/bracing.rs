@@ -93,7 +93,8 @@ impl<R: Real> Bracing<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
         let rounding = (before.rounding() + after.rounding()).doubled();
         match (self.support).first_yield(before.load(), after.load(), rounding) {
-            None => Moved::by(Trigger::Balanced),
+            // Facets may be told apart less well than reactions.
+            None => Moved::by(self.test(scene, to, 0)),
             Some(part) => Moved {
                 part,
                 ..Moved::by(self.give_way(scene, (&from.lerp(to, part), to), 0))

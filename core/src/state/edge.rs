@@ -7,7 +7,7 @@ use crate::coupling::{Grip, Pivot, Stance, Way};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::list::gather;
-use crate::motion::{Gliding, Margin, Motion};
+use crate::motion::{Gliding, Margin};
 use crate::real::Real;
 use crate::scene::{Surface, World};
 
@@ -111,7 +111,7 @@ impl<R: Real> Edge<R> {
         }
         let stance = self.pivot.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
-        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Balanced);
+        let mut leg: Leg<R> = Leg::turning(R::ZERO, Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
         for sign in [R::ONE, -R::ONE] {
             let holds = friction.holds(reaction.normal, reaction.friction, sign);
@@ -128,7 +128,7 @@ impl<R: Real> Edge<R> {
         let stance = self.pivot.stance(scene, from);
         let way = from.way_to(to).pressing(&self.pivot.surface(scene));
         let reaction = self.reaction(scene, &stance, &way);
-        let mut leg = Leg::<R, Gliding<R>>::whole(Motion::straight(), Trigger::Balanced);
+        let mut leg = Leg::<R, Gliding<R>>::turning(R::ZERO, Trigger::Balanced);
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             leg.stop_at(part, keep(other, None));
         }
@@ -185,7 +185,7 @@ impl<R: Real> Edge<R> {
         let farthest = stance.force.reach() + stance.lever.reach().doubled();
         let shift = surface.tangent * (sign * farthest);
         let reaction = self.reaction(scene, &stance, &Way::slide(shift));
-        let mut leg: Leg<R> = Leg::whole(Motion::straight(), Trigger::Stopped);
+        let mut leg: Leg<R> = Leg::turning(R::ZERO, Trigger::Stopped);
         let drives = surface
             .friction
             .drives(reaction.normal, reaction.friction, sign);

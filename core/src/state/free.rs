@@ -6,7 +6,7 @@ use crate::calm::Calm;
 use crate::coupling::{Grip, Stance, Way};
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::{Bend, Motion};
+use crate::motion::Bend;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::World;
@@ -161,7 +161,7 @@ impl<R: Real> Free<R> {
     ) -> Moved<R> {
         let placed = self.placed(grip);
         let way = grip.hand + scene.weight() - placed.point;
-        let leg: Leg<R, B> = Leg::whole(Motion::turning(turn), Trigger::Balanced);
+        let leg: Leg<R, B> = Leg::turning(turn, Trigger::Balanced);
         self.sweep(scene, &placed, leg, way * shift)
     }
 

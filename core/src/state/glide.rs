@@ -7,7 +7,7 @@ use super::{Moved, SingleVertex, Trigger};
 use crate::calm::Calm;
 use crate::coupling::{Grip, Stance, Way};
 use crate::geometry::Vec2;
-use crate::motion::{Gliding, Motion};
+use crate::motion::Gliding;
 use crate::real::Real;
 use crate::roots::{Downhill, Moment};
 use crate::scene::World;
@@ -119,8 +119,7 @@ impl<R: Real> SingleVertex<R> {
         if surface.normal.dot(stance.force) > stance.rounding() {
             return Moved::by(Trigger::Clear);
         }
-        let turning = Motion::turning(downhill.turn);
-        let mut leg = Leg::<R, Gliding<R>>::whole(turning, Trigger::Balanced);
+        let mut leg = Leg::<R, Gliding<R>>::turning(downhill.turn, Trigger::Balanced);
         if W::SEVERAL {
             leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
         }

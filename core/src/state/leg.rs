@@ -21,11 +21,12 @@ pub(super) struct Leg<R, B = Unbent> {
 }
 
 impl<R: Real, B: Bend<R>> Leg<R, B> {
-    /// The whole of a curve whose end is x = 1.
-    pub(super) fn whole(motion: Motion<R, B>, trigger: Trigger<R>) -> Self {
+    /// The whole of a turn in proportion to tau.
+    pub(super) fn turning(angle: R, trigger: Trigger<R>) -> Self {
+        let (motion, course) = Motion::turning(angle);
         Self {
             motion,
-            course: motion.course_to(R::ONE),
+            course,
             trigger,
             goes_on: true,
         }
@@ -148,7 +149,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         keeps: &[Pair],
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let mut leg = Self::whole(Motion::turning(downhill.turn), Trigger::Balanced);
+        let mut leg = Self::turning(downhill.turn, Trigger::Balanced);
         leg.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, keeps));
         *pivot = pivot.moved(R::ZERO, leg.turn());
         let moved = leg.moved();

@@ -22,31 +22,51 @@ impl<R: Real> Support<R> {
 
     /// What the reactions that come nearest to bearing a load leave of it.
     pub(crate) fn left(&self, load: Screw<R>, little: R) -> R {
-        self.rest(load, &self.parts(load, little)).size()
+        self.parts(load, little).1
     }
 
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it, but
     /// for a little, on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Screw<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
-        let parts = self.parts(load, little);
+        let (parts, _) = self.parts(load, little);
         let pairs = parts.chunks_exact(2);
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
-    /// As [`Self::share`], edge by edge.
-    fn parts(&self, load: Screw<R>, little: R) -> Parts<R> {
+    /// As [`Self::share`], edge by edge, and what that leaves of the load. Parts beyond all numbers are told as the largest
+    /// number where they bear a fraction of the load.
+    fn parts(&self, load: Screw<R>, little: R) -> (Parts<R>, R) {
+        let nearest = self.nearest(load, little);
+        if nearest.beyond && nearest.left > little {
+            let step = R::from_int(16);
+            let (mut small, mut times) = (load.over(step), step);
+            while small.size() > little * step {
+                let Nearest { parts, left, .. } = self.nearest(small, little);
+                let parts: Parts<R> = gather(parts.iter().map(|&part| part * times));
+                let is_borne = left <= little.min(small.size() / R::from_int(64));
+                if is_borne && parts.iter().any(|&part| part >= R::HUGE) {
+                    return (parts, left);
+                }
+                (small, times) = (small.over(step), times * step);
+            }
+        }
+        (nearest.parts, nearest.left)
+    }
+
+    /// The mean of all ways, or what comes nearest, as far as numbers go.
+    fn nearest(&self, load: Screw<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
         let mut ways = 0_i32;
-        let mut beyond = None;
+        let mut large = None;
         for way in self.triples().filter_map(|t| self.bearing(t, load, little)) {
             if way.iter().all(|&(_, part)| part < R::RANGE) {
                 ways = ways.saturating_add(1);
                 add(&mut parts, &way);
             } else {
-                beyond = Some(way);
+                large = Some(way);
             }
         }
-        if let (0, Some(way)) = (ways, beyond) {
+        if let (0, Some(way)) = (ways, large) {
             add(&mut parts, &way);
         }
         let share = R::ONE / R::from_int(ways.max(1));
@@ -54,33 +74,40 @@ impl<R: Real> Support<R> {
             *part = *part * share;
         }
         // Takes out the rounding; where no three edges bear the load, this is the nearest that up to three come to it.
+        let mut beyond = false;
+        let mut rest = self.rest(load, &parts);
+        let mut left = rest.size();
         for _ in 0..2 {
-            let rest = self.rest(load, &parts);
             let triple = self.triples().filter_map(|t| self.on_three(t, rest));
             let triple = triple.map(|(way, _)| way);
             let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
             let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, rest));
-            let mut best = rest.size();
             let mut better = None;
             let ways = triple
                 .map(gather::<_, 3>)
                 .chain(pair.map(gather))
                 .chain(single.map(gather));
             for way in ways {
+                beyond |= way.iter().any(|&(_, part)| part >= R::HUGE);
                 let mut trial = parts.clone();
                 add(&mut trial, &way);
-                let left = self.rest(load, &trial).size();
-                if left < best {
-                    best = left;
-                    better = Some(trial);
+                let rest = self.rest(load, &trial);
+                let size = rest.size();
+                if size < left {
+                    left = size;
+                    better = Some((trial, rest));
                 }
             }
             match better {
-                Some(trial) => parts = trial,
+                Some(better) => (parts, rest) = better,
                 None => break,
             }
         }
-        parts
+        Nearest {
+            parts,
+            left,
+            beyond,
+        }
     }
 
     fn none(&self) -> Parts<R> {
@@ -118,15 +145,12 @@ impl<R: Real> Support<R> {
     #[inline(never)]
     fn bearing(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
         let (way, volume) = self.on_three(edges, load)?;
-        let presses = |way: &[(usize, R); 3]| way.iter().all(|&(_, part)| part >= R::ZERO);
+        let presses = |way: &[(usize, R); 3]| {
+            way.iter()
+                .all(|&(_, part)| part >= R::ZERO && part < R::HUGE)
+        };
         if !presses(&way) {
             return None;
-        }
-        if way.iter().any(|&(_, part)| part >= R::HUGE) {
-            // Parts beyond all numbers: a smaller load is borne in the same way.
-            let small = load.scaled(R::ONE / R::from_int(16));
-            let small = self.refined(edges, small, little);
-            return small.filter(presses).map(|_| way);
         }
         if volume > Self::sharp() {
             return Some(way);
@@ -189,6 +213,15 @@ impl<R: Real> Support<R> {
 }
 
 type Parts<R> = Vec<R, MAX_EDGES>;
+
+/// The parts of the edges that come nearest to bearing a load.
+struct Nearest<R: Real> {
+    parts: Parts<R>,
+    /// The size of what they leave.
+    left: R,
+    /// Others would need parts beyond all numbers.
+    beyond: bool,
+}
 
 /// Adds to the parts of some edges; no part falls below zero.
 fn add<R: Real>(parts: &mut Parts<R>, more: &[(usize, R)]) {
