@@ -111,7 +111,7 @@ impl<R: Real> Edge<R> {
         }
         let stance = self.pivot.stance(scene, from);
         let reaction = self.reaction(scene, &stance, &from.way_to(to));
-        let mut leg: Leg<R> = Leg::turning(R::ZERO, Trigger::Balanced);
+        let mut leg: Leg<R> = Leg::straight(R::ONE, Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
         for sign in [R::ONE, -R::ONE] {
             let holds = friction.holds(reaction.normal, reaction.friction, sign);
@@ -128,7 +128,7 @@ impl<R: Real> Edge<R> {
         let stance = self.pivot.stance(scene, from);
         let way = from.way_to(to).pressing(&self.pivot.surface(scene));
         let reaction = self.reaction(scene, &stance, &way);
-        let mut leg = Leg::<R, Gliding<R>>::turning(R::ZERO, Trigger::Balanced);
+        let mut leg = Leg::<R, Gliding<R>>::straight(R::ONE, Trigger::Balanced);
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             leg.stop_at(part, keep(other, None));
         }
@@ -183,9 +183,9 @@ impl<R: Real> Edge<R> {
         let stance = self.pivot.stance(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
         let farthest = stance.force.reach() + stance.lever.reach().doubled();
-        let shift = surface.tangent * (sign * farthest);
+        let shift = surface.tangent * sign;
         let reaction = self.reaction(scene, &stance, &Way::slide(shift));
-        let mut leg: Leg<R> = Leg::turning(R::ZERO, Trigger::Stopped);
+        let mut leg: Leg<R> = Leg::straight(farthest, Trigger::Stopped);
         let drives = surface
             .friction
             .drives(reaction.normal, reaction.friction, sign);
@@ -194,7 +194,7 @@ impl<R: Real> Edge<R> {
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             leg.stop_at(part, keep(other, Some(sign)));
         }
-        let slip = sign * farthest * leg.part();
+        let slip = sign * leg.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);
         Moved {
             slip,

@@ -24,12 +24,14 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
     /// The whole of a turn in proportion to tau.
     pub(super) fn turning(angle: R, trigger: Trigger<R>) -> Self {
         let (motion, course) = Motion::turning(angle);
-        Self {
-            motion,
-            course,
-            trigger,
-            goes_on: true,
-        }
+        Self::of(motion, course, trigger)
+    }
+
+    /// A way of tau = x without a turn.
+    pub(super) fn straight(x: R, trigger: Trigger<R>) -> Self {
+        let motion = Motion::straight();
+        let course = motion.course_to(x);
+        Self::of(motion, course, trigger)
     }
 
     /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.

@@ -258,8 +258,9 @@ impl<R: Real> SingleVertex<R> {
             // Where it stops it must also stick.
             stance.tolerance = R::ZERO;
         }
-        // Beyond this way the hand would pull back.
-        let farthest = stance.force.reach() + stance.lever.reach().doubled();
+        // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
+        let lever = stance.lever.reach();
+        let farthest = (stance.force.reach() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
         let about = match found {
             Ok(slip) => Some(slip.slide.abs()),
             Err(about) => about,
