@@ -20,6 +20,11 @@ impl Random {
     }
 }
 
+/// Of many cases every one, or, in the slow interpreter, one in `of`.
+pub(crate) fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
+    all.step_by(if cfg!(miri) { of } else { 1 })
+}
+
 /// A pull and a couple, in parts of what a number type carries of both together: below it and above, each of either sign.
 pub(crate) fn loads() -> impl Iterator<Item = (f64, f64)> {
     let sizes = [

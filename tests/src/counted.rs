@@ -28,33 +28,18 @@ fn count<T>(value: T) -> T {
     value
 }
 
-impl Add for Counted {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        count(Self(self.0 + other.0))
-    }
+macro_rules! counted {
+    ($($operator:ident $method:ident),*) => {$(
+        impl $operator for Counted {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                count(Self(self.0.$method(other.0)))
+            }
+        }
+    )*};
 }
 
-impl Sub for Counted {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        count(Self(self.0 - other.0))
-    }
-}
-
-impl Mul for Counted {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        count(Self(self.0 * other.0))
-    }
-}
-
-impl Div for Counted {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        count(Self(self.0 / other.0))
-    }
-}
+counted!(Add add, Sub sub, Mul mul, Div div);
 
 impl Neg for Counted {
     type Output = Self;

@@ -1,7 +1,7 @@
 //! The calm frame against the balance found by halving: its conditions, its end and its bounds.
 
 use super::*;
-use crate::fixtures::unloaded;
+use crate::fixtures::{sampled, unloaded};
 use crate::geometry::Angle;
 use crate::motion::Unbent;
 
@@ -76,7 +76,7 @@ fn cases() -> impl Iterator<Item = Case> {
     let all = [0.1, 1.0]
         .into_iter()
         .flat_map(move |k| holds.map(|hold| (k, hold)));
-    all.flat_map(move |(stiffness, (x, y))| {
+    let all = all.flat_map(move |(stiffness, (x, y))| {
         let ways = ways.clone();
         moments.into_iter().flat_map(move |now| {
             ways.clone().map(move |(size, i)| {
@@ -89,7 +89,8 @@ fn cases() -> impl Iterator<Item = Case> {
                 }
             })
         })
-    })
+    });
+    sampled(all, 97)
 }
 
 /// (E8): where its conditions hold amply the frame is calm, where one fails it is not.
@@ -112,7 +113,10 @@ fn frame_is_calm_where_kantorovich_says_so() {
         }
         found[usize::from(calm)] += 1;
     }
-    assert!(found.iter().all(|count| *count > 100), "{found:?}");
+    assert!(
+        cfg!(miri) || found.iter().all(|count| *count > 100),
+        "{found:?}"
+    );
 }
 
 /// All the way there is a stable balance within what the calm frame promises, and it ends in that at the end.

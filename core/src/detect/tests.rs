@@ -1,6 +1,7 @@
 //! Gaps, the room to the nearest of them and the first touch, against all vertices and surfaces in turn and small steps.
 
 use super::*;
+use crate::fixtures::sampled;
 use crate::geometry::Angle;
 use crate::motion::Unbent;
 use crate::real::Fixed;
@@ -49,11 +50,12 @@ fn poses() -> impl Iterator<Item = ([(f64, f64); 3], [f64; 3])> {
         (30.0, 20.0),
     ];
     let turns = [0.0, 0.4, 2.0, -1.1, 3.0];
-    rooms.into_iter().flat_map(move |room| {
+    let all = rooms.into_iter().flat_map(move |room| {
         places
             .into_iter()
             .flat_map(move |(x, y)| turns.map(move |turn| (room, [x, y, turn])))
-    })
+    });
+    sampled(all, 7)
 }
 
 /// By a point of its own, as by the holding point.
@@ -215,7 +217,7 @@ fn first_touch_is_the_first() {
             touched += 1;
         }
     }
-    assert!(touched > 20, "{touched}");
+    assert!(cfg!(miri) || touched > 20, "{touched}");
 }
 
 /// A body that turns many times on its way passes no surface, in fixed point as little as in double precision.
@@ -269,5 +271,5 @@ fn first_touch_on_many_turns_is_the_first() {
             touched += usize::from(found.is_some());
         }
     }
-    assert!(touched > 20, "{touched}");
+    assert!(cfg!(miri) || touched > 20, "{touched}");
 }

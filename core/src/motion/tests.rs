@@ -2,7 +2,7 @@
 //! must hold as far as they are given for, and be no looser than the terms that they are sums of.
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 use crate::jet::Jet;
 
 mod cases;
@@ -109,7 +109,7 @@ macro_rules! test_both {
     ($($case:ident),* $(,)?) => {$(
         #[test]
         fn $case() {
-            for seed in 1..=200 {
+            for seed in sampled(1..=200, 29) {
                 cases::$case::<Unbent>(&mut Random(seed));
                 cases::$case::<Gliding<f64>>(&mut Random(seed));
             }

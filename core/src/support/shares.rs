@@ -155,25 +155,20 @@ impl<R: Real> Support<R> {
         if volume > Self::sharp() {
             return Some(way);
         }
-        self.refined(edges, load, little).filter(presses)
-    }
-
-    /// The parts of three edges that balance a load, what they leave of it shared out once more; nothing where more than a little
-    /// is left then.
-    fn refined(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
         let rest_of = |way: &[(usize, R); 3]| {
             let mut parts = self.none();
             add(&mut parts, way);
             self.rest(load, &parts)
         };
-        let (mut way, _) = self.on_three(edges, load)?;
         // In finer steps.
         let fine = R::from_int(256);
         let (more, _) = self.on_three(edges, rest_of(&way).scaled(fine))?;
-        for (part, (_, more)) in way.iter_mut().zip(more) {
+        let mut refined = way;
+        for (part, (_, more)) in refined.iter_mut().zip(more) {
             part.1 = part.1 + more / fine;
         }
-        (rest_of(&way).size() <= little).then_some(way)
+        let is_borne = presses(&refined) && rest_of(&refined).size() <= little;
+        is_borne.then_some(refined)
     }
 
     /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings.

@@ -2,7 +2,7 @@
 //! which is decided here by a slow descent.
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 
 /// What reactions may leave of a load of the size of one.
 const LITTLE: f64 = 1e-12;
@@ -86,7 +86,7 @@ fn contacts(random: &mut Random, smooth: bool) -> Vec<(Vec2<f64>, f64, f64), 4> 
 #[test]
 fn load_yields_where_no_reactions_balance_it() {
     let mut found = [0; 2];
-    for seed in 0..400 {
+    for seed in sampled(0..400, 97) {
         let mut random = Random(seed);
         let smooth = seed % 4 == 0;
         let (support, edges) = support(&contacts(&mut random, smooth));
@@ -135,13 +135,16 @@ fn load_yields_where_no_reactions_balance_it() {
             "{seed}"
         );
     }
-    assert!(found.iter().all(|count| *count > 20), "{found:?}");
+    assert!(
+        cfg!(miri) || found.iter().all(|count| *count > 20),
+        "{found:?}"
+    );
 }
 
 /// Whatever is borne is shared out with no part below zero, and nothing is left of it.
 #[test]
 fn shares_of_what_is_borne_add_up_to_it() {
-    for seed in 0..400 {
+    for seed in sampled(0..400, 97) {
         let mut random = Random(seed);
         let (support, edges) = support(&contacts(&mut random, false));
         let load = random.screw();
@@ -174,7 +177,7 @@ fn shares_of_what_is_borne_add_up_to_it() {
 #[test]
 fn two_contacts_share_by_the_middle_of_the_interval() {
     let mut count = 0;
-    for seed in 0..2000 {
+    for seed in sampled(0..2000, 97) {
         let mut random = Random(seed);
         let contacts: Vec<_, 4> = contacts(&mut random, false).into_iter().take(2).collect();
         let (support, edges) = support(&contacts);
@@ -212,7 +215,7 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
             count += 1;
         }
     }
-    assert!(count > 30, "{count}");
+    assert!(cfg!(miri) || count > 30, "{count}");
 }
 
 fn screw(x: f64, y: f64, moment: f64) -> Screw<f64> {

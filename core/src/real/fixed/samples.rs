@@ -2,6 +2,7 @@
 //! stream of random ones of every size.
 
 use super::product::RAIL;
+use crate::fixtures;
 
 /// The edges, and their neighbours.
 pub(super) fn edges() -> impl Iterator<Item = i32> + Clone {
@@ -19,7 +20,7 @@ pub(super) fn pairs() -> impl Iterator<Item = (i32, i32)> {
 
 /// Of many numbers every one, or, in the slow interpreter, a few.
 pub(in crate::real) fn sampled<I: Iterator>(all: I) -> impl Iterator<Item = I::Item> {
-    all.step_by(if cfg!(miri) { 499 } else { 1 })
+    fixtures::sampled(all, 499)
 }
 
 /// Random numbers, as many of each binary order of magnitude.

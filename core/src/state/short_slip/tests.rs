@@ -1,6 +1,7 @@
 //! The short slip against small steps: its conditions, its end and its bounds.
 
 use super::*;
+use crate::fixtures::sampled;
 use crate::geometry::{Angle, Orientation};
 use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::Pair;
@@ -169,7 +170,7 @@ fn beginning(case: &Case) -> [f64; 4] {
 #[test]
 fn slip_is_short_where_its_beginning_says_so() {
     let mut found = [0; 3];
-    for case in cases() {
+    for case in sampled(cases(), 97) {
         let [guess, arm, bend, decay] = beginning(&case);
         let slip = case.find();
         if arm < 0.0 || decay <= 0.25 || guess < 0.0 || case.lack > 1e-5 * case.stiffness {
@@ -205,7 +206,10 @@ fn slip_is_short_where_its_beginning_says_so() {
             found[2] += 1;
         }
     }
-    assert!(found.iter().all(|count| *count > 50), "{found:?}");
+    assert!(
+        cfg!(miri) || found.iter().all(|count| *count > 50),
+        "{found:?}"
+    );
 }
 
 /// It ends where, by small steps, E first falls to zero; on the way the vertex is pressed and nothing moves farther than
@@ -213,7 +217,7 @@ fn slip_is_short_where_its_beginning_says_so() {
 #[test]
 fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
     const STEPS: i32 = 64;
-    for case in cases() {
+    for case in sampled(cases(), 97) {
         let Ok(slip) = case.find() else { continue };
         let [guess, arm, bend, _] = beginning(&case);
         let length = slip.slide * case.sign;

@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::coupling::Pivot;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 use crate::geometry::{Angle, Orientation, Pose};
 use crate::scene::{Description, Scene, SurfaceDescription};
 
@@ -96,7 +96,7 @@ impl Case {
 /// All that are driven, of many.
 fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> usize {
     let mut count = 0;
-    for seed in 0..3000 {
+    for seed in sampled(0..3000, 97) {
         let Some(case) = case(&mut Random(seed)) else {
             continue;
         };
@@ -154,7 +154,7 @@ fn reactions_and_what_drives_balance_the_load() {
             );
         }
     });
-    assert!(count > 100, "{count}");
+    assert!(cfg!(miri) || count > 100, "{count}");
 }
 
 /// Both contacts stay on their surfaces; their velocities are those along them.
@@ -260,5 +260,8 @@ fn run_ends_at_what_comes_first() {
         assert!(off < 1e-6, "{seed} {ending:?} {off}");
         ends[which] += 1;
     });
-    assert!(ends.iter().all(|count| *count > 0), "{ends:?}");
+    assert!(
+        cfg!(miri) || ends.iter().all(|count| *count > 0),
+        "{ends:?}"
+    );
 }
