@@ -19,9 +19,9 @@ pub(crate) struct Slope<R> {
 }
 
 impl<R: Real> Slope<R> {
-    /// This and less counts as zero: its rounding, or what its zero is away by a tolerance of x.
+    /// This and less counts as zero: its rounding, or, where it falls, what its zero is away by a tolerance of x.
     fn closed(&self, tolerance: R) -> R {
-        self.rounding.max(tolerance * self.slope.abs())
+        self.rounding.max(-(tolerance * self.slope))
     }
 
     /// The longest step that cannot pass a zero.

@@ -204,3 +204,24 @@ fn first_zero_is_the_first() {
         assert!(x <= first && first - x < 2.0 * step, "{x} {first}");
     }
 }
+
+/// What starts a little above zero and rises is not at its zero, whatever the tolerance.
+#[test]
+fn rising_start_is_no_zero() {
+    for tolerance in [0.0, 1e-4, 1e-2] {
+        // Zero at 1.
+        let found = first_zero((2.0, tolerance), |x: f64| {
+            Look::far([Slope {
+                value: 1e-6 * (1.0 - x) + x * (1.0 - x),
+                slope: 1.0 - 1e-6 - 2.0 * x,
+                // A bound.
+                curvature: 8.0,
+                rounding: 5e-7,
+            }])
+        });
+        let Found::Zero { x, which: 0 } = found else {
+            panic!("{found:?}");
+        };
+        assert!((x - 1.0).abs() <= 1e-6 + tolerance, "{tolerance} {x}");
+    }
+}

@@ -191,22 +191,26 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// A slide without jumps follows the hand exactly as long as nothing else happens, in one step or in many. The hand
-    /// goes on to where something does, by halves.
+    /// goes on to where something does, which is found by halves, and jumps over it.
     fn slide_on(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
-        let mut part = R::ONE;
+        let from = state.grip;
+        let (mut done, mut next) = (R::ZERO, R::ONE);
         for _ in 0..FINEST_HALF {
-            let at = state.grip.lerp(to, part);
+            let at = from.lerp(to, done + next);
             let mut trial = (state.contact.clone(), Log::default());
             settle(&self.scene, &at, &mut trial.0, None, &mut trial.1);
             if trial.1.is_one_slip() && trial.0.contacts() == state.contact.contacts() {
                 state.contact = trial.0;
                 state.grip = at;
                 log.merge(&trial.1);
-                return;
+                done = done + next;
+                if done == R::ONE {
+                    return;
+                }
             }
-            part = part.halved();
+            next = next.halved();
         }
-        let at = state.grip.lerp(to, part);
+        let at = from.lerp(to, done + next.doubled());
         self.by_jump(state, &at, log);
         state.grip = at;
     }

@@ -107,7 +107,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 22] = [
     ("block set down tilted", [[214, 20_800], [174, 1370]]),
     (
         "block slid flush against a slanted wall",
-        [[5790, 2_200_000], [378, 16_300]],
+        [[1730, 169_000], [378, 16_300]],
     ),
     ("strut buckles", [[240, 2150], [233, 1560]]),
     ("strut buckles in a groove", [[483, 5460], [419, 5780]]),
