@@ -109,9 +109,7 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
             length = length.max(distance);
         }
     }
-    if count > 2 {
-        check_convex(vertices, length)?;
-    }
+    check_convex(vertices, length)?;
     Ok(length)
 }
 
