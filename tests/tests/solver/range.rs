@@ -64,6 +64,21 @@ mod cases {
     }
 }
 
+/// The lever counts from the contact, wherever the body's frame has its origin: the moments are those of half a rod.
+#[test]
+fn lever_counts_from_the_contact() {
+    let upright = std::f64::consts::FRAC_PI_2;
+    for aside in [-15.0, -8.0, 0.0, 8.0, 15.0] {
+        let setup = Setup::new(&[[aside, 0.0], [aside + 1.0, 0.0]])
+            .standing(0, [0.0; 2], upright)
+            .held_at([aside + 0.5, 0.0])
+            .floor([0.5, 0.3]);
+        let hand = [0.0, -6.0, upright];
+        let frame = Run::<Fixed>::start(&setup, Evolution::Path, hand).frame;
+        assert_eq!((frame.held, frame.status), (true, Status::Ok), "{aside}");
+    }
+}
+
 /// A foot that glides asks for the square of its lever (STATICS 10): up to 8 L in fixed point, however short the pull. One with
 /// friction does not.
 #[test]
