@@ -30,21 +30,17 @@ impl<R: Real, const V: usize> Body<R, V> {
 
     /// The distance of a point of the body frame from the body; 0 inside.
     pub(crate) fn distance(&self, point: Vec2<R>) -> R {
-        let Some(last) = self.vertices.last().copied() else {
-            return R::HUGE;
-        };
-        let mut nearest = (point - last).length();
+        let mut nearest = R::HUGE;
         let mut inside = self.vertices.len() > 2;
-        let mut from = last;
+        let mut from = self.vertices.last().copied().unwrap_or(Vec2::ZERO);
         for &to in &self.vertices {
             let side = to - from;
             let along = point - from;
             inside &= side.cross(along) >= R::ZERO;
-            let length2 = side.dot(side);
-            if length2 > R::ZERO {
-                let part = (side.dot(along) / length2).max(R::ZERO).min(R::ONE);
-                nearest = nearest.min((along - side * part).length());
-            }
+            // 0 for a side without a length.
+            let part = R::ZERO.max(side.dot(along) / side.dot(side));
+            let nearest_of_side = side * part.min(R::ONE);
+            nearest = nearest.min((along - nearest_of_side).length());
             from = to;
         }
         if inside { R::ZERO } else { nearest }
@@ -53,9 +49,8 @@ impl<R: Real, const V: usize> Body<R, V> {
 
 /// The centroid of the area; for a point and a rod the mean of the vertices.
 fn centroid<R: Real>(vertices: &[Vec2<R>]) -> Vec2<R> {
-    let (Some(&first), Some(&last)) = (vertices.first(), vertices.last()) else {
-        return Vec2::ZERO;
-    };
+    let at = |end: Option<&Vec2<R>>| end.copied().unwrap_or(Vec2::ZERO);
+    let (first, last) = (at(vertices.first()), at(vertices.last()));
     if vertices.len() < 3 {
         return first.lerp(last, R::HALF);
     }
@@ -67,4 +62,72 @@ fn centroid<R: Real>(vertices: &[Vec2<R>]) -> Vec2<R> {
         area = area + twice;
     }
     first + sum * (R::ONE / (R::from_int(3) * area))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fixtures::Random;
+    use crate::list::gather;
+
+    fn body(vertices: &[[f64; 2]]) -> Body<f64, 8> {
+        Body::new(gather(vertices.iter().map(|&[x, y]| Vec2::new(x, y))))
+    }
+
+    /// To the nearest of many points of all sides; 0 where every side has the point on its left.
+    fn sampled(vertices: &[[f64; 2]], point: Vec2<f64>) -> f64 {
+        let at = |i: usize| Vec2::new(vertices[i][0], vertices[i][1]);
+        let n = vertices.len();
+        let sides = || (0..n).map(|i| (at(i), at((i + 1) % n)));
+        if n > 2 && sides().all(|(from, to)| (to - from).cross(point - from) >= 0.0) {
+            return 0.0;
+        }
+        let points = sides().flat_map(|(from, to)| {
+            (0..=2000).map(move |i| (from.lerp(to, f64::from(i) / 2000.0) - point).length())
+        });
+        points.fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn distance_is_to_the_nearest_point() {
+        let bodies: [&[[f64; 2]]; 4] = [
+            &[[0.5, -0.25]],
+            &[[0.5, 0.25], [1.5, 0.25]],
+            &[[0.0, 0.0], [0.5, 0.0], [0.25, 0.5]],
+            &[[0.2, -0.4], [0.8, 0.0], [0.8, 0.4], [0.3, 0.5], [-0.1, 0.2]],
+        ];
+        let mut random = Random(5);
+        for vertices in bodies {
+            let body = body(vertices);
+            for _ in 0..200 {
+                let point = random.vector() * 2.0;
+                let (is, should) = (body.distance(point), sampled(vertices, point));
+                assert!(
+                    is <= should + 1e-12 && is >= should - 1e-3,
+                    "{point:?} {is} {should}"
+                );
+            }
+            for &[x, y] in vertices {
+                assert_eq!(body.distance(Vec2::new(x, y)), 0.0);
+            }
+        }
+    }
+
+    /// A rod has no inside, neither between its ends nor beyond them.
+    #[test]
+    fn beyond_the_end_of_a_rod_is_outside() {
+        let rod = body(&[[0.0, 0.5], [1.0, 0.5]]);
+        for (x, distance) in [
+            (-0.5, 0.5),
+            (0.0, 0.0),
+            (0.5, 0.0),
+            (1.0, 0.0),
+            (1.25, 0.25),
+        ] {
+            assert_eq!(rod.distance(Vec2::new(x, 0.5)), distance, "{x}");
+        }
+        // Nothing has no place.
+        assert_eq!(body(&[]).distance(Vec2::ZERO), <f64 as Real>::HUGE);
+        assert_eq!(body(&[]).centroid(), Vec2::ZERO);
+    }
 }

@@ -297,7 +297,7 @@ impl<R: Real> Stance<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixtures::{loads, unloaded};
+    use crate::fixtures::{Random, loads, unloaded};
 
     /// The pull on the lever and the couple together, each of either sign, up to what the number type carries.
     #[test]
@@ -311,6 +311,30 @@ mod tests {
             };
             let carries = load.abs() + couple.abs() <= 1.0;
             assert_eq!(stance.is_carried(), carries, "{load} {couple}");
+        }
+    }
+
+    /// No point within one body size of the hold goes farther than the hand goes and turns; the bound is larger by an eighth at most.
+    #[test]
+    fn sizes_are_those_of_all_parts_together() {
+        let mut random = Random(9);
+        for _ in 0..1000 {
+            let (hand, lever, force) = (random.vector(), random.vector(), random.vector());
+            let (turn, couple) = (random.next(), random.next());
+            let size = Way { hand, turn }.size();
+            let all = hand.length() + turn.abs();
+            assert!(size >= all && size <= 1.125 * all, "{size} {all}");
+            let stance = Stance {
+                force,
+                lever,
+                couple,
+                ..unloaded()
+            };
+            let (size, all) = (
+                stance.size(),
+                force.length() + lever.length() + couple.abs(),
+            );
+            assert!(size >= all && size <= 1.125 * all, "{size} {all}");
         }
     }
 }

@@ -167,6 +167,7 @@ impl<R: Real> Placed<R> {
     ) -> Option<Pair> {
         let mut first = None;
         let radius = self.radius(scene, None);
+        let keeps = || moving.keeps.iter();
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let (height, normal) = self.above(scene, index);
@@ -192,14 +193,11 @@ impl<R: Real> Placed<R> {
             };
             if self.on != Some(index) {
                 scene.vertex_indices().for_each(&mut visit);
-            } else if let [pivot, others @ ..] = moving.keeps
-                && others.iter().all(|other| other.surface != index)
-            {
+            } else if keeps().skip(1).all(|other| other.surface != index) {
                 // On its own surface nothing arrives before a neighbour.
-                scene
-                    .neighbours(pivot.vertex)
-                    .into_iter()
-                    .for_each(&mut visit);
+                let pivot = keeps().take(1);
+                let neighbours = pivot.flat_map(|pivot| scene.neighbours(pivot.vertex));
+                neighbours.for_each(&mut visit);
             }
         }
         first

@@ -4,7 +4,7 @@
 
 use crate::geometry::{Vec2, unit};
 use crate::motion::Margin;
-use crate::real::Real;
+use crate::real::{Real, along};
 
 /// An angle of friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,12 +66,12 @@ impl<R: Real> Coulomb<R> {
 
     /// Positive while the contact does not break away along sign·t.
     pub(crate) fn holds(&self, normal: Margin<R>, friction: Margin<R>, sign: R) -> Margin<R> {
-        normal.combine(self.fixed.sin, friction, self.fixed.cos * sign)
+        normal.combine(self.fixed.sin, friction, along(sign, self.fixed.cos))
     }
 
     /// Positive while the contact slides on along sign·t: (E3) is its zero.
     pub(crate) fn drives(&self, normal: Margin<R>, friction: Margin<R>, sign: R) -> Margin<R> {
-        normal.combine(-self.sliding.sin, friction, -self.sliding.cos * sign)
+        normal.combine(-self.sliding.sin, friction, -along(sign, self.sliding.cos))
     }
 
     /// The direction q in which a force on the body drives a contact on along ±t: q·F is positive while it slides, (E3) its
@@ -80,11 +80,10 @@ impl<R: Real> Coulomb<R> {
         normal * self.sliding.sin + along * self.sliding.cos
     }
 
-    /// True if a reaction lies inside the static cone by more than `slack`.
+    /// True if a reaction lies inside the static cone by more than `slack`, 0 or more.
     pub(crate) fn is_within(&self, normal: R, friction: R, slack: R) -> bool {
-        let depth =
-            R::difference_of_products(normal, self.fixed.sin, friction.abs(), self.fixed.cos);
-        normal > slack && depth > slack
+        // No deeper than the normal force is large.
+        R::difference_of_products(normal, self.fixed.sin, friction.abs(), self.fixed.cos) > slack
     }
 
     /// The static test of a reaction, to within `rounding` of the forces.
@@ -106,11 +105,75 @@ impl<R: Real> Coulomb<R> {
 
     /// The edge of the static cone as (normal, friction) parts: +1 the one with friction along +t.
     pub(crate) fn static_edge(&self, edge: R) -> (R, R) {
-        (self.fixed.cos, self.fixed.sin * edge)
+        (self.fixed.cos, along(edge, self.fixed.sin))
     }
 
     /// The reaction of a contact that slides along sign·t, as (normal, friction) parts; sign 0: no friction.
     pub(crate) fn sliding_edge(&self, sign: R) -> (R, R) {
         (self.sliding.cos, -self.sliding.sin * sign)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A cone of a line, and one of a half-plane: cosine and sine are 1 and 0 to the last bit.
+    fn extremes() -> [Coulomb<f64>; 2] {
+        [0.0, 1e300].map(|mu| Coulomb::from_coefficients(mu, mu))
+    }
+
+    #[test]
+    fn within_is_by_more_than_the_slack() {
+        let [smooth, rough] = extremes();
+        for slack in [0.0_f64, 0.25] {
+            assert!(rough.is_within(slack.next_up(), 0.0, slack));
+            assert!(!rough.is_within(slack, 0.0, slack));
+            assert!(!rough.is_within(-1.0, 0.0, slack));
+            assert!(!smooth.is_within(1.0, 0.0, slack), "on both edges");
+        }
+        let half = Coulomb::<f64>::from_coefficients(0.5, 0.25);
+        assert!(half.is_within(1.0, 0.49, 0.0) && !half.is_within(1.0, -0.51, 0.0));
+    }
+
+    #[test]
+    fn verdict_is_to_within_the_rounding() {
+        let [smooth, rough] = extremes();
+        let rounding = 0.125_f64;
+        let more = rounding.next_up();
+        assert_eq!(smooth.judge(-rounding, 0.0, rounding), Verdict::Sticks);
+        assert_eq!(smooth.judge(-more, 0.0, rounding), Verdict::Opens);
+        for sign in [1.0, -1.0] {
+            let judged = |friction: f64| smooth.judge(0.0, sign * friction, rounding);
+            assert_eq!(judged(rounding), Verdict::Sticks);
+            assert_eq!(judged(more), Verdict::Slides(-sign));
+            // Against friction to the one side it slides to the other.
+            let driven = |friction: f64| smooth.is_driven(0.0, -sign * friction, sign, rounding);
+            assert!(!driven(rounding) && driven(more) && !driven(-more));
+        }
+        assert_eq!(rough.judge(1.0, 1e3, rounding), Verdict::Sticks);
+    }
+
+    /// T = mu N on the edges of the cones, along the sign where it holds and against it where it slides; none without a sign.
+    #[test]
+    fn edges_bear_friction_in_proportion() {
+        let friction = Coulomb::<f64>::from_coefficients(0.75, 0.5);
+        for sign in [1.0, -1.0] {
+            let (normal, along) = friction.static_edge(sign);
+            assert!((along - sign * 0.75 * normal).abs() < 1e-15);
+            let (normal, along) = friction.sliding_edge(sign);
+            assert!((along + sign * 0.5 * normal).abs() < 1e-15);
+            let margin = |start| Margin {
+                start,
+                along: 0.0,
+                turning: Vec2::ZERO,
+                rounding: 0.0,
+            };
+            let holds = |t: f64| friction.holds(margin(1.0), margin(t), sign).start;
+            assert!(holds(-0.74 * sign) > 0.0 && holds(-0.76 * sign) < 0.0);
+            let drives = |t: f64| friction.drives(margin(1.0), margin(t), sign).start;
+            assert!(drives(-0.51 * sign) > 0.0 && drives(-0.49 * sign) < 0.0);
+        }
+        assert_eq!(friction.sliding_edge(0.0).1, 0.0);
     }
 }

@@ -2,7 +2,7 @@
 //! carry the bound that the certified search needs.
 
 use crate::geometry::Vec2;
-use crate::real::Real;
+use crate::real::{Real, along};
 use crate::roots::Slope;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -27,8 +27,8 @@ impl<R: Real> Jet<R> {
     /// As a function whose first zero is searched for.
     pub(crate) fn as_slope(&self, sign: R) -> Slope<R> {
         Slope {
-            value: self.value * sign,
-            slope: self.slope * sign,
+            value: along(sign, self.value),
+            slope: along(sign, self.slope),
             curvature: self.bounds[2],
             rounding: R::rounding(self.bounds[0]).doubled().doubled(),
         }

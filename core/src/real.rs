@@ -123,15 +123,15 @@ pub trait Real:
         };
         (sinc, cos)
     }
-    /// |x|
+    /// |x|; a zero stays as it is.
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
     }
-    /// The smaller one.
+    /// The smaller one; of equal ones this one.
     fn min(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
-    /// The larger one.
+    /// The larger one; of equal ones this one.
     fn max(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
@@ -154,3 +154,11 @@ pub trait Real:
         large * (Self::ONE + ratio * ratio).sqrt()
     }
 }
+
+/// A number counted in a direction: -x where the sign is negative, otherwise x.
+pub(crate) fn along<R: Real>(sign: R, x: R) -> R {
+    if sign < R::ZERO { -x } else { x }
+}
+
+#[cfg(test)]
+mod tests;

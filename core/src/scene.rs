@@ -330,3 +330,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 fn one_in<F: Real>(n: i32) -> F {
     F::ONE / F::from_int(n)
 }
+
+#[cfg(test)]
+mod tests;

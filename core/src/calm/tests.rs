@@ -175,5 +175,76 @@ fn balance_bends_no_more_than_promised() {
         let r = p + case.stiffness * way.turn.abs() / least;
         let formula = r * r + bend * r * r + 2.0 * p * r;
         assert!(bow <= 4.0 * formula + 1e-12, "{case:?}: {bow} {formula}");
+        assert!(bow >= formula * (1.0 - 1e-12), "{case:?}: {bow} {formula}");
     }
+}
+
+/// Without a load that bends it: what is allowed is allowed up to its bound and with it (E8).
+#[test]
+fn conditions_hold_up_to_their_bounds() {
+    let case = |now, pull| Case {
+        now,
+        stiffness: 1.0,
+        hold: Vec2::ZERO,
+        drive: Vec2::new(0.0, pull),
+    };
+    assert!(case(0.0, 0.5).calm().is_some());
+    assert!(case(0.0, 0.5_f64.next_up()).calm().is_none());
+    // 1 over the stability is reckoned half as much again as it is.
+    let step = |now: f64| now * 1.5 + <f64 as Real>::MICRO;
+    let (mut low, mut high) = (0.0_f64, 0.25);
+    while low.next_up() < high {
+        let middle = 0.5 * (low + high);
+        if step(middle) <= 0.25 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    assert_eq!(step(low), 0.25);
+    assert!(case(low, 0.0).calm().is_some());
+    assert!(case(high, 0.0).calm().is_none());
+}
+
+/// A frame whose load is not carried is left to the search, which says so.
+#[test]
+fn calm_load_is_carried() {
+    for (load, calm) in [(0.9, true), (1.1, false)] {
+        let case = Case {
+            now: 0.0,
+            stiffness: 1.0,
+            hold: Vec2::new(load * <f64 as Real>::LOAD, 0.0),
+            drive: Vec2::ZERO,
+        };
+        assert_eq!(case.calm().is_some(), calm, "{load}");
+    }
+}
+
+/// With a tolerance the turn ends within it, and one that is within it altogether is left out.
+#[test]
+fn tolerance_bounds_what_is_left_of_the_turn() {
+    let mut left_out = 0;
+    for case in cases() {
+        for tolerance in [1e-5, 1e-3, 1e-2] {
+            let start = Orientation::new(Angle::default());
+            let moment = |turn: f64| Moment {
+                tolerance,
+                ..case.moment(turn)
+            };
+            let then = |orientation: Orientation<f64>| moment(orientation.angle().radians());
+            let Some(calm) = Calm::turn(&moment(0.0), case.drive, start, then) else {
+                continue;
+            };
+            let turn = calm.orientation.angle().radians();
+            assert!(
+                (turn - case.balance(1.0, 0.6)).abs() <= tolerance,
+                "{case:?}"
+            );
+            if calm.reach <= tolerance {
+                assert_eq!(turn, 0.0, "{case:?}");
+                left_out += 1;
+            }
+        }
+    }
+    assert!(left_out > 10, "{left_out}");
 }

@@ -273,3 +273,85 @@ fn first_touch_on_many_turns_is_the_first() {
     }
     assert!(cfg!(miri) || touched > 20, "{touched}");
 }
+
+/// In f32 the room is less than the least gap by a touch and by what [`Placed::gap_at`] says of the gap's rounding.
+#[test]
+fn room_leaves_the_rounding_out() {
+    for (point, offset) in [
+        (Vec2::ZERO, -0.75),
+        (Vec2::new(0.25, 0.5), -0.5),
+        (Vec2::new(-0.5, 0.25), -0.5),
+        (Vec2::new(4.0, 0.0), -0.5),
+    ] {
+        let scene = scene::<f32>(|x| x as f32, [(0.0, offset), (1.3, -90.0), (-2.0, -90.0)]);
+        let at = Placed {
+            point,
+            ..placed::<f32>(|x| x as f32, [0.0; 3])
+        };
+        let gaps = [0, 1, 2, 3, 4].map(|vertex| {
+            let arm = at.arm(&scene, vertex);
+            let contact = Pair { vertex, surface: 0 };
+            let (gap, rounding) = at.gap_at(&scene, contact, arm);
+            gap - rounding
+        });
+        let least = gaps.into_iter().fold(f32::INFINITY, f32::min) - <f32 as Real>::TOUCH;
+        let off = at.room(&scene, None) - least;
+        assert!(off.abs() <= f32::EPSILON, "{point:?}: {off}");
+    }
+}
+
+/// A rod along x.
+fn rod(offset: f64) -> Room<f64> {
+    Scene::new(&Description {
+        vertices: &[[0.0, 0.0], [1.0, 0.0]],
+        start: [0.0, 10.0, 0.0],
+        weight: 0.0,
+        holding_point: None,
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: 1.0,
+        surfaces: &[SurfaceDescription {
+            normal: [0.0, 1.0],
+            offset,
+            friction_static: 0.5,
+            friction_dynamic: 0.3,
+        }],
+    })
+    .expect("a sound scene")
+}
+
+/// Of a rod that hangs down from a point beyond its end, over planes from near to far.
+#[test]
+fn far_room_is_no_more_than_the_gap() {
+    for i in 0..100 {
+        let height = 1.5 + 0.1 * f64::from(i);
+        let at = Placed {
+            point: Vec2::ZERO,
+            body_point: Vec2::new(-0.4, 0.0),
+            orientation: Orientation::new(Angle::from_radians(-core::f64::consts::FRAC_PI_2)),
+            on: None,
+        };
+        let room = at.room(&rod(-height), None);
+        assert!(room > 0.0 && room <= height - 1.4, "{height}: {room}");
+    }
+}
+
+/// What counts as a touch is not clear, not even for a body that does not turn.
+#[test]
+fn touch_is_not_clear() {
+    let touch = <f64 as Real>::TOUCH;
+    let scene = rod(0.0);
+    for (height, touches) in [(touch, true), (touch.next_up(), false)] {
+        let at = Placed {
+            point: Vec2::ZERO,
+            body_point: Vec2::new(0.0, -height),
+            orientation: Orientation::new(Angle::default()),
+            on: Some(0),
+        };
+        assert_eq!(
+            at.touching(&scene, touch).len(),
+            if touches { 2 } else { 0 }
+        );
+        assert_eq!(at.is_clear(&scene, 0.0), !touches, "{height}");
+    }
+}

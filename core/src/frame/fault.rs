@@ -71,7 +71,7 @@ impl Faults {
     }
     /// Counts a fault.
     pub fn count(&mut self, kind: FaultKind) {
-        if let Some((_, count)) = self.pairs().find(|(k, _)| *k == kind) {
+        for (_, count) in self.pairs().filter(|(k, _)| *k == kind) {
             *count = count.saturating_add(1);
         }
     }

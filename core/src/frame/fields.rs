@@ -87,6 +87,10 @@ pub trait Sink {
     fn byte(&mut self, byte: u8) {
         self.put(&[byte]);
     }
+    /// One byte of parts that have no bit in common.
+    fn parts(&mut self, parts: &[u8]) {
+        self.byte(parts.iter().fold(0, |byte, part| byte | part));
+    }
     /// Two bytes, little-endian.
     fn u16(&mut self, value: u16) {
         self.put(&value.to_le_bytes());

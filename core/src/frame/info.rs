@@ -71,7 +71,7 @@ impl<'a> Info<'a> {
         sink.put(&[self.vertices, self.surfaces]);
         let has = [self.friction, self.weight, self.actuators];
         let [friction, weight, actuators] = has.map(u8::from);
-        sink.byte(friction | (weight << 1) | (actuators << 2));
+        sink.parts(&[friction, weight << 1, actuators << 2]);
         sink.u16(self.longest_frame);
         sink.u16(self.fastest_tick);
         for pair in [self.stiffest, self.stiffness, self.friction_now] {

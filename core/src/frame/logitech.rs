@@ -80,21 +80,22 @@ impl LogitechRecord {
     }
 }
 
+/// The number of bytes of 7 bits each, the high ones first.
+fn number(sevens: &[u8]) -> i32 {
+    sevens
+        .iter()
+        .fold(0, |sum, b| (sum << 7) | i32::from(b & 0x7f))
+}
+
 /// 21 bits, signed, to metres.
 fn length(sevens: [u8; 3]) -> f32 {
-    let bits = sevens
-        .iter()
-        .fold(0, |sum, b| (sum << 7) | i32::from(b & 0x7f));
     // The sign is bit 20.
-    f32::from_int((bits << 11) >> 11) * UNIT
+    f32::from_int((number(&sevens) << 11) >> 11) * UNIT
 }
 
 /// Sine and cosine of half an angle of 14 bits.
 fn half_angle(sevens: [u8; 2]) -> (f32, f32) {
-    let bits = sevens
-        .iter()
-        .fold(0, |sum, b| (sum << 7) | i32::from(b & 0x7f));
-    Real::sin_cos(f32::from_int(bits) * HALF_ANGLE)
+    Real::sin_cos(f32::from_int(number(&sevens)) * HALF_ANGLE)
 }
 
 /// q = q_y(yaw) q_x(pitch) q_z(roll)

@@ -88,7 +88,7 @@ impl Mode {
         for axis in self.plane {
             let sign = if axis.negative { NEGATIVE } else { 0 };
             match u8::try_from(axis.index) {
-                Ok(index @ 0..=2) => sink.byte(index | sign),
+                Ok(index @ 0..=2) => sink.parts(&[index, sign]),
                 _ => sink.refuse(),
             }
         }

@@ -140,7 +140,7 @@ impl Pose {
         let status = index_of(&Status::ALL, &self.status);
         let held = if self.held { 1 << 3 } else { 0 };
         let off = if self.force_off { 1 << 4 } else { 0 };
-        sink.byte(status | held | off | ((self.turns & 7) << 5));
+        sink.parts(&[status, held, off, (self.turns & 7) << 5]);
         sink.byte(self.events.bits);
         sink.byte(self.sample);
     }

@@ -86,7 +86,7 @@ impl Report<'_> {
 impl<'a> Wire<'a> for Report<'a> {
     fn code(&self) -> u8 {
         match self {
-            Self::Pose(pose) => POSE | pose.state_code(),
+            Self::Pose(pose) => POSE.wrapping_add(pose.state_code()),
             Self::Forces(_) => FORCES,
             Self::Events(_) => EVENTS,
             Self::Reply(_) => REPLY,

@@ -268,6 +268,9 @@ mod tests {
             .map(|part| R::from_si((length * part) as f32, 1.0));
         let apart = (wide(y.atan2(x)) - libm::atan2(wide(y), wide(x))).abs();
         assert!(apart.min(TAU - apart) < errors.angle, "{angle} {length}");
+        if wide(y).abs() > 0.01 * length {
+            assert_eq!(y.atan2(x) < R::ZERO, y < R::ZERO, "{angle} {length}");
+        }
     }
 
     fn check_root<R: Real<Si = f32>>(x: f64, errors: &Errors) {

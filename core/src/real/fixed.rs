@@ -133,9 +133,9 @@ impl Real for Fixed {
 
     fn from_int(n: i32) -> Self {
         match n {
+            ..=-128 => Self::new(-RAIL),
             -127..=127 => Self::new(n << product::PLACES),
-            _ if n < 0 => Self::new(-RAIL),
-            _ => Self::new(RAIL),
+            128.. => Self::new(RAIL),
         }
     }
     fn from_si(x: f32, per: f32) -> Self {

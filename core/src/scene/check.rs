@@ -109,9 +109,7 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
             length = length.max(distance);
         }
     }
-    if count > 2 {
-        check_convex(vertices, length)?;
-    }
+    check_convex(vertices, length)?;
     Ok(length)
 }
 
@@ -235,6 +233,7 @@ mod tests {
             assert_eq!(size(r * r, None), should, "{r}");
         }
         assert_eq!(size(0.0, None), 1.0, "without springs or lever");
+        assert_eq!(size(f64::INFINITY, None), 1.0, "no number of lengths");
         for exponent in -20..=20 {
             let r = libm::exp2(0.7 * f64::from(exponent) + 0.05);
             let found = size(r * r, None);
@@ -267,6 +266,24 @@ mod tests {
         change(&mut description);
         let error = check_numbers(&description).err()?;
         Some((error.parameter, error.allowed))
+    }
+
+    /// Whether a polygon is convex does not depend on how large it is; a corner on a straight side is none.
+    #[test]
+    fn convexity_is_that_of_the_shape() {
+        for exponent in (-30..=30).step_by(6) {
+            let scale = libm::exp10(f64::from(exponent)) as f32;
+            let scaled = |corner: [f32; 2]| {
+                let vertices = [[0.0, 0.0], [1.0, 0.0], corner, [0.0, 1.0]];
+                check_vertices::<f32, 4>(&vertices.map(|v| v.map(|x| x * scale)))
+            };
+            assert!(scaled([1.0, 1.0]).is_ok(), "{scale}");
+            assert!(scaled([0.75, 0.5]).is_ok(), "{scale}");
+            for dent in [[0.5, 0.5], [0.25, 0.5], [2.0, -1.0]] {
+                let error = scaled(dent).map_err(|error| error.parameter);
+                assert!(matches!(error, Err(Parameter::Vertex(_))), "{scale}");
+            }
+        }
     }
 
     #[test]

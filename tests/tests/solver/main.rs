@@ -17,6 +17,7 @@ mod laws;
 mod models;
 mod one_coefficient;
 mod projection;
+mod range;
 mod residual;
 mod scene_errors;
 mod size;

@@ -181,6 +181,10 @@ fn surface() {
     refused_by_all(Parameter::Normal(0), f64::NAN, |s| {
         s.surfaces[0].normal[0] = f64::NAN
     });
+    // Too long for the number type, though each of its parts is a number.
+    refused_by_all(Parameter::Normal(0), f64::INFINITY, |s| {
+        s.surfaces[0].normal = [1.5e308; 2]
+    });
     refused_by_all(Parameter::FrictionDynamic(0), -0.1, |s| {
         s.surfaces[0].friction_dynamic = -0.1
     });
@@ -208,6 +212,43 @@ fn penetration_at_the_start() {
         3e-5,
         |s| s.start[1] = -3e-5,
     );
+}
+
+/// Every parameter has a name of its own, with the indices that it is about.
+#[test]
+fn parameters_are_named() {
+    use Parameter as P;
+    let names = |i: usize, j: usize| {
+        let each = [
+            P::VertexCount,
+            P::Vertex(i),
+            P::Start,
+            P::Weight,
+            P::HoldingPoint,
+            P::Reach,
+            P::StiffnessTranslation,
+            P::StiffnessRotation,
+            P::SurfaceCount,
+            P::Normal(i),
+            P::Offset(i),
+            P::FrictionStatic(i),
+            P::FrictionDynamic(i),
+            P::Penetration {
+                surface: i,
+                vertex: j,
+            },
+        ];
+        each.map(|parameter| parameter.to_string())
+    };
+    let all = names(17, 23);
+    for (k, name) in all.iter().enumerate() {
+        assert!(!name.is_empty() && !all[..k].contains(name), "{name}");
+    }
+    for (name, other) in all.iter().zip(names(3, 5)) {
+        assert_eq!(name.replace("17", "3").replace("23", "5"), other);
+    }
+    let with = |index: &str| all.iter().filter(|name| name.contains(index)).count();
+    assert_eq!((with("17"), with("23")), (6, 1));
 }
 
 /// What is farther from a surface than 1e-5 of the body's size does not touch it at the start, and is not moved there.

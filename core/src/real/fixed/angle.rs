@@ -71,11 +71,9 @@ pub(super) fn turns(angle: i32) -> (i32, i32) {
         return (0, angle);
     }
     let (turns, rest) = reduced(angle.wrapping_abs());
-    if angle < 0 {
-        (turns.wrapping_neg(), rest.wrapping_neg())
-    } else {
-        (turns, rest)
-    }
+    let sign = angle >> 31;
+    let signed = |size: i32| (size ^ sign).wrapping_sub(sign);
+    (signed(turns), signed(rest))
 }
 
 /// Of an angle above half a turn.

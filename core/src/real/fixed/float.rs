@@ -42,13 +42,13 @@ pub(super) fn from_single(x: f32, per: f32) -> i32 {
             let top = (product >> 29) as u32;
             let exponent = a.exponent.wrapping_add(b.exponent).wrapping_add(halved);
             match 260i32.wrapping_sub(exponent) {
+                ..0 => RAIL,
                 shift @ 0..=31 => (top >> shift).div_ceil(2).min(RAIL as u32) as i32,
-                shift if shift < 0 => RAIL,
-                _ => 0,
+                32.. => 0,
             }
         }
         _ if x.to_bits() << 1 == 0 => 0,
-        _ if (x * per).is_finite() => 0,
+        _ if x.is_finite() && per.is_finite() => 0,
         _ => RAIL,
     };
     let sign = (x.to_bits() ^ per.to_bits()) as i32 >> 31;
@@ -75,8 +75,9 @@ pub(super) fn to_single(x: i32, unit: f32) -> f32 {
         .wrapping_add(halved)
         .wrapping_add(6)
         .wrapping_sub(shift as i32);
-    let sign = (x as u32 ^ unit.to_bits()) & 1 << 31;
-    f32::from_bits(sign | ((exponent as u32) << 23).wrapping_add(mantissa))
+    let size = f32::from_bits(((exponent as u32) << 23).wrapping_add(mantissa));
+    let sign = x as u32 ^ unit.to_bits();
+    size.copysign(f32::from_bits(sign))
 }
 
 #[cfg(test)]

@@ -48,10 +48,9 @@ fn rounded(product: i64) -> i32 {
     let upper = (product >> 32) as i32;
     if upper.wrapping_add(1 << 23) as u32 >> 24 == 0 {
         ((product >> PLACES) as i32).max(-RAIL)
-    } else if upper < 0 {
-        -RAIL
     } else {
-        RAIL
+        let sign = upper >> 31;
+        (RAIL ^ sign).wrapping_sub(sign)
     }
 }
 
@@ -108,8 +107,8 @@ mod halves {
         let lower = a_low.wrapping_mul(b_low) as u32;
         let upper = a_high.wrapping_mul(b_high);
         let middle = [a_high.wrapping_mul(b_low), a_low.wrapping_mul(b_high)];
-        let outer = i64::from(upper) << 32 | i64::from(lower);
-        outer
+        (i64::from(upper) << 32)
+            .wrapping_add(i64::from(lower))
             .wrapping_add(i64::from(middle[0]) << 16)
             .wrapping_add(i64::from(middle[1]) << 16)
     }

@@ -40,21 +40,19 @@ pub(super) fn root_of_sum(a: i32, b: i32, c: i32, d: i32) -> i32 {
 #[inline(never)]
 fn nearest(square: i64) -> i32 {
     let (upper, lower) = ((square >> 32) as u32, square as u32);
-    let mut root = if square < 0 {
+    let mut root = if square <= 0 {
         return 0;
     } else if upper >> 30 != 0 {
         return RAIL;
     } else if upper != 0 {
         let pairs = upper.leading_zeros() / 2;
         let filled = lower >> 1 >> 31u32.wrapping_sub(pairs.wrapping_mul(2));
-        let top = upper << pairs.wrapping_mul(2) | filled;
+        let top = (upper << pairs.wrapping_mul(2)).wrapping_add(filled);
         shifted(approximate(top), pairs)
-    } else if lower != 0 {
+    } else {
         let pairs = lower.leading_zeros() / 2;
         let top = lower << pairs.wrapping_mul(2);
         shifted(approximate(top), pairs.wrapping_add(16))
-    } else {
-        return 0;
     };
     let mut remainder = square.wrapping_sub(wide(root as i32, root as i32));
     while remainder > i64::from(root) {

@@ -1,0 +1,151 @@
+//! What a number type carries, and what it says of the rest: scenes, hands and grasps far out.
+
+use stiction_core::{
+    Evolution, Fixed, Frictionless, Full, Parameter, SceneError, StateKind, Status,
+};
+use stiction_tests::{Number, Run, RunOf, Setup, test_each};
+
+test_each!(
+    cases::pull_counts_from_the_body,
+    cases::scene_goes_as_far_as_the_numbers,
+);
+
+/// The farthest coordinate that is accepted (L).
+fn range<R: Number>() -> f64 {
+    R::wide(R::RANGE.to_si(R::si(1.0)))
+}
+
+mod cases {
+    use super::*;
+
+    /// A hand near a body is near it wherever both are, and far from it where it is on the other side of the origin.
+    pub(super) fn pull_counts_from_the_body<R: Number>(evolution: Evolution) {
+        let setup = |x: f64, y: f64| Setup::rod(1.0).held_at([0.0; 2]).at([x, y, 0.0]);
+        let far = 0.7 * range::<R>();
+        for (x, y) in [(far, 0.0), (-far, 0.0), (0.0, far), (0.0, -far)] {
+            let near = Run::<R>::start(&setup(x, y), evolution, [x, y, 0.0]).frame;
+            assert_eq!((near.held, near.status), (true, Status::Ok), "{x} {y}");
+            let beyond = Run::<R>::start(&setup(x, y), evolution, [-x, -y, 0.0]).frame;
+            let refused = (false, Status::Saturated);
+            assert_eq!((beyond.held, beyond.status), refused, "{x} {y}");
+            assert_eq!(beyond.pose, near.pose);
+        }
+    }
+
+    /// Every number of a scene, to just below the range of the type and just beyond it.
+    pub(super) fn scene_goes_as_far_as_the_numbers<R: Number>(_: Evolution) {
+        let body = || Setup::rod(1.0);
+        let setups = |far: f64| {
+            let mut aside = body().at([-far, 0.0, 0.0]);
+            for vertex in &mut aside.vertices {
+                vertex[0] += far;
+            }
+            [
+                (Parameter::Vertex(0), aside),
+                (Parameter::Start, body().at([0.0, far, 0.0])),
+                (Parameter::HoldingPoint, body().held_at([0.0, -far])),
+                (
+                    Parameter::Offset(0),
+                    body().surface([0.0, 1.0], -far, [0.5; 2]),
+                ),
+                (Parameter::StiffnessRotation, body().springs(1.0, far)),
+                (Parameter::Weight, body().weighing(far)),
+            ]
+        };
+        let refused = |setup: &Setup| setup.scene::<R>().err().map(|e| e.parameter);
+        let [within, beyond] = [0.9, 1.1].map(|part| setups(part * range::<R>()));
+        for ((parameter, near), (_, far)) in within.into_iter().zip(beyond) {
+            assert_eq!(refused(&near), None, "{parameter}");
+            let vertex = matches!(parameter, Parameter::Vertex(_));
+            let is = refused(&far);
+            let same = is == Some(parameter) || vertex && is == Some(Parameter::Vertex(1));
+            assert!(same, "{parameter}: {is:?}");
+        }
+    }
+}
+
+/// The lever counts from the contact, wherever the body's frame has its origin: the moments are those of half a rod.
+#[test]
+fn lever_counts_from_the_contact() {
+    let upright = std::f64::consts::FRAC_PI_2;
+    for aside in [-15.0, -8.0, 0.0, 8.0, 15.0] {
+        let setup = Setup::new(&[[aside, 0.0], [aside + 1.0, 0.0]])
+            .standing(0, [0.0; 2], upright)
+            .held_at([aside + 0.5, 0.0])
+            .floor([0.5, 0.3]);
+        let hand = [0.0, -6.0, upright];
+        let frame = Run::<Fixed>::start(&setup, Evolution::Path, hand).frame;
+        assert_eq!((frame.held, frame.status), (true, Status::Ok), "{aside}");
+    }
+}
+
+/// A foot that glides asks for the square of its lever (STATICS 10): up to 8 L in fixed point, however short the pull. One with
+/// friction does not.
+#[test]
+fn lever_of_a_glide_is_carried_up_to_eight_sizes() {
+    for (lever, glides) in [(7.9, true), (8.1, false)] {
+        let upright = std::f64::consts::FRAC_PI_2;
+        let setup = |friction: f64| {
+            let rod = Setup::rod(1.0).standing(0, [0.0; 2], upright);
+            rod.held_at([lever, 0.0]).floor([friction; 2])
+        };
+        let hand = [0.0, 4.0, upright];
+        let held = |friction| {
+            let run = RunOf::<Fixed, 2, 1, Full>::start(&setup(friction), Evolution::Path, hand);
+            run.frame.held
+        };
+        let run =
+            RunOf::<Fixed, 2, 1, Frictionless>::start(&setup(0.0), Evolution::Path, hand).frame;
+        let status = if glides {
+            Status::Ok
+        } else {
+            Status::Saturated
+        };
+        assert_eq!((run.held, run.status), (glides, status), "{lever}");
+        assert!(held(0.5), "{lever}");
+    }
+}
+
+/// At the most that a surface may cut in at the start, 1e-5 of the body's size, the scene is one still.
+#[test]
+fn depth_at_the_start_is_allowed_up_to_its_bound() {
+    let start = |depth: f64| {
+        let setup = Setup::rod(1.0).at([0.0, -depth, 0.0]).floor([0.5, 0.3]);
+        let error = |e: SceneError<f64>| e.parameter;
+        setup.scene::<f64>().map(|_| ()).map_err(error)
+    };
+    let first = Parameter::Penetration {
+        surface: 0,
+        vertex: 0,
+    };
+    assert_eq!(start(1e-5), Ok(()));
+    assert_eq!(
+        start(1e-5_f64.next_up()),
+        Err(first),
+        "of two as deep the first"
+    );
+}
+
+/// A block that rises at 45 degrees slips infinitely often before it lifts. So many slips as fit into a frame are nothing that
+/// limits it, more are (STATICS 7).
+#[test]
+fn hundred_slips_of_a_frame_are_no_limit() {
+    let (mut few, mut many) = (0, 0);
+    for mu_d in [0.1, 0.2, 0.3, 0.35, 0.4, 0.42, 0.45] {
+        let setup = Setup::block(2.0, 1.0)
+            .held_at([0.0, 0.5])
+            .floor([0.5, mu_d]);
+        let mut run = Run::<f64>::start(&setup, Evolution::Path, [0.0, 0.3, 0.0]);
+        let frame = run.step([0.4, 0.7, 0.0]);
+        assert_eq!(frame.state, StateKind::NonContact);
+        let limited = frame.slips >= 100;
+        let status = if limited {
+            Status::EventLimit
+        } else {
+            Status::Ok
+        };
+        assert_eq!(frame.status, status, "{mu_d}: {}", frame.slips);
+        *(if limited { &mut many } else { &mut few }) += 1;
+    }
+    assert!(few > 2 && many > 1, "{few} {many}");
+}
