@@ -73,6 +73,14 @@ impl<R: Real> Placed<R> {
         (height, self.orientation.rotation().undo(surface.normal))
     }
 
+    /// Neither shifted nor turned by more than a little, together.
+    pub(crate) fn is_near(&self, other: &Self, little: R) -> bool {
+        let [a, b] = [self, other].map(Self::pose);
+        let moved = (a.position - b.position).reach();
+        let turned = a.orientation.angle().minus(b.orientation.angle());
+        moved + turned.abs() <= little
+    }
+
     /// All contacts whose gap is below `tolerance`, in the order of surfaces and vertices.
     pub(crate) fn touching(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
         let mut list = Pairs::new();

@@ -76,14 +76,10 @@ impl<R: Real> Attempts<R> {
             StateKind::Locked => &mut self.locked,
             _ => return 0,
         };
-        let stays = |last: &Placed<R>| {
-            let (is, was) = (placed.pose(), last.pose());
-            let moved = (is.position - was.position).reach();
-            let turned = is.orientation.angle().minus(was.orientation.angle());
-            moved + turned.abs() <= R::MICRO
-        };
+        // Contacts on surfaces almost in line are seated anew a little aside.
+        let aside = R::MICRO * R::from_int(16);
         let count = match record {
-            Some((last, count)) if stays(last) => count.saturating_add(1),
+            Some((last, count)) if placed.is_near(last, aside) => count.saturating_add(1),
             _ => 0,
         };
         *record = Some((*placed, count));

@@ -196,13 +196,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let from = state.grip;
         let (mut done, mut next) = (R::ZERO, R::ONE);
         for _ in 0..FINEST_HALF {
-            let at = from.lerp(to, done + next);
-            let mut trial = (state.contact.clone(), Log::default());
-            settle(&self.scene, &at, &mut trial.0, None, &mut trial.1);
-            if trial.1.is_one_slip() && trial.0.contacts() == state.contact.contacts() {
-                state.contact = trial.0;
-                state.grip = at;
-                log.merge(&trial.1);
+            let half = next.halved();
+            let places = [half, next, next + half].map(|step| from.lerp(to, done + step));
+            if let Some((contact, slid)) = self.slid(&state.contact, &places) {
+                state.contact = contact;
+                state.grip = places[1];
+                log.merge(&slid);
                 done = done + next;
                 if done == R::ONE {
                     return;
@@ -213,6 +212,33 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let at = from.lerp(to, done + next.doubled());
         self.by_jump(state, &at, log);
         state.grip = at;
+    }
+
+    /// A slip to the second of three places of the hand and nothing else. Where the pull falls again the body stays at its farthest
+    /// place, which a slip to the end does not reach: it must end there by way of the first, too, and go on to the third. What can be
+    /// lost on a short way, by its square, counts as no slip.
+    fn slid(
+        &self,
+        contact: &ContactState<R>,
+        [middle, at, beyond]: &[Grip<R>; 3],
+    ) -> Option<(ContactState<R>, Log<R>)> {
+        let one_slip = |contact: &ContactState<R>, at: &Grip<R>| {
+            let (mut trial, mut log) = (contact.clone(), Log::default());
+            settle(&self.scene, at, &mut trial, None, &mut log);
+            let is_one_slip = log.is_one_slip() && trial.contacts() == contact.contacts();
+            is_one_slip.then_some((trial, log))
+        };
+        let (slid, log) = one_slip(contact, at)?;
+        if middle.way_to(beyond).size() > R::MICRO * R::from_int(512) {
+            let (half, _) = one_slip(contact, middle)?;
+            let (same, _) = one_slip(&half, at)?;
+            let [there, same] = [&slid, &same].map(|contact| contact.placed(&self.scene));
+            if !there.is_near(&same, R::MICRO) {
+                return None;
+            }
+            one_slip(&slid, beyond)?;
+        }
+        Some((slid, log))
     }
 
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be

@@ -124,8 +124,9 @@ fn set_of_arms_has_what_was_added() {
 
 #[test]
 fn attempts_are_counted_while_nothing_moves() {
-    const NEAR: f64 = 0.4 * <f64 as Real>::MICRO;
-    const FAR: f64 = 0.8 * <f64 as Real>::MICRO;
+    const ASIDE: f64 = 16.0 * <f64 as Real>::MICRO;
+    const NEAR: f64 = 0.4 * ASIDE;
+    const FAR: f64 = 0.8 * ASIDE;
     let placed = |x: f64, y: f64, turn: f64| Placed {
         point: Vec2::new(5.0 + x, -3.0 + y),
         body_point: Vec2::ZERO,

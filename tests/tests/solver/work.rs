@@ -107,7 +107,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 22] = [
     ("block set down tilted", [[214, 20_800], [174, 1370]]),
     (
         "block slid flush against a slanted wall",
-        [[1730, 169_000], [378, 16_300]],
+        [[2280, 217_000], [378, 16_300]],
     ),
     ("strut buckles", [[240, 2150], [233, 1560]]),
     ("strut buckles in a groove", [[483, 5460], [419, 5780]]),
@@ -128,7 +128,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 22] = [
     ),
     ("point in a corner", [[355, 40_400], [265, 1710]]),
     ("tip slides along", [[230, 16_300], [185, 1480]]),
-    ("frictionless tip", [[1890, 3250], [483, 1320]]),
+    ("frictionless tip", [[3180, 4980], [483, 1320]]),
 ];
 
 /// The same where contacts glide.
