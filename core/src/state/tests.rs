@@ -2,8 +2,13 @@
 //! stays; else by as little as closes the gaps.
 
 use super::*;
+use crate::fixtures::pivot;
 use crate::geometry::{Angle, Orientation};
+use crate::model::Model;
 use crate::scene::{Description, Scene, SurfaceDescription};
+
+mod absent;
+mod unsure;
 
 type Room = Scene<f64, 4, 4>;
 
@@ -46,17 +51,33 @@ fn scene(planes: &[(f64, [f64; 2])]) -> Room {
     found.find_map(Result::ok).expect("a sound scene")
 }
 
-fn pair(vertex: u8, surface: u8) -> Pair {
-    Pair { vertex, surface }
+/// A body on a floor with a coefficient of friction (static; half of it dynamic).
+fn on_floor<const V: usize, M: Model>(
+    vertices: &[[f64; 2]],
+    (weight, stiffness): (f64, f64),
+    mu: f64,
+) -> Scene<f64, V, 1, M> {
+    let floor = SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        friction_static: mu,
+        friction_dynamic: mu / 2.0,
+    };
+    let scene = Scene::new(&Description {
+        vertices,
+        start: [0.0, 2.0, 0.0],
+        weight,
+        holding_point: Some([0.5, 0.0]),
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: stiffness,
+        surfaces: &[floor],
+    });
+    scene.expect("a sound scene")
 }
 
-/// Vertex 0 on the floor at the foot 0, turned.
-fn pivot(turn: f64) -> Pivot<f64> {
-    Pivot {
-        contact: pair(0, 0),
-        foot: 0.0,
-        orientation: Orientation::new(Angle::from_radians(turn)),
-    }
+fn pair(vertex: u8, surface: u8) -> Pair {
+    Pair { vertex, surface }
 }
 
 #[track_caller]
