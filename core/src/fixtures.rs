@@ -64,6 +64,15 @@ pub(crate) fn scene<const V: usize, const S: usize>(
     vertices: &[[f64; 2]],
     angles: &[f64; S],
 ) -> Scene<f64, V, S> {
+    sprung(vertices, angles, 1.0)
+}
+
+/// The same in a grip of a stiffness.
+pub(crate) fn sprung<const V: usize, const S: usize>(
+    vertices: &[[f64; 2]],
+    angles: &[f64; S],
+    stiffness: f64,
+) -> Scene<f64, V, S> {
     let surfaces = angles.map(|angle| {
         let (sin, cos) = libm::sincos(angle);
         SurfaceDescription {
@@ -85,7 +94,7 @@ pub(crate) fn scene<const V: usize, const S: usize>(
         holding_point: Some([0.0, 0.0]),
         reach: 0.0,
         stiffness_translation: 1.0,
-        stiffness_rotation: 1.0,
+        stiffness_rotation: stiffness,
         surfaces: &surfaces,
     });
     scene.expect("a sound scene")

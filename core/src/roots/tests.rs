@@ -222,8 +222,8 @@ fn first_listed_of_two_zeros_counts() {
     }
 }
 
-/// |x| + 2^-20 comes near zero without becoming it, so that every step is a part of the way there: a search that gives up says
-/// so, at a place up to which there is no zero.
+/// (1 - x)² with a bound of its curvature that is twice too large: every step is a part of the way to its double root. A search
+/// that gives up says so, at a place up to which there is no zero.
 #[test]
 fn search_that_gives_up_says_so() {
     let falls = |x: f64| Slope {

@@ -1,0 +1,84 @@
+//! At the bounds of what is borne: how exactly a facet is known, which way contacts without friction slide, what single contacts
+//! leave of a load.
+
+use super::*;
+
+const ROUNDING: f64 = 1.0 / 1024.0;
+
+/// Two contacts without friction on a floor bear no pull along it. Forces are told apart by more than the rounding, and as much
+/// less as the contacts are close together, since the facet is so much less sharp.
+#[test]
+fn facet_is_known_as_exactly_as_its_edges_are_apart() {
+    for (span, sharp) in [
+        (2.0, 1.0),
+        (1.0, 1.0),
+        (0.125, 0.125),
+        (1.0 / 64.0, 1.0 / 64.0),
+    ] {
+        let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(span, 0.0), 0.0, 0.0)]);
+        for (times, yields) in [
+            (0.5, false),
+            (1.0, false),
+            (2.0, true),
+            (-1.0, false),
+            (-2.0, true),
+        ] {
+            let load = screw(times * ROUNDING / sharp, -1.0, -0.5 * span);
+            let found = support.first_yield(load, load, ROUNDING);
+            assert_eq!(found, yields.then_some(0.0), "{span} {times}");
+        }
+    }
+}
+
+/// Where contacts without friction slide, the load moves the body: the twist that leaves both on their surfaces, in the sense in
+/// which the load does work.
+#[test]
+fn without_friction_contacts_slide_as_the_load_moves_them() {
+    let mut count = 0;
+    for seed in 0..2000 {
+        let mut random = Random(seed);
+        let contacts = contacts(&mut random, true);
+        let (support, edges) = support(&contacts);
+        let load = random.screw();
+        let yields = support.yields(load, 1e-12, &|_| true);
+        let Some(Yield::Slide { first, second }) = yields else {
+            continue;
+        };
+        // Both edges of a contact without friction are its normal.
+        let [a, b] = [first.0, second.0].map(|i| edges[2 * i]);
+        let twist = a.cross(b);
+        let sense = load.dot(twist).signum();
+        if load.dot(twist).abs() < 1e-6 {
+            continue;
+        }
+        for (contact, sign) in [first, second] {
+            let (lever, angle, _) = contacts[contact];
+            let (sin, cos) = libm::sincos(angle);
+            let velocity = twist.force + lever.turned() * twist.moment;
+            assert!(Vec2::new(-sin, cos).dot(velocity).abs() < 1e-12, "{seed}");
+            let along = Vec2::new(cos, sin).dot(velocity) * sense;
+            assert!(
+                along * sign > 0.0 || along.abs() < 1e-9,
+                "{seed}: {along} {sign}"
+            );
+        }
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
+
+/// A single contact leaves of a load what is across it, at whatever lever.
+#[test]
+fn single_contact_leaves_what_is_across() {
+    for lever in [0.0, 0.5, 3.0] {
+        let (support, edges) = support(&[(Vec2::new(lever, 0.0), 0.0, 0.0)]);
+        for (along, across) in [(1.0, 0.1), (2.0, -0.3), (0.25, 0.0)] {
+            let load = sum(edges[0], screw(across, 0.0, 0.0), [-along, 1.0]);
+            let left = support.left(load, LITTLE);
+            assert!(
+                (left - f64::abs(across)).abs() < 1e-12,
+                "{lever} {along} {left}"
+            );
+        }
+    }
+}
