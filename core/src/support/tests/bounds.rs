@@ -82,3 +82,32 @@ fn single_contact_leaves_what_is_across() {
         }
     }
 }
+
+/// In a slot the bearable loads lie in one line, wherever along the slot the contacts are: what is off it by the rounding is borne,
+/// and so is a pull of that size.
+#[test]
+fn slot_bears_to_within_the_rounding() {
+    for lever in [0.0, 3.0, -8.0] {
+        let line = screw(0.0, 1.0, lever);
+        for angles in [[0.0, core::f64::consts::PI], [0.0, 0.0]] {
+            let (support, _) = support(&angles.map(|angle| (Vec2::new(lever, 0.0), angle, 0.0)));
+            let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+            for (off, is_borne) in [(0.75, true), (-0.75, true), (1.5, false), (-1.5, false)] {
+                let load = sum(line, screw(off * ROUNDING, 0.0, 0.0), [-1.0, 1.0]);
+                assert_eq!(bears(load), is_borne, "{lever} {off}");
+            }
+            let pull = |times: f64| line.scaled(times * ROUNDING / line.size());
+            assert!(bears(pull(0.75)), "{lever}");
+            assert_eq!(bears(pull(1.5)), angles[0] != angles[1], "{lever}");
+        }
+    }
+}
+
+#[test]
+fn load_is_scaled_in_all_parts() {
+    let load = screw(1.0, -2.0, 3.0);
+    for k in [-1.0, 0.25, 8.0] {
+        assert_eq!(load.scaled(k), screw(k, -2.0 * k, 3.0 * k));
+        assert_eq!(load.over(k), load.scaled(1.0 / k));
+    }
+}
