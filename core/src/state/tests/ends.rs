@@ -83,11 +83,17 @@ fn tip_that_does_not_press_is_not_calm() {
         jumps: false,
         tolerance: 0.0,
     };
-    for (press, follows) in [(0.0, None), (-0.5, None), (0.5, Some(Trigger::Balanced))] {
+    for (press, turn, follows) in [
+        (0.0, 0.0, None),
+        (0.0, 0.01, None),
+        (-0.5, 0.0, None),
+        (0.5, 0.0, Some(Trigger::Balanced)),
+        (0.5, 0.01, Some(Trigger::Balanced)),
+    ] {
         let grip = Grip {
             holding_point: Vec2::ZERO,
             hand: Vec2::new(0.0, -press),
-            angle: Angle::default(),
+            angle: Angle::from_radians(turn),
         };
         let mut state = ContactState::SingleVertex(SingleVertex::new(pivot(0.0)));
         assert_eq!(
