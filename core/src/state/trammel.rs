@@ -187,14 +187,15 @@ impl<R: Real> Trammel<R> {
         });
         let found = self.quantities(&start, R::ONE);
         self.sense.resistance = found.resistance.value;
-        let sense = self.sense.resistance.sign();
         let [first, second] = self.sense.reactions;
         // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
         let facet = first.cross(second).hypot(self.arm.cross(second));
         let resolved = R::rounding(facet).doubled().doubled();
         let rounding = (self.stance.rounding() * self.per_load * facet).max(resolved);
-        let [n1, n2] = found.normals.map(|n| n.as_slope(sense).value);
-        self.sense.excess = found.imbalance.as_slope(sense).value;
+        let [n1, n2] = found
+            .normals
+            .map(|n| n.value * self.sense.resistance.sign());
+        self.sense.excess = found.imbalance.value * self.sense.resistance.sign();
         let pressed = n1 >= -rounding && n2 >= -rounding;
         self.sense.resistance.abs() > rest
             && self.sense.excess > rounding
