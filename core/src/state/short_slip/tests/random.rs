@@ -1,7 +1,7 @@
 //! Random slips: where one ends, nothing is left but the rounding, however its sizes compare; and what hardly presses has none.
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{self, Random};
 
 impl Random {
     /// From 2^-6 to 4 or so, of either sign.
@@ -66,5 +66,39 @@ fn slip_without_pressure_is_not_certain() {
             "{press}: {:?}",
             case.find()
         );
+    }
+}
+
+/// A vertex that is held at itself and pulled to exactly (E3) slides by nothing, and by what it is pulled beyond that; one that is
+/// off balance by more than 2^-19, or not driven, has no slip to speak of.
+#[test]
+fn slip_begins_at_the_balance() {
+    let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
+    let pivot = fixtures::pivot(0.0);
+    let surface = pivot.surface(&scene);
+    let micro = <f64 as Real>::MICRO;
+    for sign in [1.0, -1.0] {
+        let drive = (surface.friction).drive(surface.normal, surface.tangent * sign);
+        // Across the drive.
+        let balanced = Vec2::new(drive.y * sign, -drive.x * sign);
+        for (more, turn, slips) in [
+            (0.0, 0.0, true),
+            (-1e-6, 0.0, false),
+            (1e-6, 0.0, true),
+            (1e-6, micro, true),
+            (1e-6, 1.5 * micro, false),
+        ] {
+            let grip = Grip {
+                holding_point: Vec2::ZERO,
+                hand: balanced + Vec2::new(sign * more, 0.0),
+                angle: Angle::from_radians(turn),
+            };
+            let stance = pivot.stance(&scene, &grip);
+            let found = ShortSlip::find(&scene, (&pivot, &stance), &grip, sign);
+            let about = found.map_or_else(|about| about, |slip| Some(slip.slide * sign));
+            assert_eq!(about.is_some(), slips, "{sign} {more} {turn}");
+            let off = about.map_or(0.0, |about| about - more);
+            assert!(off.abs() < 1e-15, "{sign} {more} {turn}: {off}");
+        }
     }
 }
