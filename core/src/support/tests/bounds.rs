@@ -111,3 +111,35 @@ fn load_is_scaled_in_all_parts() {
         assert_eq!(load.over(k), load.scaled(1.0 / k));
     }
 }
+
+/// Parts of edges that lie almost in a plane are hardly known; even so they leave almost nothing of a load that they bear.
+#[test]
+fn blunt_edges_bear_to_the_rounding() {
+    const LEAVES: f64 = 1e-14;
+    let mut count = 0;
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let lever = random.vector() * 1e-7;
+        let mut angle = || 3.0 * random.next();
+        let contacts = [(Vec2::ZERO, angle(), 0.5), (lever, angle(), 0.5)];
+        let (support, edges) = support(&contacts);
+        let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
+        if volume < 1e-9 {
+            continue;
+        }
+        let mut load = screw(0.0, 0.0, 0.0);
+        for edge in &edges[..3] {
+            load = sum(load, *edge, [1.0, -0.6 - 0.4 * random.next()]);
+        }
+        assert!(
+            support.bears_on([0, 1, 2], load, LEAVES),
+            "{seed}: {volume}"
+        );
+        assert!(
+            support.left(load, LEAVES) <= 2.0 * LEAVES,
+            "{seed}: {volume}"
+        );
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
