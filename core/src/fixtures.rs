@@ -1,8 +1,11 @@
-//! What the tests of single functions share: random numbers, loads about as large as what is carried, a pivot without a load.
+//! What the tests of single functions share: random numbers, loads about as large as what is carried, a pivot without a load,
+//! bodies among planes, searches that are counted.
 
-use crate::coupling::Stance;
+use crate::coupling::{Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Orientation, Vec2};
+use crate::scene::{Description, Scene, SurfaceDescription};
+use crate::state::Pair;
 
 /// Random numbers from a seed, the same in every run.
 pub(crate) struct Random(pub(crate) u64);
@@ -57,5 +60,107 @@ pub(crate) fn unloaded() -> Stance<f64> {
         force: Vec2::ZERO,
         stiffness: 1.0,
         tolerance: 0.0,
+    }
+}
+
+/// A body without weight on planes through the origin, with normals at some angles (rad) from the upright one; mu_s = 0.5,
+/// mu_d = 0.3.
+pub(crate) fn scene<const V: usize, const S: usize>(
+    vertices: &[[f64; 2]],
+    angles: &[f64; S],
+) -> Scene<f64, V, S> {
+    sprung(vertices, angles, 1.0)
+}
+
+/// The same in a grip of a stiffness.
+pub(crate) fn sprung<const V: usize, const S: usize>(
+    vertices: &[[f64; 2]],
+    angles: &[f64; S],
+    stiffness: f64,
+) -> Scene<f64, V, S> {
+    let surfaces = angles.map(|angle| {
+        let (sin, cos) = libm::sincos(angle);
+        SurfaceDescription {
+            normal: [-sin, cos],
+            offset: 0.0,
+            friction_static: 0.5,
+            friction_dynamic: 0.3,
+        }
+    });
+    // Far out along the mean of the normals it is inside of no surface.
+    let out = angles.map(libm::sincos);
+    let out = out.iter().fold([0.0, 0.0], |[x, y], (sin, cos)| {
+        [x - 9.0 * sin, y + 9.0 * cos]
+    });
+    let scene = Scene::new(&Description {
+        vertices,
+        start: [out[0], out[1], 0.0],
+        weight: 0.0,
+        holding_point: Some([0.0, 0.0]),
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: stiffness,
+        surfaces: &surfaces,
+    });
+    scene.expect("a sound scene")
+}
+
+/// Vertex 0 on the first surface at the foot 0, turned.
+pub(crate) fn pivot(turn: f64) -> Pivot<f64> {
+    Pivot {
+        contact: Pair::default(),
+        foot: 0.0,
+        orientation: Orientation::new(Angle::from_radians(turn)),
+    }
+}
+
+/// What the searches of a test do. They may be made to give up after fewer steps than they have.
+pub(crate) mod searches {
+    extern crate std;
+
+    use core::cell::Cell;
+    use core::iter;
+
+    #[derive(Clone, Copy, Debug, Default)]
+    pub(crate) struct Counts {
+        pub(crate) searches: usize,
+        pub(crate) steps: usize,
+        /// Searches that gave up.
+        pub(crate) unsure: usize,
+    }
+
+    std::thread_local! {
+        static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
+        static COUNTS: Cell<Counts> = const { Cell::new(Counts { searches: 0, steps: 0, unsure: 0 }) };
+    }
+
+    fn count(change: impl FnOnce(&mut Counts)) {
+        let mut counts = COUNTS.get();
+        change(&mut counts);
+        COUNTS.set(counts);
+    }
+
+    /// The steps of a search.
+    pub(crate) fn steps(most: usize) -> impl Iterator<Item = usize> {
+        count(|c| c.searches += 1);
+        let steps = (0..most.min(MOST.get())).inspect(|_| count(|c| c.steps += 1));
+        steps.chain(iter::from_fn(|| {
+            count(|c| c.unsure += 1);
+            None
+        }))
+    }
+
+    /// Runs with searches that give up after so many steps.
+    pub(crate) fn giving_up<T>(after: usize, run: impl FnOnce() -> T) -> (T, Counts) {
+        COUNTS.set(Counts::default());
+        MOST.set(after);
+        let done = run();
+        MOST.set(usize::MAX);
+        (done, COUNTS.get())
+    }
+
+    /// Runs and counts.
+    pub(crate) fn counted<T>(run: impl FnOnce() -> T) -> (T, Counts) {
+        giving_up(usize::MAX, run)
     }
 }

@@ -104,7 +104,11 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
 ) -> Found<R> {
     let mut x = R::ZERO;
     let mut nearest = 0;
-    for i in 0..MAX_STEPS {
+    #[cfg(not(test))]
+    let steps = 0..MAX_STEPS;
+    #[cfg(test)]
+    let steps = crate::fixtures::searches::steps(MAX_STEPS);
+    for i in steps {
         let Look { functions, window } = look(x);
         let mut step = window;
         let mut closest = None;
@@ -241,7 +245,7 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
     pub(crate) fn over_fold(&self, direction: R) -> Downhill<R> {
         let size = self.bend.bound(self.hold.length(), 3);
         let ahead = -direction * self.bend.bow(self.hold.y);
-        let clear = if size > R::ZERO && ahead > R::ZERO {
+        let clear = if ahead > R::ZERO {
             (R::ONE + R::HALF) * ahead / size
         } else {
             R::ZERO
@@ -292,24 +296,23 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
             let (sin, cos) = ((half_sin * half_cos).doubled(), R::ONE - versine);
             let first =
                 self.now() - self.stiffness * turn - versine * self.hold.y - sin * self.hold.x;
-            let value = self.bend.falls(first, sin, (cos, sin));
+            let value = direction * self.bend.falls(first, sin, (cos, sin));
             let first = self.stiffness + cos * self.hold.x + sin * self.hold.y;
             let slope = -self.bend.slope(first, (cos, sin));
-            snapped |= slope > R::ZERO && value * direction > rounding;
+            snapped |= slope > R::ZERO && value > rounding;
             Look::far([Slope {
-                value: value * direction,
+                value,
                 slope,
                 curvature: bent,
                 rounding,
             }])
         });
-        let (way, unsure) = match found {
-            Found::Zero { x, .. } => (start + x, false),
-            Found::Unsure { x, .. } => (start + x, true),
-            Found::Nothing { x } => (start + x, true),
+        let (x, unsure) = match found {
+            Found::Zero { x, .. } => (x, false),
+            Found::Unsure { x, .. } | Found::Nothing { x } => (x, true),
         };
         Downhill {
-            turn: direction * way,
+            turn: direction * (start + x),
             snapped,
             unsure,
         }

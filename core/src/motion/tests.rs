@@ -2,10 +2,11 @@
 //! must hold as far as they are given for, and be no looser than the terms that they are sums of.
 
 use super::*;
-use crate::fixtures::{Random, sampled};
+use crate::fixtures::{Random, sampled, searches};
 use crate::jet::Jet;
 
 mod cases;
+mod ends;
 mod jets;
 
 impl Random {

@@ -1,7 +1,7 @@
 //! The searches against slow ones: folds, balances downhill, first zeros; what is polished and what is carried.
 
 use super::*;
-use crate::fixtures::loads;
+use crate::fixtures::{loads, searches};
 use crate::motion::Unbent;
 use crate::real::Fixed;
 
@@ -159,10 +159,13 @@ fn steps_follow_the_lowest_course() {
                 assert!(!f.is_clear_of(1.01 * step));
             }
         }
-        assert_eq!(slope(e, 1.0, 0.0).safe_step(), <f64 as Real>::HUGE);
+        for d in [0.0, 1.0] {
+            assert_eq!(slope(e, d, 0.0).safe_step(), <f64 as Real>::HUGE);
+        }
     }
     let zero = 0.5 * ROUNDING;
     for (value, d, first) in [
+        (ROUNDING, 3.0, 1.5),
         (zero, 3.0, 1.5),
         (-1.0, 3.0, 1.5),
         (zero, -3.0, 0.0),
@@ -178,6 +181,137 @@ fn steps_follow_the_lowest_course() {
         });
     }
     assert_eq!(slope(zero, 3.0, 0.0).first_step(), <f64 as Real>::HUGE);
+}
+
+/// What is as small as its rounding is not clear of zero, at the beginning or at the end of a step.
+#[test]
+fn rounding_counts_as_zero() {
+    const ROUNDING: f64 = 1.0 / 1024.0;
+    let slope = |value: f64, slope: f64| Slope {
+        value: value * ROUNDING,
+        slope: slope * ROUNDING,
+        curvature: 0.0,
+        rounding: ROUNDING,
+    };
+    for (value, d, is_clear) in [
+        (1.0, 1.0, false),
+        (2.0, -1.0, false),
+        (1.5, 0.0, true),
+        (2.0, -0.5, true),
+        (3.0, -3.0, false),
+    ] {
+        assert_eq!(slope(value, d).is_clear_of(1.0), is_clear, "{value} {d}");
+    }
+}
+
+/// Of two zeros at one place the first listed counts; with no zero before the limit there is none.
+#[test]
+fn first_listed_of_two_zeros_counts() {
+    let falls = |x: f64, from: f64| Slope {
+        value: from - x,
+        slope: -1.0,
+        curvature: 0.0,
+        rounding: 1e-15,
+    };
+    for (begins, which) in [([1.0, 1.0], 0), ([1.5, 1.0], 1), ([1.0, 1.5], 0)] {
+        let look = |x: f64| Look::far(begins.map(|from| falls(x, from)));
+        let found = first_zero((8.0, 0.0), look);
+        assert_eq!(found, Found::Zero { x: 1.0, which });
+        let found = first_zero((0.5, 0.0), look);
+        assert_eq!(found, Found::Nothing { x: 0.0 });
+    }
+}
+
+/// (1 - x)² with a bound of its curvature that is twice too large: every step is a part of the way to its double root. A search
+/// that gives up says so, at a place up to which there is no zero.
+#[test]
+fn search_that_gives_up_says_so() {
+    let falls = |x: f64| Slope {
+        value: (1.0 - x) * (1.0 - x),
+        slope: -2.0 * (1.0 - x),
+        curvature: 4.0,
+        rounding: 1e-30,
+    };
+    let flat = Slope {
+        value: 1.0,
+        slope: 0.0,
+        curvature: 0.0,
+        rounding: 1e-30,
+    };
+    let mut last = 0.0;
+    for most in 1..20 {
+        let search = || first_zero((8.0, 0.0), |x| Look::far([flat, falls(x)]));
+        let (found, counts) = searches::giving_up(most, search);
+        let Found::Unsure { x, which: 1 } = found else {
+            panic!("{most}: {found:?}");
+        };
+        assert!(x > last && x < 1.0, "{most}: {x}");
+        assert_eq!((counts.steps, counts.unsure), (most, 1));
+        last = x;
+    }
+}
+
+/// A turn downhill that gives up is where the moment still pulls on, and says so.
+#[test]
+fn turn_that_gives_up_says_so() {
+    for (now, k, load) in [(30.0, 1.0, (2.0, -2.0)), (-2.0, 0.0, (-1.0, -2.0))] {
+        let moment = moment::<f64>(now, k, load);
+        let whole = moment.downhill();
+        let mut last = 0.0;
+        for most in 1..40 {
+            let (found, counts) = searches::giving_up(most, || moment.downhill());
+            assert_eq!(found.unsure, counts.unsure > 0, "{most}");
+            let way = found.turn * now.signum();
+            assert!(
+                way >= last && way <= whole.turn.abs() * (1.0 + 1e-9),
+                "{way}"
+            );
+            last = way;
+            if !found.unsure {
+                assert_eq!(found, whole);
+            }
+        }
+        assert_eq!(last, whole.turn.abs());
+    }
+}
+
+/// Before an angle at which the springs' couple outweighs the load there is no balance, so that many turns are no more work
+/// than one.
+#[test]
+fn many_turns_are_no_more_work_than_one() {
+    for k in [0.25, 1.0, 4.0] {
+        for angle in [6.0, 60.0, 6000.0] {
+            let moment = moment::<f64>(k * angle, k, (2.0 * k, 0.0));
+            let (found, counts) = searches::counted(|| moment.downhill());
+            // A search takes 3 to 9 steps to a simple zero; within the last turn there may be a near one before it.
+            assert!(counts.steps <= 16, "{k} {angle}: {counts:?}");
+            let (sin, _) = libm::sincos(found.turn);
+            let left = angle - found.turn - 2.0 * sin;
+            assert!(left.abs() < 1e-12 * angle, "{k} {angle}: {left}");
+        }
+    }
+}
+
+/// It snaps where the moment grew on the way; one that keeps its size at first and then falls has not.
+#[test]
+fn moment_that_only_falls_does_not_snap() {
+    for (y, snapped) in [(1.0, false), (-1.0, true)] {
+        let level = moment::<f64>(0.5, 1.0, (-1.0, y));
+        assert_eq!(level.stability(), 0.0);
+        let found = level.downhill();
+        assert_eq!(found.snapped, snapped, "{y}: {found:?}");
+    }
+}
+
+/// Without a load there is no fold to be left behind: the springs' balance.
+#[test]
+fn fold_without_a_load_is_the_balance_of_the_springs() {
+    let moment = moment::<f64>(0.5, 2.0, (0.0, 0.0));
+    let found = moment.over_fold(1.0);
+    assert!(
+        (found.turn - 0.25).abs() < 1e-15 && !found.unsure,
+        "{found:?}"
+    );
 }
 
 /// The search never passes a zero, even where a later one is steeper.

@@ -180,15 +180,13 @@ mod tests {
     use crate::geometry::{Angle, Orientation};
     use crate::scene::{Description, Scene, SurfaceDescription};
 
-    const MU: f64 = 0.5;
-
-    /// A point on a floor and on a plane whose normal is turned from the floor's by an angle.
-    fn corner(angle: f64) -> (Scene<f64, 1, 2>, Corner<f64>) {
-        let surface = |angle: f64| SurfaceDescription {
+    /// A point on a floor and on a plane whose normal is turned from the floor's by an angle, with their mu_s.
+    fn corner(angle: f64, mu: [f64; 2]) -> (Scene<f64, 1, 2>, Corner<f64>) {
+        let surface = |angle: f64, mu: f64| SurfaceDescription {
             normal: [-libm::sin(angle), libm::cos(angle)],
             offset: 0.0,
-            friction_static: MU,
-            friction_dynamic: MU / 2.0,
+            friction_static: mu,
+            friction_dynamic: mu / 2.0,
         };
         let scene = Scene::new(&Description {
             vertices: &[[0.0, 0.0]],
@@ -198,7 +196,7 @@ mod tests {
             reach: 0.0,
             stiffness_translation: 1.0,
             stiffness_rotation: 1.0,
-            surfaces: &[surface(0.0), surface(angle)],
+            surfaces: &[surface(0.0, mu[0]), surface(angle, mu[1])],
         });
         let pivot = Pivot {
             contact: Pair::default(),
@@ -209,13 +207,20 @@ mod tests {
     }
 
     /// The reaction may have any direction between the outer edges of the two cones, these included; where both surfaces are
-    /// left the vertex is free, else it slides on one of them.
+    /// left the vertex is free, else it slides on one of them. The cone of a rough plane may have both.
     #[test]
     fn vertex_stays_while_the_reaction_is_between_the_outer_edges() {
-        let cone = libm::atan(MU);
-        for angle in [0.3, 1.2, 1.9, -0.7] {
-            let (scene, corner) = corner(angle);
-            let (first, last) = (angle.min(0.0) - cone, angle.max(0.0) + cone);
+        let even = [0.3, 1.2, 1.9, -0.7].map(|angle| (angle, [0.5, 0.5]));
+        let rough = [
+            (0.3, [0.1, 1.5]),
+            (0.3, [1.5, 0.1]),
+            (-0.4, [0.2, 2.0]),
+            (-0.4, [2.0, 0.2]),
+        ];
+        for (angle, mu) in even.into_iter().chain(rough) {
+            let (scene, corner) = corner(angle, mu);
+            let [floor, plane] = mu.map(libm::atan);
+            let (first, last) = (f64::min(-floor, angle - plane), floor.max(angle + plane));
             for i in -300..=300 {
                 // Of the reaction from the floor's normal; both edges are among them.
                 let edges = [first, last];

@@ -56,11 +56,8 @@ impl<R: Real> Edge<R> {
 
     fn reaction(&self, scene: &impl World<R>, stance: &Stance<R>, way: &Way<R>) -> Reaction<R> {
         let surface = self.pivot.surface(scene);
-        let fixed = |margin: Margin<R>| Margin {
-            turning: Vec2::ZERO,
-            ..margin
-        };
-        let normal = fixed(stance.reaction(surface.normal, way));
+        // The edge does not turn.
+        let normal = stance.reaction(surface.normal, way);
         // x_2 - x_1
         let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
         let turn = scene.stiffness() * way.turn + stance.lever.cross(way.hand);
@@ -73,7 +70,7 @@ impl<R: Real> Edge<R> {
         Reaction {
             parts: [normal.combine(R::ONE, second, -R::ONE), second],
             normal,
-            friction: fixed(stance.reaction(surface.tangent, way)),
+            friction: stance.reaction(surface.tangent, way),
         }
     }
 
@@ -226,3 +223,6 @@ fn keep<R: Real>(contact: usize, sliding: Option<R>) -> Trigger<R> {
         sliding,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -314,3 +314,6 @@ impl<R: Real> SingleVertex<R> {
         gather([[normal.max(R::ZERO), friction]])
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,14 +2,21 @@
 //! stays; else by as little as closes the gaps.
 
 use super::*;
+use crate::fixtures::{self, pivot};
 use crate::geometry::{Angle, Orientation};
+use crate::model::Model;
 use crate::scene::{Description, Scene, SurfaceDescription};
 
-type Room = Scene<f64, 4, 4>;
+mod absent;
+mod attempts;
+mod ends;
+mod unsure;
+
+pub(in crate::state) type Room = Scene<f64, 4, 4>;
 
 /// A block of 0.8 x 0.6, vertex 0 at the origin, among a floor and planes with normals at some angles (rad) from its, through
 /// given points.
-fn scene(planes: &[(f64, [f64; 2])]) -> Room {
+pub(in crate::state) fn scene(planes: &[(f64, [f64; 2])]) -> Room {
     let surface = |angle: f64, [x, y]: [f64; 2]| {
         let (sin, cos) = libm::sincos(angle);
         SurfaceDescription {
@@ -46,17 +53,33 @@ fn scene(planes: &[(f64, [f64; 2])]) -> Room {
     found.find_map(Result::ok).expect("a sound scene")
 }
 
-fn pair(vertex: u8, surface: u8) -> Pair {
-    Pair { vertex, surface }
+/// A body on a floor with a coefficient of friction (static; half of it dynamic).
+fn on_floor<const V: usize, M: Model>(
+    vertices: &[[f64; 2]],
+    (weight, stiffness): (f64, f64),
+    mu: f64,
+) -> Scene<f64, V, 1, M> {
+    let floor = SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        friction_static: mu,
+        friction_dynamic: mu / 2.0,
+    };
+    let scene = Scene::new(&Description {
+        vertices,
+        start: [0.0, 2.0, 0.0],
+        weight,
+        holding_point: Some([0.5, 0.0]),
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: stiffness,
+        surfaces: &[floor],
+    });
+    scene.expect("a sound scene")
 }
 
-/// Vertex 0 on the floor at the foot 0, turned.
-fn pivot(turn: f64) -> Pivot<f64> {
-    Pivot {
-        contact: pair(0, 0),
-        foot: 0.0,
-        orientation: Orientation::new(Angle::from_radians(turn)),
-    }
+pub(in crate::state) fn pair(vertex: u8, surface: u8) -> Pair {
+    Pair { vertex, surface }
 }
 
 #[track_caller]
@@ -122,5 +145,28 @@ fn slide_and_turn_seat_a_locked_body() {
         let seated = seat(&wall, pivot(begin), &others);
         closed(&wall, &seated, &others);
         assert!((seated.foot - OFF).abs() < 1e-9 && turn(&seated).abs() < 1e-9);
+    }
+}
+
+/// A lever of 1/64 of the body or less is too short to turn by.
+#[test]
+fn short_lever_does_not_seat() {
+    for (lever, is_seated) in [
+        (1.0 / 128.0, false),
+        (1.0 / 64.0, false),
+        (1.0 / 32.0, true),
+    ] {
+        // The third vertex makes the body as large as 1.
+        let vertices = [[0.0, 0.0], [5.0 * lever, 5.0 * OFF], [3.0, 4.0]];
+        let scene = fixtures::scene::<3, 1>(&vertices, &[0.0]);
+        assert_eq!(scene.vertex(1).x, lever);
+        let upright = pivot(0.0);
+        let seated = seat(&scene, upright, &[pair(1, 0)]);
+        if is_seated {
+            let gap = seated.placed(&scene).gap(&scene, pair(1, 0));
+            assert!(gap.abs() <= 2.0 * <f64 as Real>::EPSILON);
+        } else {
+            assert_eq!(seated, upright);
+        }
     }
 }

@@ -125,3 +125,22 @@ fn slides<R: Real>(trigger: Trigger<R>) -> Trigger<R> {
         other => other,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a single contact that slides on, the other one opens.
+    #[test]
+    fn both_contacts_slide_where_both_last() {
+        let keep = |contacts, sliding: Option<f64>| Trigger::Keep { contacts, sliding };
+        for sign in [1.0, -1.0] {
+            for [a, b] in [[0, 1], [1, 0]] {
+                assert_eq!(slides(keep([a, b], Some(sign))), Trigger::Slide(sign));
+                assert_eq!(slides(keep([a, b], None)), keep([a, b], None));
+                assert_eq!(slides(keep([a, a], Some(sign))), keep([a, a], Some(sign)));
+            }
+        }
+        assert_eq!(slides(Trigger::Clear::<f64>), Trigger::Clear);
+    }
+}

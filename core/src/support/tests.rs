@@ -4,6 +4,8 @@
 use super::*;
 use crate::fixtures::{Random, sampled};
 
+mod bounds;
+
 /// What reactions may leave of a load of the size of one.
 const LITTLE: f64 = 1e-12;
 

@@ -2,6 +2,7 @@
 //! was tried in vain.
 
 use super::*;
+use crate::fixtures;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::state::{Corner, Edge, Locked, SingleVertex, TwoVertex};
 
@@ -103,6 +104,42 @@ fn arm_of_a_verb_leads_from_the_state() {
         if matches!(kind, Kind::NonContact | Kind::SingleVertex | Kind::Corner) {
             leads(fold_arm(state), kind, kind);
         }
+    }
+}
+
+/// A point has one contact: nothing of it is let go.
+#[test]
+fn point_keeps_its_contact() {
+    let scene = fixtures::scene::<1, 1>(&[[0.0, 0.0]], &[0.0]);
+    let mut state = ContactState::SingleVertex(SingleVertex::new(fixtures::pivot(0.3)));
+    let begin = state.clone();
+    let trigger = Trigger::Keep {
+        contacts: [0, 0],
+        sliding: None,
+    };
+    let mut log = Log::default();
+    let next = apply(&scene, &mut state, &Moved::by(trigger), 0.0, &mut log);
+    assert_eq!((next, &state), (Next::Rest, &begin));
+    assert!(log.ambiguous && log.transitions.iter().eq([Transition::Stays]));
+    assert!(log.events.is_empty());
+}
+
+/// Who lasts keeps its place to the bit; another contact gets the place that it has in the pose.
+#[test]
+fn pivot_that_lasts_stays_to_the_bit() {
+    for i in 0..100 {
+        let angle = 0.01 * f64::from(i);
+        let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[angle]);
+        let pivot = Pivot {
+            foot: 0.1 + angle,
+            ..fixtures::pivot(angle)
+        };
+        let state = ContactState::Edge(Edge { pivot, vertex: 1 });
+        let [first, second] = [0, 1].map(|vertex| Pair { vertex, surface: 0 });
+        assert_eq!(pivot_of(&scene, &state, first), pivot);
+        let other = pivot_of(&scene, &state, second);
+        assert_eq!(other.contact, second);
+        assert!((other.foot - pivot.foot - 1.0).abs() < 1e-12);
     }
 }
 

@@ -131,3 +131,6 @@ impl<R: Real> Bracing<R> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,6 +6,8 @@ use crate::geometry::{Angle, Orientation};
 use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::Pair;
 
+mod random;
+
 const MU_S: f64 = 0.5;
 const MU_D: f64 = 0.3;
 /// A triangle with sides of 1 at its tip, and cg.

@@ -3,9 +3,10 @@
 
 use super::*;
 use crate::coupling::Pivot;
-use crate::fixtures::{Random, sampled};
+use crate::fixtures::{Random, sampled, searches};
 use crate::geometry::{Angle, Orientation, Pose};
 use crate::scene::{Description, Scene, SurfaceDescription};
+use crate::state::Trigger;
 
 const MU_D: [f64; 2] = [0.3, 0.2];
 
@@ -264,4 +265,48 @@ fn run_ends_at_what_comes_first() {
         cfg!(miri) || ends.iter().all(|count| *count > 0),
         "{ends:?}"
     );
+}
+
+/// A slip of both contacts is the way of the first one's foot. In balance ends only what comes to (E6); what does not move has no
+/// motion; and a slip whose search gives up says so.
+#[test]
+fn slip_is_told_as_it_is() {
+    let mut seen = [0; 4];
+    for seed in 0..1500 {
+        let Some(case) = case(&mut Random(seed)) else {
+            continue;
+        };
+        let (scene, grip) = (&case.scene, &case.grip);
+        let mut state = case.state.clone();
+        let moved = state.slide(scene, grip);
+        let way = state.pivot.foot - case.state.pivot.foot;
+        assert!((way - moved.slip).abs() < 1e-9, "{seed}: {way} {moved:?}");
+        match moved.trigger {
+            Trigger::Stopped => {
+                assert!(
+                    moved.slip.abs() > <f64 as Real>::MICRO || !moved.unbalanced,
+                    "{seed}"
+                );
+                seen[0] += 1;
+            }
+            Trigger::Undriven => {
+                assert!(
+                    moved.slip.abs() <= <f64 as Real>::MICRO,
+                    "{seed}: {moved:?}"
+                );
+                seen[1] += 1;
+            }
+            _ => {
+                assert!(moved.unbalanced, "{seed}: {moved:?}");
+                seen[2] += 1;
+            }
+        }
+        for most in [1, 2, 4] {
+            let mut state = case.state.clone();
+            let (moved, counts) = searches::giving_up(most, || state.slide(scene, grip));
+            assert_eq!(moved.unsure, counts.unsure > 0, "{seed} {most}");
+            seen[3] += usize::from(moved.unsure);
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
 }

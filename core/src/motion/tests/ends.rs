@@ -1,0 +1,92 @@
+//! What ends a motion: without a turn in closed form; with as little work as its bounds allow; and what is said of a search
+//! that gives up.
+
+use super::*;
+
+/// The springs of a hand that turns by `dphi` against a load of `kappa`.
+fn turning(kappa: f64, dphi: f64) -> Motion<f64> {
+    let moment = Moment {
+        couple: 0.0,
+        stiffness: 1.0,
+        hold: Vec2::new(kappa, 0.0),
+        bend: Unbent,
+        tolerance: 0.0,
+    };
+    Motion::balanced(&moment, Vec2::ZERO, dphi)
+}
+
+fn margin(start: f64, along: f64) -> Margin<f64> {
+    Margin {
+        start,
+        along,
+        turning: Vec2::ZERO,
+        rounding: 1e-15,
+    }
+}
+
+/// Without a turn tau = h x, and a margin is linear in it; one that does not fall is never used up.
+#[test]
+fn margin_is_linear_without_a_turn() {
+    for h in [0.5, 1.0, 2.0] {
+        let motion = Motion::<f64>::kinematic(0.0, Vec2::new(h, 0.0));
+        for along in [-3.0, -1.5, -0.9, -0.6, -0.4, 0.0, 0.5] {
+            let mut course = motion.course_to(1.0);
+            let stops = motion.stop_at(&margin(1.0, along), &mut course);
+            assert_eq!(stops, 1.0 + along * h < 0.0, "{h} {along}");
+            let end = if stops { -1.0 / along } else { h };
+            assert!((course.end.part() - end).abs() < 1e-15, "{h} {along}");
+        }
+        for start in [1e-3, 0.0, -1e-3] {
+            let mut course = motion.course_to(1.0);
+            assert!(!motion.stop_at(&margin(start, 0.0), &mut course));
+        }
+    }
+}
+
+/// On a course of which the fold leaves a tenth only that tenth counts: no search.
+#[test]
+fn margin_that_lasts_to_the_fold_is_no_search() {
+    let delta = 3.826_445_910_0;
+    let motion = turning(2.0, 10.0 * delta);
+    let mut course = motion.course();
+    assert!(course.folds && (course.end.part() - 0.1).abs() < 1e-9);
+    let (stops, counts) = searches::counted(|| motion.stop_at(&margin(1.0, -5.0), &mut course));
+    assert!(!stops && counts.searches == 0);
+    let (stops, counts) = searches::counted(|| motion.stop_at(&margin(1.0, -20.0), &mut course));
+    assert!(stops && counts.searches == 1);
+    assert!((course.end.part() - 0.05).abs() < 1e-12);
+}
+
+/// Where the search for the end gives up, the course says so, whatever ends it then; it is somewhere before the end.
+#[test]
+fn course_that_gives_up_says_so() {
+    let motion = turning(0.9, 30.0);
+    let whole = motion.course();
+    let turning_margin = Margin {
+        turning: Vec2::new(0.5, -1.0),
+        ..margin(1.0, -0.5)
+    };
+    let mut ended = whole;
+    assert!(motion.stop_at(&turning_margin, &mut ended) && !ended.unsure);
+    let mut seen = [0; 4];
+    for most in 1..60 {
+        let (course, counts) = searches::giving_up(most, || motion.course());
+        assert_eq!(course.unsure, counts.unsure > 0, "{most}");
+        assert!(!course.folds && course.end.x <= whole.end.x);
+        seen[usize::from(course.unsure)] += 1;
+        // A margin that is used up far before the end.
+        let mut stopped = whole;
+        let stop = || motion.stop_at(&turning_margin, &mut stopped);
+        let (stops, counts) = searches::giving_up(most, stop);
+        assert!(stops);
+        assert_eq!(stopped.unsure, counts.unsure > 0, "{most}");
+        assert!(stopped.end.x <= ended.end.x * (1.0 + 1e-9));
+        seen[2 + usize::from(stopped.unsure)] += 1;
+        // What is not sure of the course stays so.
+        let mut stopped = course;
+        if motion.stop_at(&turning_margin, &mut stopped) {
+            assert_eq!(stopped.unsure, course.unsure, "{most}");
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+}

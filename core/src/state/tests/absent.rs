@@ -1,0 +1,87 @@
+//! What a scene cannot have does not move and bears nothing, though its numbers be sound: the verbs of such a state are not
+//! compiled.
+
+use super::*;
+use crate::geometry::Vec2;
+use crate::model::{Frictionless, Full};
+
+/// States of a vertex of the floor and others, at the foot 0 of a body along the floor.
+fn states() -> [ContactState<f64>; 4] {
+    let pivot = pivot(0.0);
+    [
+        ContactState::Edge(Edge { pivot, vertex: 1 }),
+        ContactState::TwoVertex(TwoVertex::new(pivot, pair(1, 0))),
+        ContactState::Corner(Corner { pivot, surface: 1 }),
+        ContactState::Locked(Locked::new(pivot, &[pair(1, 0), pair(1, 1)])),
+    ]
+}
+
+/// Held in the middle, pulled by a force.
+fn grip(force: (f64, f64)) -> Grip<f64> {
+    Grip {
+        holding_point: Vec2::new(0.5, 0.0),
+        hand: Vec2::new(force.0 - 0.5, force.1),
+        angle: Angle::default(),
+    }
+}
+
+const TERMS: Terms<f64> = Terms {
+    jumps: false,
+    tolerance: 0.0,
+};
+
+/// A point that touches beside the origin of its body, so that a second vertex would lie there.
+#[test]
+fn point_on_one_surface_has_one_contact() {
+    let scene = on_floor::<1, Full>(&[[1.0, 0.0]], (0.0, 1.0), 0.5);
+    for force in [(0.0, -1.0), (2.0, -1.0), (-2.0, -1.0), (0.1, 0.3)] {
+        let (grip, before) = (grip(force), grip((0.0, -1.1)));
+        for begin in states() {
+            let mut state = begin.clone();
+            assert_eq!(state.follow(&scene, (&before, &grip), TERMS), None);
+            let moved = [
+                state.advance(&scene, &before, &grip),
+                state.relax(&scene, &grip, Relax::default()),
+                state.snap(&scene, &grip, 1.0),
+                state.slide(&scene, &grip, 1.0),
+                state.slide(&scene, &grip, -1.0),
+            ];
+            for moved in moved {
+                assert_eq!(moved.trigger, Trigger::Undriven, "{begin:?}");
+            }
+            let stance = pivot(0.0).stance(&scene, &grip);
+            assert!(state.reactions(&scene, &stance).is_empty());
+            assert_eq!(state, begin);
+        }
+    }
+    let seated = ContactState::seated(&scene, pivot(0.0), &[pair(1, 0)]);
+    assert_eq!(seated.kind(), StateKind::SingleVertex);
+}
+
+/// What glides is in balance along the floor: it does not slide.
+#[test]
+fn what_glides_does_not_slide() {
+    let rod = on_floor::<2, Frictionless>(&[[0.0, 0.0], [1.0, 0.0]], (0.0, 1.0), 0.0);
+    let pivot = pivot(0.0);
+    let begin = [
+        ContactState::SingleVertex(SingleVertex::new(pivot)),
+        ContactState::Edge(Edge { pivot, vertex: 1 }),
+    ];
+    for mut state in begin {
+        let before = state.clone();
+        let moved = state.slide(&rod, &grip((2.0, -1.0)), 1.0);
+        assert_eq!(moved.trigger, Trigger::Undriven);
+        assert_eq!(state, before);
+    }
+}
+
+/// On one surface a body is never seated on two.
+#[test]
+fn rod_on_one_surface_is_seated_on_that() {
+    let rod = on_floor::<2, Full>(&[[0.0, 0.0], [1.0, 0.0]], (0.0, 1.0), 0.5);
+    let kind = |others: &[Pair]| ContactState::seated(&rod, pivot(0.0), others).kind();
+    assert_eq!(kind(&[]), StateKind::SingleVertex);
+    assert_eq!(kind(&[pair(1, 0)]), StateKind::Edge);
+    assert_eq!(kind(&[pair(1, 1)]), StateKind::SingleVertex);
+    assert_eq!(kind(&[pair(1, 0), pair(1, 1)]), StateKind::SingleVertex);
+}

@@ -1,0 +1,105 @@
+//! Where a motion ends: in balance to the digits, though its way be found to within a tolerance only; and what has no spring or no
+//! pressure.
+
+use super::*;
+use crate::fixtures::Random;
+use crate::geometry::Vec2;
+use crate::model::{Frictionless, Full};
+
+/// The balance at the end of a way is of the third order in the tolerance of the way.
+#[test]
+fn end_of_a_way_is_in_balance() {
+    const TOLERANCE: f64 = 1.0 / 256.0;
+    let mut point = on_floor::<1, Full>(&[[0.0, 0.0]], (0.3, 2.0), 0.9);
+    point.tolerance = TOLERANCE;
+    let mut count = [0; 2];
+    for seed in 0..300 {
+        let mut random = Random(seed);
+        let mut grip = |y: f64| Grip {
+            holding_point: Vec2::new(0.5, 0.0),
+            hand: Vec2::new(0.2 * random.next(), y),
+            angle: Angle::from_radians(2.0 * random.next()),
+        };
+        let free = ContactState::Free(Free {
+            pose: Pose {
+                position: Vec2::new(0.0, 3.0),
+                orientation: Orientation::new(Angle::default()),
+            },
+        });
+        let vertex = ContactState::SingleVertex(SingleVertex::new(pivot(0.3)));
+        for (i, (begin, y)) in [(free, 3.0), (vertex, -1.2)].into_iter().enumerate() {
+            let (from, to) = (grip(y), grip(y));
+            let mut state = begin;
+            if state.relax(&point, &from, Relax::default()).trigger != Trigger::Balanced {
+                continue;
+            }
+            let moved = state.advance(&point, &from, &to);
+            if moved.trigger != Trigger::Balanced || moved.unsure {
+                continue;
+            }
+            let placed = match state.carrier() {
+                Ok(pivot) => pivot.placed(&point),
+                Err(pose) => Placed {
+                    point: pose.position + pose.orientation.rotation().apply(to.holding_point),
+                    body_point: to.holding_point,
+                    orientation: pose.orientation,
+                    on: None,
+                },
+            };
+            let moment = Stance::new(&point, placed, &to).moment();
+            assert!(moment.abs() < 1e-6, "{seed}: {moment}");
+            count[i] += 1;
+        }
+    }
+    assert!(count.iter().all(|count| *count > 30), "{count:?}");
+}
+
+/// A body that nothing turns keeps its angle, to the bit.
+#[test]
+fn body_without_weight_and_spring_keeps_its_angle() {
+    let rod = fixtures::sprung::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0], 0.0);
+    let orientation = Orientation::new(Angle::from_radians(0.3));
+    let mut state = ContactState::Free(Free {
+        pose: Pose {
+            position: Vec2::new(0.0, 3.0),
+            orientation,
+        },
+    });
+    let grip = Grip {
+        holding_point: Vec2::new(0.5, 0.0),
+        hand: Vec2::new(0.5, 4.0),
+        angle: Angle::from_radians(1.0),
+    };
+    let moved = state.relax(&rod, &grip, Relax::default());
+    assert_eq!(moved.trigger, Trigger::Balanced);
+    assert_eq!(state.pose(&rod).orientation, orientation);
+}
+
+/// The tip of a tool glides calmly where it presses, not where it just touches.
+#[test]
+fn tip_that_does_not_press_is_not_calm() {
+    let point = on_floor::<1, Frictionless>(&[[0.0, 0.0]], (0.0, 1.0), 0.0);
+    let terms = Terms {
+        jumps: false,
+        tolerance: 0.0,
+    };
+    for (press, turn, follows) in [
+        (0.0, 0.0, None),
+        (0.0, 0.01, None),
+        (-0.5, 0.0, None),
+        (0.5, 0.0, Some(Trigger::Balanced)),
+        (0.5, 0.01, Some(Trigger::Balanced)),
+    ] {
+        let grip = Grip {
+            holding_point: Vec2::ZERO,
+            hand: Vec2::new(0.0, -press),
+            angle: Angle::from_radians(turn),
+        };
+        let mut state = ContactState::SingleVertex(SingleVertex::new(pivot(0.0)));
+        assert_eq!(
+            state.follow(&point, (&grip, &grip), terms),
+            follows,
+            "{press}"
+        );
+    }
+}

@@ -1,0 +1,145 @@
+//! At the bounds of what is borne: how exactly a facet is known, which way contacts without friction slide, what single contacts
+//! leave of a load.
+
+use super::*;
+
+const ROUNDING: f64 = 1.0 / 1024.0;
+
+/// Two contacts without friction on a floor bear no pull along it. Forces are told apart by more than the rounding, and as much
+/// less as the contacts are close together, since the facet is so much less sharp.
+#[test]
+fn facet_is_known_as_exactly_as_its_edges_are_apart() {
+    for (span, sharp) in [
+        (2.0, 1.0),
+        (1.0, 1.0),
+        (0.125, 0.125),
+        (1.0 / 64.0, 1.0 / 64.0),
+    ] {
+        let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(span, 0.0), 0.0, 0.0)]);
+        for (times, yields) in [
+            (0.5, false),
+            (1.0, false),
+            (2.0, true),
+            (-1.0, false),
+            (-2.0, true),
+        ] {
+            let load = screw(times * ROUNDING / sharp, -1.0, -0.5 * span);
+            let found = support.first_yield(load, load, ROUNDING);
+            assert_eq!(found, yields.then_some(0.0), "{span} {times}");
+        }
+    }
+}
+
+/// Where contacts without friction slide, the load moves the body: the twist that leaves both on their surfaces, in the sense in
+/// which the load does work.
+#[test]
+fn without_friction_contacts_slide_as_the_load_moves_them() {
+    let mut count = 0;
+    for seed in 0..2000 {
+        let mut random = Random(seed);
+        let contacts = contacts(&mut random, true);
+        let (support, edges) = support(&contacts);
+        let load = random.screw();
+        let yields = support.yields(load, 1e-12, &|_| true);
+        let Some(Yield::Slide { first, second }) = yields else {
+            continue;
+        };
+        // Both edges of a contact without friction are its normal.
+        let [a, b] = [first.0, second.0].map(|i| edges[2 * i]);
+        let twist = a.cross(b);
+        let sense = load.dot(twist).signum();
+        if load.dot(twist).abs() < 1e-6 {
+            continue;
+        }
+        for (contact, sign) in [first, second] {
+            let (lever, angle, _) = contacts[contact];
+            let (sin, cos) = libm::sincos(angle);
+            let velocity = twist.force + lever.turned() * twist.moment;
+            assert!(Vec2::new(-sin, cos).dot(velocity).abs() < 1e-12, "{seed}");
+            let along = Vec2::new(cos, sin).dot(velocity) * sense;
+            assert!(
+                along * sign > 0.0 || along.abs() < 1e-9,
+                "{seed}: {along} {sign}"
+            );
+        }
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
+
+/// A single contact leaves of a load what is across it, at whatever lever.
+#[test]
+fn single_contact_leaves_what_is_across() {
+    for lever in [0.0, 0.5, 3.0] {
+        let (support, edges) = support(&[(Vec2::new(lever, 0.0), 0.0, 0.0)]);
+        for (along, across) in [(1.0, 0.1), (2.0, -0.3), (0.25, 0.0)] {
+            let load = sum(edges[0], screw(across, 0.0, 0.0), [-along, 1.0]);
+            let left = support.left(load, LITTLE);
+            assert!(
+                (left - f64::abs(across)).abs() < 1e-12,
+                "{lever} {along} {left}"
+            );
+        }
+    }
+}
+
+/// In a slot the bearable loads lie in one line, wherever along the slot the contacts are: what is off it by the rounding is borne,
+/// and so is a pull of that size.
+#[test]
+fn slot_bears_to_within_the_rounding() {
+    for lever in [0.0, 3.0, -8.0] {
+        let line = screw(0.0, 1.0, lever);
+        for angles in [[0.0, core::f64::consts::PI], [0.0, 0.0]] {
+            let (support, _) = support(&angles.map(|angle| (Vec2::new(lever, 0.0), angle, 0.0)));
+            let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+            for (off, is_borne) in [(0.75, true), (-0.75, true), (1.5, false), (-1.5, false)] {
+                let load = sum(line, screw(off * ROUNDING, 0.0, 0.0), [-1.0, 1.0]);
+                assert_eq!(bears(load), is_borne, "{lever} {off}");
+            }
+            let pull = |times: f64| line.scaled(times * ROUNDING / line.size());
+            assert!(bears(pull(0.75)), "{lever}");
+            assert_eq!(bears(pull(1.5)), angles[0] != angles[1], "{lever}");
+        }
+    }
+}
+
+#[test]
+fn load_is_scaled_in_all_parts() {
+    let load = screw(1.0, -2.0, 3.0);
+    for k in [-1.0, 0.25, 8.0] {
+        assert_eq!(load.scaled(k), screw(k, -2.0 * k, 3.0 * k));
+        assert_eq!(load.over(k), load.scaled(1.0 / k));
+    }
+}
+
+/// Parts of edges that lie almost in a plane are hardly known; even so they leave almost nothing of a load that they bear.
+#[test]
+fn blunt_edges_bear_to_the_rounding() {
+    const LEAVES: f64 = 1e-14;
+    let mut count = 0;
+    for seed in 0..400 {
+        let mut random = Random(seed);
+        let lever = random.vector() * 1e-7;
+        let mut angle = || 3.0 * random.next();
+        let contacts = [(Vec2::ZERO, angle(), 0.5), (lever, angle(), 0.5)];
+        let (support, edges) = support(&contacts);
+        let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
+        if volume < 1e-9 {
+            continue;
+        }
+        let mut load = screw(0.0, 0.0, 0.0);
+        for edge in &edges[..3] {
+            load = sum(load, *edge, [1.0, -0.6 - 0.4 * random.next()]);
+        }
+        assert!(
+            support.bears_on([0, 1, 2], load, LEAVES),
+            "{seed}: {volume}"
+        );
+        assert!(
+            support.left(load, LEAVES) <= 2.0 * LEAVES,
+            "{seed}: {volume}"
+        );
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
