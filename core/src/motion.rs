@@ -227,13 +227,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             let margin = margin.scaled();
             (margin, self.bow(&margin))
         });
-        let whole = self.whole();
         let rate = self.rate.abs();
-        let least = if whole > R::ZERO {
-            R::ONE / whole
-        } else {
-            R::ONE
-        };
         let bent = self.bend.bound(z0, 2);
         // How much H' and H' - D' change at most.
         let (change, changes) = (rate * bent, rate * (bent + zp));
@@ -247,7 +241,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let (per_change, per_changes) = (per(change), per(changes));
         let found = first_zero((R::HUGE, self.tolerance), |x| {
             let p = self.at(x);
-            let mut window = least + x.doubled();
+            let mut window = R::ONE + x.doubled();
             // Before the end H < D, so that dtau/dx D = H' - tau D' > 0 as long as neither H' nor H' - D' falls to zero.
             let rises = p.h_slope - p.d_slope;
             let clear = (p.h_slope * per_change).min(rises * per_changes);

@@ -138,7 +138,7 @@ fn room_is_the_least_gap() {
             assert!(!swings(0.0));
         }
     }
-    assert!(near > 10 && far > 10, "{near} {far}");
+    assert!(cfg!(miri) || near > 10 && far > 10, "{near} {far}");
 }
 
 /// Standing on a surface with a vertex only its neighbours can come to that.
