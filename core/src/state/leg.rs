@@ -139,7 +139,12 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             let moment = pivot.stance(scene, to).pinned::<B>();
-            *pivot = pivot.moved(R::ZERO, moment.polish());
+            let polished = pivot.moved(R::ZERO, moment.polish());
+            // Within a tolerance touches were looked for up to the end of the leg only.
+            let is_exact = moment.tolerance == R::ZERO;
+            if is_exact || polished.placed(scene).touching(scene, -R::TOUCH).is_empty() {
+                *pivot = polished;
+            }
         }
         moved
     }
