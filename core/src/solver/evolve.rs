@@ -222,23 +222,29 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         contact: &ContactState<R>,
         [middle, at, beyond]: &[Grip<R>; 3],
     ) -> Option<(ContactState<R>, Log<R>)> {
-        let one_slip = |contact: &ContactState<R>, at: &Grip<R>| {
-            let (mut trial, mut log) = (contact.clone(), Log::default());
-            settle(&self.scene, at, &mut trial, None, &mut log);
-            let is_one_slip = log.is_one_slip() && trial.contacts() == contact.contacts();
-            is_one_slip.then_some((trial, log))
-        };
-        let (slid, log) = one_slip(contact, at)?;
+        let (slid, log) = self.one_slip(contact, at)?;
         if middle.way_to(beyond).size() > R::MICRO * R::from_int(512) {
-            let (half, _) = one_slip(contact, middle)?;
-            let (same, _) = one_slip(&half, at)?;
+            let (half, _) = self.one_slip(contact, middle)?;
+            let (same, _) = self.one_slip(&half, at)?;
             let [there, same] = [&slid, &same].map(|contact| contact.placed(&self.scene));
             if !there.is_near(&same, R::MICRO) {
                 return None;
             }
-            one_slip(&slid, beyond)?;
+            self.one_slip(&slid, beyond)?;
         }
         Some((slid, log))
+    }
+
+    /// A slip to the hand's place and nothing else.
+    fn one_slip(
+        &self,
+        contact: &ContactState<R>,
+        at: &Grip<R>,
+    ) -> Option<(ContactState<R>, Log<R>)> {
+        let (mut slid, mut log) = (contact.clone(), Log::default());
+        settle(&self.scene, at, &mut slid, None, &mut log);
+        let is_one_slip = log.is_one_slip() && slid.contacts() == contact.contacts();
+        is_one_slip.then_some((slid, log))
     }
 
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be
