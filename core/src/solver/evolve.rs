@@ -226,8 +226,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if middle.way_to(beyond).size() > R::MICRO * R::from_int(512) {
             let (half, _) = self.one_slip(contact, middle)?;
             let (same, _) = self.one_slip(&half, at)?;
+            // What a slip ends in is found to this, in fixed point.
+            let near = R::MICRO * R::from_int(16);
             let [there, same] = [&slid, &same].map(|contact| contact.placed(&self.scene));
-            if !there.is_near(&same, R::MICRO) {
+            if !there.is_near(&same, near) {
                 return None;
             }
             self.one_slip(&slid, beyond)?;
