@@ -13,8 +13,8 @@ use stiction_tools::image::RAM;
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
-/// A command without an answer is sent again.
-const AGAIN: Duration = Duration::from_secs(5);
+/// What is not answered is sent again.
+pub(crate) const AGAIN: Duration = Duration::from_secs(5);
 
 /// A board that runs.
 pub(crate) struct Board {
@@ -117,7 +117,7 @@ impl Board {
     }
 
     /// The same, nothing if it does not come in time.
-    fn listen_for<T>(
+    pub(crate) fn listen_for<T>(
         &mut self,
         time: Duration,
         mut wanted: impl FnMut(u32, &Said) -> Option<T>,

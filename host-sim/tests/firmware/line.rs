@@ -1,7 +1,7 @@
 //! Bad lines and bad clients: silence, floods, damaged bytes, a client that goes and comes back, commands in mid-contact.
 
 use crate::beside::{Beside, assert_same};
-use crate::board::Board;
+use crate::board::{AGAIN, Board};
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{BOX, Client, Said, hand_path, scene};
 use crate::random::{Random, garbled};
@@ -38,14 +38,28 @@ fn pressed(board: &mut Board) -> Pose {
     }
 }
 
-/// From the tick of the last sample, the frame of this number, to that of the first pose without force (µs), and that pose. Between two
-/// samples before it, the emulator's time may have gone on for long enough for silence, too.
-fn fallen_silent(board: &mut Board, last: u8) -> (u32, Pose) {
-    let mut came_us = None;
+/// The last sample before silence, sent again where it is lost on the line: its number, and the tick in which it came (µs).
+fn last_sample(board: &mut Board) -> (u8, u32) {
+    for _ in 0..30 {
+        board.send(Command::Hand(deep()));
+        let last = board.client.sequence.wrapping_sub(1);
+        let came = board.listen_for(AGAIN, |time, said| match said {
+            Said::Pose(pose) if pose.sample == last => Some(time),
+            _ => None,
+        });
+        if let Some(came_us) = came {
+            return (last, came_us);
+        }
+    }
+    panic!("no sample comes through");
+}
+
+/// From the tick of the last sample to that of the first pose without force (µs), and that pose. Between two samples before it, the
+/// emulator's time may have gone on for long enough for silence, too.
+fn fallen_silent(board: &mut Board, (last, came_us): (u8, u32)) -> (u32, Pose) {
     board.wait(|time, said| match said {
-        Said::Pose(pose) if pose.sample == last => {
-            let came_us = *came_us.get_or_insert(time);
-            (pose.force_off).then(|| (time.wrapping_sub(came_us), *pose))
+        Said::Pose(pose) if pose.sample == last && pose.force_off => {
+            Some((time.wrapping_sub(came_us), *pose))
         }
         _ => None,
     })
@@ -62,8 +76,7 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     for _ in 0..30 {
         pressed(&mut board);
     }
-    board.send(Command::Hand(deep()));
-    let last = board.client.sequence.wrapping_sub(1);
+    let last = last_sample(&mut board);
     let (off_us, pose) = fallen_silent(&mut board, last);
     let feedback = board.wait(|_, said| match said {
         Said::Forces { feedback, .. } => Some(*feedback),
@@ -147,7 +160,7 @@ fn client_dies(chip: &'static Chip) {
     pressed_to_the_full(&mut board, told_every_us);
     board.done(Command::Mode(mode));
     let before = pressed(&mut board);
-    let last = board.client.sequence.wrapping_sub(1);
+    let last = last_sample(&mut board);
     let frame = board.client.encode(Command::Hand(deep()));
     board.send_bytes(&frame[..frame.len() / 2]);
     let (off_us, off) = fallen_silent(&mut board, last);
