@@ -127,6 +127,18 @@ test_both! {
     balance_is_polished_and_bent,
 }
 
+/// The springs of a hand that turns by `dphi` against a load of `kappa`.
+fn turning(kappa: f64, dphi: f64) -> Motion<f64> {
+    let moment = Moment {
+        couple: 0.0,
+        stiffness: 1.0,
+        hold: Vec2::new(kappa, 0.0),
+        bend: Unbent,
+        tolerance: 0.0,
+    };
+    Motion::balanced(&moment, Vec2::ZERO, dphi)
+}
+
 /// STATICS 11: u + kappa sin u = delta folds on its way from 0.
 #[test]
 fn turn_of_the_hand_ends_at_the_fold() {
@@ -136,21 +148,14 @@ fn turn_of_the_hand_ends_at_the_fold() {
         (2.0, 2.094_395_102_4, 3.826_445_910_0),
         (5.0, 1.772_154_247_6, 6.671_133_733_2),
     ] {
-        let moment = Moment {
-            couple: 0.0,
-            stiffness: 1.0,
-            hold: Vec2::new(kappa, 0.0),
-            bend: Unbent,
-            tolerance: 0.0,
-        };
         for turn in [1.01 * delta, 1.5 * delta, 10.0 * delta] {
-            let course = Motion::balanced(&moment, Vec2::ZERO, turn).course();
+            let course = turning(kappa, turn).course();
             assert!(course.folds && !course.unsure, "{kappa}");
             // A double root: half of the digits.
             assert!((course.end.turn - fold).abs() < 1e-6, "{kappa}");
             assert!((course.end.part() * turn - delta).abs() < 1e-9, "{kappa}");
         }
-        let course = Motion::balanced(&moment, Vec2::ZERO, 0.99 * delta).course();
+        let course = turning(kappa, 0.99 * delta).course();
         assert!(!course.folds && course.end.turn < fold);
     }
 }

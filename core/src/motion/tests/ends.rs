@@ -3,18 +3,6 @@
 
 use super::*;
 
-/// The springs of a hand that turns by `dphi` against a load of `kappa`.
-fn turning(kappa: f64, dphi: f64) -> Motion<f64> {
-    let moment = Moment {
-        couple: 0.0,
-        stiffness: 1.0,
-        hold: Vec2::new(kappa, 0.0),
-        bend: Unbent,
-        tolerance: 0.0,
-    };
-    Motion::balanced(&moment, Vec2::ZERO, dphi)
-}
-
 fn margin(start: f64, along: f64) -> Margin<f64> {
     Margin {
         start,
