@@ -77,6 +77,14 @@ pub(crate) struct Course<R> {
     pub(crate) unsure: bool,
 }
 
+impl<R: Real> Course<R> {
+    /// tau at the end; however little is left of H and D there, no more than it can be.
+    pub(crate) fn part(&self) -> R {
+        let part = self.reach.min(self.end.part());
+        if self.rises { part.max(R::ZERO) } else { part }
+    }
+}
+
 impl<R: Real, B: Bend<R>> Motion<R, B> {
     /// Balanced about the contact: the moment with k and z0, zp of the module's text, and the hand's turn dphi.
     pub(crate) fn balanced(moment: &Moment<R, B>, drive: Vec2<R>, dphi: R) -> Self {
@@ -268,14 +276,22 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             Found::Zero { x, which } => (x, which, false),
             Found::Unsure { x, .. } | Found::Nothing { x } => (x, 2, true),
         };
+        let mut end = self.at(x);
+        if which == 2 && !unsure {
+            // tau = 1, however little is left of H and D.
+            end.d = end.d.max(R::EPSILON);
+            end.h = end.d;
+        }
         let course = Course {
-            end: self.at(x),
+            end,
             reach: R::ONE,
             rises: true,
             folds: which == 0,
             unsure,
         };
-        (course, which == 1)
+        let margin = margin.as_ref().map(|(margin, _)| margin);
+        let ends = which == 1 || margin.is_some_and(|m| !course.folds && m.is_used_up(&course));
+        (course, ends)
     }
 
     /// dtau/dx D²: zero at a fold.

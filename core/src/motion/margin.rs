@@ -53,6 +53,13 @@ impl<R: Real> Margin<R> {
         }
     }
 
+    /// True beyond doubt at the end of a course, of a margin in units of its own. Where the body swings round at the first pull,
+    /// tau grows between neighbouring x and D is as small as its rounding: of E·D a search sees nothing then.
+    pub(super) fn is_used_up(&self, course: &Course<R>) -> bool {
+        let end = self.at(&course.end) + self.along * course.part();
+        end < self.start.min(R::ZERO) - self.rounding * R::from_int(8)
+    }
+
     fn at(&self, p: &Place<R>) -> R {
         self.start - self.turning.x * p.versine + self.turning.y * p.sine
     }
@@ -121,15 +128,16 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let found = if self.rate == R::ZERO {
             self.linear_zero(margin, &limit)
         } else {
-            self.curved_zero(margin, &limit)
+            self.curved_zero(margin, course)
         };
-        let (x, unsure) = match found {
+        let (end, unsure) = match found {
             Found::Nothing { .. } => return false,
-            Found::Zero { x, .. } => (x, false),
-            Found::Unsure { x, .. } => (x, true),
+            Found::Zero { x, .. } if x == limit.x => (limit, false),
+            Found::Zero { x, .. } => (self.at(x), false),
+            Found::Unsure { x, .. } => (self.at(x), true),
         };
         *course = Course {
-            end: self.at(x),
+            end,
             folds: false,
             unsure: course.unsure || unsure,
             ..*course
@@ -142,7 +150,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     fn fall(&self, margin: &Margin<R>, course: &Course<R>) -> R {
         let (along, limit) = (margin.along, &course.end);
         let falls = if course.rises {
-            (-along).max(R::ZERO) * limit.part()
+            (-along).max(R::ZERO) * course.part()
         } else {
             along.abs() * course.reach
         };
@@ -165,12 +173,19 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         }
     }
 
-    /// The first zero of a margin before a place.
-    fn curved_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
+    /// The first zero of a margin on a course.
+    fn curved_zero(&self, margin: &Margin<R>, course: &Course<R>) -> Found<R> {
         let margin = &margin.scaled();
         let bow = self.bow(margin);
-        first_zero((limit.x, self.tolerance), |x| {
-            Look::far([self.slope(margin, &self.at(x), (&bow, limit.x - x))])
-        })
+        let limit = course.end.x;
+        let found = first_zero((limit, self.tolerance), |x| {
+            Look::far([self.slope(margin, &self.at(x), (&bow, limit - x))])
+        });
+        match found {
+            Found::Nothing { .. } if margin.is_used_up(course) => {
+                Found::Zero { x: limit, which: 0 }
+            }
+            found => found,
+        }
     }
 }

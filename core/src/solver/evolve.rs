@@ -145,14 +145,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 );
                 return;
             }
-            let travel = state.grip.way_to(to).size() * moved.part;
-            state.grip = state.grip.lerp(to, moved.part);
+            let begin = state.grip;
+            state.grip = begin.lerp(to, moved.part);
             let slides = matches!(moved.trigger, Trigger::Slide(_));
             if slides && self.slides_continuously(&state.contact) {
                 self.slide_on(state, to, log);
-                continue;
-            }
-            if moved.trigger != Trigger::Undriven {
+            } else if moved.trigger != Trigger::Undriven {
                 settle(
                     &self.scene,
                     &state.grip,
@@ -161,6 +159,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                     log,
                 );
             }
+            let travel = begin.way_to(&state.grip).size();
             idle = if travel <= R::MICRO {
                 idle.saturating_add(1)
             } else {

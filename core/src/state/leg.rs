@@ -112,7 +112,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
 
     /// tau at the end.
     pub(super) fn part(&self) -> R {
-        self.course.end.part()
+        self.course.part()
     }
 
     /// ϑ at the end.

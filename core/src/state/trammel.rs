@@ -308,7 +308,7 @@ impl<R: Real> Trammel<R> {
             ending = Ending::Touches(pair);
         }
         let run = Run {
-            slide: course.end.part(),
+            slide: course.part(),
             turn: course.end.turn,
             unsure: unsure || course.unsure,
         };

@@ -45,6 +45,34 @@ fn margin_that_lasts_to_the_fold_is_no_search() {
     assert!((course.end.part() - 0.05).abs() < 1e-12);
 }
 
+/// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole way lies between
+/// neighbouring turns. What is used up on it ends it all the same.
+#[test]
+fn margin_is_used_up_between_neighbouring_turns() {
+    for pull in (0..20).map(|i| libm::exp10(-f64::from(i))) {
+        for angle in [0.3, 0.8, 1.2, -0.5] {
+            let (sin, cos) = libm::sincos(angle);
+            let moment = Moment {
+                couple: 0.0,
+                stiffness: 0.0,
+                hold: Vec2::new(pull, 0.0),
+                bend: Unbent,
+                tolerance: 0.0,
+            };
+            let motion = Motion::balanced(&moment, Vec2::new(cos, sin), 0.0);
+            for (start, along, stops) in [(0.0, -0.1, true), (0.5, -0.7, true), (0.5, -0.3, false)]
+            {
+                let margin = margin(start, along);
+                let mut course = motion.course();
+                let shortened = motion.stop_at(&margin, &mut course);
+                let (until, ended) = motion.course_until(Some(&margin));
+                assert_eq!((shortened, ended), (stops, stops), "{pull} {angle} {along}");
+                assert!(!course.unsure && !until.unsure);
+            }
+        }
+    }
+}
+
 /// Where the search for the end gives up, the course says so, whatever ends it then; it is somewhere before the end.
 #[test]
 fn course_that_gives_up_says_so() {

@@ -3,7 +3,7 @@
 extern crate std;
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 use crate::geometry::Vec2;
 use crate::state::bracing::Bracing;
 
@@ -15,7 +15,7 @@ fn every_motion_is_tried_once() {
     let wall = scene(&[(quarter, [0.8, 0.0])]);
     let slot = scene(&[(2.0 * quarter, [0.0, 0.6 + 2e-6])]);
     let mut most = 0;
-    for seed in 0..600 {
+    for seed in sampled(0..600, 29) {
         let mut random = Random(seed);
         let (room, contacts) = if seed % 2 == 0 {
             (&wall, [pair(0, 0), pair(1, 0), pair(1, 1), pair(2, 1)])
