@@ -33,7 +33,7 @@ impl<R: Real> Support<R> {
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
-    /// As [`Self::share`], edge by edge, and what that leaves of the load. Parts beyond all numbers are told as the largest
+    /// As [`Self::share`], edge by edge, and what that leaves of the load. Reactions beyond all numbers are told as the largest
     /// number where they bear a fraction of the load.
     fn parts(&self, load: Screw<R>, little: R) -> (Parts<R>, R) {
         let nearest = self.nearest(load, little);
@@ -44,7 +44,11 @@ impl<R: Real> Support<R> {
                 let Nearest { parts, left, .. } = self.nearest(small, little);
                 let parts: Parts<R> = gather(parts.iter().map(|&part| part * times));
                 let is_borne = left <= little.min(small.size() / R::from_int(64));
-                if is_borne && parts.iter().any(|&part| part >= R::HUGE) {
+                let mut reactions = parts.chunks(2).map(|pair| {
+                    let parts = pair.iter();
+                    parts.fold(R::ZERO, |sum, &part| sum + part)
+                });
+                if is_borne && reactions.any(|sum| sum >= R::HUGE) {
                     return (parts, left);
                 }
                 (small, times) = (small.over(step), times * step);
@@ -172,7 +176,7 @@ impl<R: Real> Support<R> {
     }
 
     /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings.
-    fn sharp() -> R {
+    pub(super) fn sharp() -> R {
         R::MICRO * R::from_int(2048)
     }
 

@@ -5,6 +5,7 @@ use super::*;
 use crate::fixtures::{Random, sampled};
 
 mod bounds;
+mod flat;
 
 /// What reactions may leave of a load of the size of one.
 const LITTLE: f64 = 1e-12;
