@@ -308,3 +308,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             && lever * pull + self.scene.stiffness() * turn <= R::LOAD
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -147,17 +147,20 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             }
             let begin = state.grip;
             state.grip = begin.lerp(to, moved.part);
-            let slides = matches!(moved.trigger, Trigger::Slide(_));
-            if slides && self.slides_continuously(&state.contact) {
-                self.slide_on(state, to, log);
-            } else if moved.trigger != Trigger::Undriven {
-                settle(
+            match moved.trigger {
+                // Up to where a search gave up nothing has happened: on from there.
+                _ if moved.unsure => {}
+                Trigger::Undriven => {}
+                Trigger::Slide(_) if self.slides_continuously(&state.contact) => {
+                    self.slide_on(state, to, log);
+                }
+                trigger => settle(
                     &self.scene,
                     &state.grip,
                     &mut state.contact,
-                    Some(moved.trigger),
+                    Some(trigger),
                     log,
-                );
+                ),
             }
             let travel = begin.way_to(&state.grip).size();
             idle = if travel <= R::MICRO {
