@@ -1,7 +1,7 @@
 //! What a vertex may be off: the rounding of its place and of its angle, and the tolerance, but no more.
 
 use super::*;
-use crate::fixtures;
+use crate::fixtures::{self, sampled};
 use crate::geometry::Angle;
 use crate::scene::Scene;
 
@@ -164,7 +164,7 @@ fn slip_that_stops_is_over() {
     const MU_D: f64 = 0.3;
     let (mut count, mut longer) = (0, 0);
     // The last ones go more than four times as far as their beginning says.
-    for seed in (0..2000).chain([9476, 10_619, 17_050]) {
+    for seed in sampled(0..2000, 97).chain([9476, 10_619, 17_050]) {
         let mut random = fixtures::Random(seed);
         let stiffness = libm::exp2(-8.0 * random.next().abs());
         let scene = fixtures::sprung::<1, 1>(&[[0.0, 0.0]], &[0.0], stiffness);
@@ -191,5 +191,8 @@ fn slip_that_stops_is_over() {
         count += 1;
         longer += usize::from(matches!(about, Err(Some(about)) if moved.slip > 4.0 * about));
     }
-    assert!(count > 500 && longer == 3, "{count} {longer}");
+    assert!(
+        (cfg!(miri) || count > 500) && longer == 3,
+        "{count} {longer}"
+    );
 }

@@ -2,7 +2,7 @@
 //! pressure.
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 use crate::geometry::Vec2;
 use crate::model::{Frictionless, Full};
 
@@ -13,7 +13,7 @@ fn end_of_a_way_is_in_balance() {
     let mut point = on_floor::<1, Full>(&[[0.0, 0.0]], (0.3, 2.0), 0.9);
     point.tolerance = TOLERANCE;
     let mut count = [0; 2];
-    for seed in 0..300 {
+    for seed in sampled(0..300, 29) {
         let mut random = Random(seed);
         let mut grip = |y: f64| Grip {
             holding_point: Vec2::new(0.5, 0.0),
@@ -51,7 +51,10 @@ fn end_of_a_way_is_in_balance() {
             count[i] += 1;
         }
     }
-    assert!(count.iter().all(|count| *count > 30), "{count:?}");
+    assert!(
+        cfg!(miri) || count.iter().all(|count| *count > 30),
+        "{count:?}"
+    );
 }
 
 /// A body that nothing turns keeps its angle, to the bit.

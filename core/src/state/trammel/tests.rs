@@ -272,7 +272,7 @@ fn run_ends_at_what_comes_first() {
 #[test]
 fn slip_is_told_as_it_is() {
     let mut seen = [0; 4];
-    for seed in 0..1500 {
+    for seed in sampled(0..1500, 97) {
         let Some(case) = case(&mut Random(seed)) else {
             continue;
         };
@@ -308,5 +308,8 @@ fn slip_is_told_as_it_is() {
             seen[3] += usize::from(moved.unsure);
         }
     }
-    assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+    assert!(
+        cfg!(miri) || seen.iter().all(|count| *count > 0),
+        "{seen:?}"
+    );
 }

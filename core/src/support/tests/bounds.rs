@@ -35,7 +35,7 @@ fn facet_is_known_as_exactly_as_its_edges_are_apart() {
 #[test]
 fn without_friction_contacts_slide_as_the_load_moves_them() {
     let mut count = 0;
-    for seed in 0..2000 {
+    for seed in sampled(0..2000, 97) {
         let mut random = Random(seed);
         let contacts = contacts(&mut random, true);
         let (support, edges) = support(&contacts);
@@ -64,7 +64,7 @@ fn without_friction_contacts_slide_as_the_load_moves_them() {
         }
         count += 1;
     }
-    assert!(count > 100, "{count}");
+    assert!(cfg!(miri) || count > 100, "{count}");
 }
 
 /// A single contact leaves of a load what is across it, at whatever lever.
@@ -117,7 +117,7 @@ fn load_is_scaled_in_all_parts() {
 fn blunt_edges_bear_to_the_rounding() {
     const LEAVES: f64 = 1e-14;
     let mut count = 0;
-    for seed in 0..400 {
+    for seed in sampled(0..400, 97) {
         let mut random = Random(seed);
         let lever = random.vector() * 1e-7;
         let mut angle = || 3.0 * random.next();
@@ -141,5 +141,5 @@ fn blunt_edges_bear_to_the_rounding() {
         );
         count += 1;
     }
-    assert!(count > 100, "{count}");
+    assert!(cfg!(miri) || count > 100, "{count}");
 }

@@ -2,7 +2,7 @@
 //! drives, and what opens is told by the rates of the gaps.
 
 use super::*;
-use crate::fixtures::Random;
+use crate::fixtures::{Random, sampled};
 use crate::geometry::{Angle, Orientation, Pose};
 use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::tests::{pair, scene};
@@ -56,7 +56,7 @@ const STEP: f64 = 1e-6;
 #[test]
 fn lasting_contacts_stay_on_their_surfaces() {
     let mut seen = [0; 3];
-    for seed in 0..3000 {
+    for seed in sampled(0..3000, 97) {
         let Some((scene, bracing, grip)) = case(&mut Random(seed)) else {
             continue;
         };
@@ -121,7 +121,10 @@ fn lasting_contacts_stay_on_their_surfaces() {
             }
         }
     }
-    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+    assert!(
+        cfg!(miri) || seen.iter().all(|count| *count > 50),
+        "{seen:?}"
+    );
 }
 
 /// A block that is clamped across its diagonal slides along a slot: that opens and closes no gap.
@@ -133,7 +136,7 @@ fn slide_along_a_slot_neither_opens_nor_closes() {
         let contacts = [pair(0, 0), pair(1, 0), pair(2, 1), pair(3, 1)];
         let pivot = crate::fixtures::pivot(0.0);
         let bracing = Bracing::new(&slot, &pivot, &contacts.into_iter().collect());
-        for seed in 0..200 {
+        for seed in sampled(0..200, 29) {
             let mut random = Random(seed);
             let middle = Vec2::new(0.4, 0.3);
             let grip = Grip {
@@ -156,5 +159,5 @@ fn slide_along_a_slot_neither_opens_nor_closes() {
             }
         }
     }
-    assert!(count > 20, "{count}");
+    assert!(cfg!(miri) || count > 20, "{count}");
 }

@@ -1,7 +1,7 @@
 //! Random slips: where one ends, nothing is left but the rounding, however its sizes compare; and what hardly presses has none.
 
 use super::*;
-use crate::fixtures::{self, Random};
+use crate::fixtures::{self, Random, sampled};
 
 impl Random {
     /// From 2^-6 to 4 or so, of either sign.
@@ -30,7 +30,7 @@ impl Random {
 fn short_slip_ends_in_balance() {
     const EPSILON: f64 = <f64 as Real>::EPSILON;
     let mut count = 0;
-    for seed in 0..20_000 {
+    for seed in sampled(0..20_000, 499) {
         let case = Random(seed).slip();
         let Ok(slip) = case.find() else { continue };
         let (force, moment) = case.load(slip.slide * case.sign, slip.turn);
@@ -44,7 +44,7 @@ fn short_slip_ends_in_balance() {
         );
         count += 1;
     }
-    assert!(count > 1000, "{count}");
+    assert!(cfg!(miri) || count > 1000, "{count}");
 }
 
 /// What presses by no more than the rounding of its force may just as well be lifted: no slip of it is certain.
