@@ -136,6 +136,13 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
+    /// The same solver with the other evolution; a state of it goes on as it is.
+    #[must_use]
+    pub fn with_evolution(mut self, evolution: Evolution) -> Self {
+        self.evolution = evolution;
+        self
+    }
+
     /// Less accurate and faster: angles of balance are found to within `radians`, the ends of slips to within that part
     /// of the body size, in every frame anew: nothing adds up. From 0 (the default: as far as the digits of the number
     /// type go) to 0.01; what is beyond is taken as the nearer end, what is not a number as 0. Contacts are not touched by

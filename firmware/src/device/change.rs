@@ -5,7 +5,7 @@
 use super::controller::{Controller, Hold, Run, Settings, is_held_last, solver, turned};
 use super::refusal::Refusal;
 use crate::safety::Limits;
-use stiction_core::{Description, Evolution, Hand, Model, Output, Real, State, Wrench};
+use stiction_core::{Description, Evolution, Hand, Model, Output, Real, Solver, State, Wrench};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f32 = 1e-4;
@@ -21,6 +21,14 @@ pub struct Parameters {
     pub friction_static: f32,
     /// mu_d >= 0.
     pub friction_dynamic: f32,
+}
+
+/// A solver and a state of its own: the length unit of a point depends on its holding point, so that no other solver will do.
+struct Settled<R: Real, const V: usize, const S: usize, M: Model> {
+    solver: Solver<R, V, S, M>,
+    state: State<R>,
+    /// The answer of the settling.
+    output: Output<f32>,
 }
 
 /// Where the body of a new scene is.
@@ -68,13 +76,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
             self.run = next;
             return Ok(None);
         };
-        let (state, output) = self.run.settled(state, description, &self.settings)?;
-        next.state = Some(state);
+        let settled = self.run.settled(state, description, &self.settings)?;
+        next.state = Some(settled.state);
         next.hold = self.run.hold;
         // The solver counts turns from those that the body has now.
         next.turns = self.run.pose.angle.turns;
-        next.solver = solver(&next.present(), &self.settings)?;
-        let output = next.accept(output);
+        next.solver = settled.solver;
+        let output = next.accept(settled.output);
         self.run = next;
         self.want();
         Ok(Some(output))
@@ -88,7 +96,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// changed.
     pub fn set_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
         settings.check()?;
-        self.run.solver = solver(&self.run.present(), settings)?;
+        settings.admit(&self.run.store.description())?;
+        self.run.solver = settings.apply(self.run.solver.clone());
         self.settings = *settings;
         let Limits {
             silence_us,
@@ -103,22 +112,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M> {
-    /// The scene as it goes on from now: a holding point is given for the first hold only.
-    fn present(&self) -> Description<'_, f32> {
-        let mut present = self.store.description();
-        if self.hold != Hold::Never {
-            present.holding_point = None;
-        }
-        present
-    }
-
-    /// The body where it is, without whole turns, in another scene, and settled there.
+    /// The body where it is, without whole turns, in another scene, and settled there. A holding point is for the first hold only.
     fn settled(
         &self,
         state: &State<R>,
         description: &Description<'_, f32>,
         settings: &Settings,
-    ) -> Result<(State<R>, Output<f32>), Refusal> {
+    ) -> Result<Settled<R, V, S, M>, Refusal> {
         let angle = self.pose.angle;
         let [x, y] = self.pose.position;
         let relative = angle.turns.saturating_sub(self.turns);
@@ -127,23 +127,27 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
             start: [x, y, angle.rest],
             ..*description
         };
-        let (state, output) = match (self.pose.held, self.hold) {
-            (true, Hold::Taken) => self.taken_on(state, hand, there, settings)?,
-            (held, hold) => {
-                there.holding_point = match (held, hold) {
-                    (_, Hold::Never) => description.holding_point,
-                    (true, _) => self.store.holding_point,
-                    (false, _) => None,
-                };
-                solver::<R, V, S, M>(&there, settings)?.start(hand)
-            }
+        there.holding_point = match (self.pose.held, self.hold) {
+            (_, Hold::Never) => description.holding_point,
+            (true, Hold::Given) => self.store.holding_point,
+            (true, Hold::Taken) | (false, _) => None,
+        };
+        let solver = solver::<R, V, S, M>(&there, settings)?;
+        let (state, output) = if self.pose.held && self.hold == Hold::Taken {
+            self.taken_on(state, hand, there, settings)?
+        } else {
+            solver.start(hand)
         };
         if is_held_last(output.status) {
             Err(Refusal::Unsettled(output.status))
         } else if self.pose.held && !output.held {
             Err(Refusal::OutOfReach)
         } else {
-            Ok((state, output))
+            Ok(Settled {
+                solver,
+                state,
+                output,
+            })
         }
     }
 
@@ -171,14 +175,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
         let reach = there.reach;
         let coordinates = there.vertices.iter().flatten();
         let size = coordinates.fold(0.0, |size, &x| Real::max(size, Real::abs(x)));
-        there.holding_point = None;
         // The point was within reach; its rounding must not put it outside.
         there.reach = reach + ROUNDING * size;
-        let settings = Settings {
-            evolution: Evolution::Frame,
-            ..*settings
-        };
-        let solver = solver::<R, V, S, M>(&there, &settings)?;
+        let solver = solver::<R, V, S, M>(&there, settings)?.with_evolution(Evolution::Frame);
         let (mut state, taken) = solver.start(idle);
         if !taken.held {
             return Err(Refusal::OutOfReach);

@@ -46,6 +46,27 @@ impl Settings {
             None => Ok(()),
         }
     }
+
+    /// The stiffnesses of a scene leave the device passive.
+    pub(super) fn admit(&self, scene: &Description<'_, f32>) -> Result<(), LimitError> {
+        match &self.passivity {
+            Some(passivity) => {
+                passivity.admit(scene.stiffness_translation, scene.stiffness_rotation)
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// A solver that runs so.
+    pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
+        &self,
+        solver: Solver<R, V, S, M>,
+    ) -> Solver<R, V, S, M> {
+        solver
+            .with_evolution(self.evolution)
+            .with_tolerance(self.tolerance)
+            .with_event_limit(self.event_limit)
+    }
 }
 
 /// Where the body is.
@@ -185,15 +206,8 @@ pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model
     settings: &Settings,
 ) -> Result<Solver<R, V, S, M>, Refusal> {
     let scene = Scene::new(description)?;
-    if let Some(passivity) = &settings.passivity {
-        passivity.admit(
-            description.stiffness_translation,
-            description.stiffness_rotation,
-        )?;
-    }
-    Ok(Solver::new(scene, settings.evolution)
-        .with_tolerance(settings.tolerance)
-        .with_event_limit(settings.event_limit))
+    settings.admit(description)?;
+    Ok(settings.apply(Solver::new(scene, settings.evolution)))
 }
 
 /// A hand turned on by whole turns.

@@ -72,7 +72,8 @@ pub(super) fn carried<R: Real<Si: SiFloat>>(
     present: &Present,
 ) -> Result<Carried<R>, String> {
     scene.described(|description| {
-        let (state, output) = settled(description, evolution, present)?;
+        let carried = settled(description, evolution, present)?;
+        let output = &carried.output;
         if matches!(output.status, Status::Saturated | Status::HeldLast) {
             return Err(format!(
                 "the body does not settle: {}, allowed: what the number type carries",
@@ -82,17 +83,7 @@ pub(super) fn carried<R: Real<Si: SiFloat>>(
         if present.held && !output.held {
             return Err(OUT_OF_REACH.to_owned());
         }
-        let mut going = *description;
-        if present.hold != Hold::Never {
-            // It is for the first hold only.
-            going.holding_point = None;
-        }
-        let solver = solver(&going, evolution)?;
-        Ok(Carried {
-            solver,
-            state,
-            output,
-        })
+        Ok(carried)
     })
 }
 
@@ -104,24 +95,34 @@ fn solver<R: Real<Si: SiFloat>>(
     Ok(Solver::new(scene, evolution))
 }
 
+/// A holding point is for the first hold only. The state goes on in the solver that made it: the length unit of a point depends
+/// on its holding point.
 fn settled<R: Real<Si: SiFloat>>(
     description: &Description<'_, R::Si>,
     evolution: Evolution,
     present: &Present,
-) -> Result<(State<R>, Output<R::Si>), String> {
+) -> Result<Carried<R>, String> {
     let narrow = R::Si::narrow;
     let [x, y] = present.position.map(narrow);
     let mut there = Description {
         start: [x, y, narrow(present.angle.rest)],
         ..*description
     };
-    if present.held && present.hold == Hold::Taken {
-        return taken_on(there, present);
-    }
-    if !present.held && present.hold != Hold::Never {
+    let is_given = present.held && present.hold == Hold::Given;
+    if present.hold != Hold::Never && !is_given {
         there.holding_point = None;
     }
-    Ok(solver(&there, evolution)?.start(narrow_hand(&present.hand)))
+    let solver = solver(&there, evolution)?;
+    let (state, output) = if present.held && present.hold == Hold::Taken {
+        taken_on(there, present)?
+    } else {
+        solver.start(narrow_hand(&present.hand))
+    };
+    Ok(Carried {
+        solver,
+        state,
+        output,
+    })
 }
 
 /// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
@@ -141,7 +142,6 @@ fn taken_on<R: Real<Si: SiFloat>>(
     };
     let coordinates = there.vertices.iter().flatten();
     let size = coordinates.fold(0.0, |size: f64, x| size.max(x.widen().abs()));
-    there.holding_point = None;
     // The point was within reach; its rounding must not put it outside.
     there.reach = R::Si::narrow(there.reach.widen() + ROUNDING * size);
     let solver = solver(&there, Evolution::Frame)?;
