@@ -125,7 +125,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             tolerance: R::ZERO,
         };
         for event in 0..self.event_limit {
-            if log.ambiguous {
+            if log.unrest() != Status::Ok {
                 // Out of balance there is no way on, only a jump.
                 return self.by_jump(state, to, log);
             }

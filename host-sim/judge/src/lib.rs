@@ -10,8 +10,9 @@
 //!
 //! [`law`] has the name and the statement of every law, [`Bounds`] what is allowed. STATICS is `core/STATICS.md`.
 //!
-//! What a frame that is not `ok` promises is what it is judged by: `event-limit` and `iteration-limit` are in balance all the
-//! same; `ambiguous` is out of balance, and nothing moves; `saturated` and `held-last` repeat the pose of the frame before.
+//! What a frame that is not `ok` promises is what it is judged by: `event-limit` is in balance all the same; `ambiguous` is out of
+//! balance, and nothing moves; `saturated` and `held-last` repeat the pose of the frame before. `iteration-limit` promises no
+//! balance, but is judged as if it did: what a search left undone is to be seen.
 //!
 //! # What is not judged
 //!
