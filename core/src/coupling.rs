@@ -275,6 +275,11 @@ impl<R: Real> Stance<R> {
         R::rounding(self.size()).doubled().doubled()
     }
 
+    /// The same with the foot, which is rounded as a coordinate.
+    pub(crate) fn rounding_with_foot(&self) -> R {
+        self.rounding() + R::rounding(self.placed.point.reach())
+    }
+
     /// The size of what forces and moments are sums of.
     pub(crate) fn size(&self) -> R {
         self.force.reach() + self.lever.reach() + self.couple.abs()

@@ -99,6 +99,7 @@ mod geometry;
 mod hand;
 mod jet;
 mod list;
+mod log;
 mod model;
 mod motion;
 mod output;

@@ -2,11 +2,13 @@
 //! its value and what is allowed. Lengths are divided by L, the body's largest vertex distance, and forces by k_h L.
 
 use crate::body::Body;
+use crate::detect::Placed;
 use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
 use crate::model::{Full, Model};
 use crate::real::Real;
+use crate::state::Pair;
 use core::marker::PhantomData;
 use core::ops::Range;
 use heapless::Vec;
@@ -296,19 +298,16 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 
     /// At the start no vertex is deeper than 1e-5 of the body size inside a surface.
     fn check_start(&self) -> Result<(), SceneError<R::Si>> {
-        let rotation = self.start.orientation.rotation();
-        for (s, surface) in self.surface_indices().zip(&self.surfaces) {
-            let gap = |i: u8| {
-                let vertex = self.start.position + rotation.apply(self.vertex(i));
-                surface.normal.dot(vertex) - surface.offset
-            };
+        let placed = Placed::at(&self.start);
+        for surface in self.surface_indices() {
+            let gap = |vertex: u8| placed.gap(self, Pair { vertex, surface });
             let deepest = self.vertex_indices().fold((0, gap(0)), |worst, i| {
                 if gap(i) < worst.1 { (i, gap(i)) } else { worst }
             });
             if deepest.1 < -Self::start_tolerance() {
                 return Err(SceneError {
                     parameter: Parameter::Penetration {
-                        surface: usize::from(s),
+                        surface: usize::from(surface),
                         vertex: usize::from(deepest.0),
                     },
                     value: self.units.length_to_si(-deepest.1),

@@ -3,7 +3,8 @@
 
 use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
-use crate::output::{Event, Log, StateKind, Status};
+use crate::log::Log;
+use crate::output::{Event, StateKind, Status};
 use crate::real::Real;
 use crate::scene::World;
 use crate::state::{ContactState, Free, Moved, Pair, Pairs, Relax, Trigger};

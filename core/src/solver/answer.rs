@@ -3,8 +3,9 @@
 use super::{Solver, State};
 use crate::coupling::Stance;
 use crate::geometry::Angle;
+use crate::log::Log;
 use crate::model::Model;
-use crate::output::{Contact, Contacts, Log, Output, Wrench};
+use crate::output::{Contact, Contacts, Output, Wrench};
 use crate::real::Real;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {

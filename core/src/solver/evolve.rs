@@ -4,8 +4,9 @@
 use super::{Solver, State};
 use crate::coupling::Grip;
 use crate::geometry::{Angle, Vec2};
+use crate::log::Log;
 use crate::model::Model;
-use crate::output::{Log, Status};
+use crate::output::Status;
 use crate::real::Real;
 use crate::scene::{Scene, World};
 use crate::state::{ContactState, Terms, Trigger};

@@ -198,9 +198,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// What the friction at the end of a slip may be off.
     fn found_to(stance: &Stance<R>) -> R {
-        // The foot, too, is rounded, as a coordinate.
-        let place = R::rounding(stance.placed.point.reach());
-        let rounding = (stance.rounding() + place) * R::from_int(64);
+        let rounding = stance.rounding_with_foot() * R::from_int(64);
         rounding + (stance.size() * stance.tolerance).doubled().doubled()
     }
 
@@ -301,10 +299,9 @@ impl<R: Real> SingleVertex<R> {
     /// True if the moment of the load is rounding, or within the tolerance.
     fn is_balanced(&self, stance: &Stance<R>) -> bool {
         let within = (stance.tolerance * stance.stability()).doubled();
-        // The foot, too, is rounded, as a coordinate, and so is the angle.
-        let place = R::rounding(stance.placed.point.reach());
+        // The angle is rounded, too.
         let angle = R::rounding(stance.stability()).doubled().doubled();
-        let rounding = (stance.rounding() + place + angle).doubled();
+        let rounding = (stance.rounding_with_foot() + angle).doubled();
         stance.moment().abs() <= rounding.max(within)
     }
 

@@ -1,0 +1,68 @@
+//! What happens during a step, gathered for the output.
+
+use crate::output::{Event, MAX_EVENTS, Status};
+use crate::real::Real;
+use crate::transition::Transitions;
+use heapless::Vec;
+
+/// What happens during a step, gathered for the output.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Log<R> {
+    pub(crate) events: Vec<Event, MAX_EVENTS>,
+    pub(crate) slips: u32,
+    pub(crate) longest_slip: R,
+    pub(crate) status: Status,
+    /// The body was last left out of balance, for want of a consistent motion.
+    pub(crate) ambiguous: bool,
+    pub(crate) transitions: Transitions,
+}
+
+impl<R: Real> Log<R> {
+    /// Adds an event; a run of equal ones counts once.
+    pub(crate) fn event(&mut self, event: Event) {
+        if self.events.last() != Some(&event) {
+            // A full list keeps the first events of the frame.
+            let _ = self.events.push(event);
+        }
+    }
+    /// Counts a slip of the given length that ended at mu_d N.
+    pub(crate) fn slip(&mut self, length: R) {
+        self.slips = self.slips.saturating_add(1);
+        self.longest_slip = self.longest_slip.max(length.abs());
+        self.event(Event::Slip);
+    }
+    /// The gravest status. What was ambiguous on the way but came to rest after all does not count.
+    pub(crate) fn final_status(&self) -> Status {
+        if self.ambiguous {
+            self.status.max(Status::Ambiguous)
+        } else {
+            self.status
+        }
+    }
+    /// The status, where the body was not brought to balance.
+    pub(crate) fn unrest(&self) -> Status {
+        match self.final_status() {
+            Status::Ok | Status::EventLimit => Status::Ok,
+            grave => grave,
+        }
+    }
+    /// Nothing but a single slip.
+    pub(crate) fn is_one_slip(&self) -> bool {
+        self.slips == 1 && self.events.len() == 1 && self.final_status() == Status::Ok
+    }
+    /// Adds what happened later.
+    pub(crate) fn merge(&mut self, later: &Self) {
+        for &event in &later.events {
+            self.event(event);
+        }
+        self.slips = self.slips.saturating_add(later.slips);
+        self.longest_slip = self.longest_slip.max(later.longest_slip);
+        self.limit(later.status);
+        self.ambiguous = later.ambiguous;
+        self.transitions = self.transitions.union(later.transitions);
+    }
+    /// Keeps the gravest status.
+    pub(crate) fn limit(&mut self, status: Status) {
+        self.status = self.status.max(status);
+    }
+}
