@@ -24,6 +24,11 @@ const fn times(count: u32) -> u32 {
     if cfg!(miri) { count / 500 } else { count }
 }
 
+/// Of many cases every one, or, in the slow interpreter, one in `of`.
+fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
+    all.step_by(if cfg!(miri) { of } else { 1 })
+}
+
 /// A frame of either direction.
 enum Either<'a> {
     Command(Frame<Command<'a>>),

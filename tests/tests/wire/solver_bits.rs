@@ -7,7 +7,7 @@ use stiction_core::{
     SurfaceDescription,
 };
 
-const FRAMES: u32 = 3000;
+const FRAMES: u32 = if cfg!(miri) { 300 } else { 3000 };
 
 fn scene<R: Real<Si = f32>>() -> Scene<R, 4, 1> {
     Scene::new(&Description {
@@ -122,7 +122,7 @@ fn poses_carry_the_bits<R: Real<Si = f32>>(evolution: Evolution) {
         }
     }
     assert!(
-        states.contains(&StateKind::SingleVertex) && states.len() >= 2,
+        cfg!(miri) || states.contains(&StateKind::SingleVertex) && states.len() >= 2,
         "{states:?}"
     );
 }
