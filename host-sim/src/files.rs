@@ -1,28 +1,70 @@
 //! The files that a run writes frame by frame: a trace and a recording, where they are wanted. They appear in their places
-//! when all is written, or not at all.
+//! when all is written, or not at all; never in the place of what was read, and no two in the same one.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use stiction_scene::Sample;
 
+use crate::plot;
 use crate::record::{Frame, Run};
 use crate::recording::{Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};
 
 /// A file cannot be written.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: cannot be written: {error}", file.display())]
-pub struct WriteError {
-    file: PathBuf,
-    error: io::Error,
+pub enum WriteError {
+    /// The system does not take it.
+    #[error("{}: cannot be written: {error}", file.display())]
+    System {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// It would replace what is read.
+    #[error("{}: is read and would be written by {by}, allowed: another name", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// The option that names it.
+        by: &'static str,
+    },
+    /// It would replace another output.
+    #[error(
+        "{}: would be written by {} and by {}, allowed: a name for each",
+        file.display(), by[0], by[1]
+    )]
+    Twice {
+        /// The file.
+        file: PathBuf,
+        /// The options that name it.
+        by: [&'static str; 2],
+    },
 }
 
 impl WriteError {
     pub(crate) fn of(file: &Path) -> impl FnOnce(io::Error) -> Self {
         let file = file.to_owned();
-        |error| Self { file, error }
+        |error| Self::System { file, error }
     }
+}
+
+/// Where a name leads to: of what is not there yet, from the nearest folder that is.
+fn place(file: &Path) -> PathBuf {
+    let absolute = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let whole = absolute.ancestors().find_map(|folder| {
+        let rest = absolute.strip_prefix(folder).ok()?;
+        Some(
+            folder
+                .canonicalize()
+                .ok()?
+                .components()
+                .chain(rest.components())
+                .collect(),
+        )
+    });
+    whole.unwrap_or(absolute)
 }
 
 /// A trace and a recording, or one of them, or none.
@@ -33,6 +75,37 @@ pub(crate) struct Files {
 }
 
 impl Files {
+    /// Looks at the names of all that a command reads (where the file is there) and writes, before anything is written.
+    ///
+    /// # Errors
+    /// An output would replace an input or another output.
+    pub(crate) fn check<'a>(
+        read: impl IntoIterator<Item = &'a Path>,
+        out: Option<&(PathBuf, Format)>,
+        record: Option<&PathBuf>,
+        plot: Option<&PathBuf>,
+    ) -> Result<(), WriteError> {
+        let read = read.into_iter().filter(|file| file.exists());
+        let read: Vec<PathBuf> = read.map(place).collect();
+        let out = out.map(|(file, _)| ("--out", file.clone()));
+        let record = record.map(|file| ("--record", file.clone()));
+        let plots = plot.map_or_else(Vec::new, |folder| plot::places(folder));
+        let plots = plots.into_iter().map(|file| ("--plot", file));
+        let mut written: Vec<(&str, PathBuf)> = Vec::new();
+        for (by, file) in out.into_iter().chain(record).chain(plots) {
+            let there = place(&file);
+            if read.contains(&there) {
+                return Err(WriteError::Read { file, by });
+            }
+            if let Some((before, _)) = written.iter().find(|(_, place)| *place == there) {
+                let by = [*before, by];
+                return Err(WriteError::Twice { file, by });
+            }
+            written.push((by, there));
+        }
+        Ok(())
+    }
+
     /// Begins a trace of a run, where one is wanted.
     pub(crate) fn trace(file: Option<&(PathBuf, Format)>, run: &Run) -> Result<Self, WriteError> {
         let trace = file.map(|(file, format)| {

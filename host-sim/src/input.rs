@@ -18,6 +18,14 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     }
 }
 
+/// The file that [`open_path`] reads, if it reads one.
+pub(crate) fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
+    hand.or(match &scene.hand.motion {
+        Some(Motion::Recorded(file)) => Some(file),
+        _ => None,
+    })
+}
+
 /// The hand's path and the rate (Hz) to resample it to: a file and a rate that are given, or else those of the scene.
 pub(crate) fn open_path(
     scene: &SceneFile,
@@ -25,15 +33,14 @@ pub(crate) fn open_path(
     rate: Option<f64>,
 ) -> Result<(HandPath, Option<f64>), InputError> {
     let rate = rate.or(scene.hand.rate);
-    let path = match (hand, &scene.hand.motion) {
+    let path = match (path_file(scene, hand), &scene.hand.motion) {
         (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
-        (None, Some(Motion::Recorded(file))) => HandPath::read(file, &scene.hand.placement)?,
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
         (None, Some(Motion::Keyframes(_))) => {
             let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
             return Err(scene.source().error(problem));
         }
-        (None, None) => {
+        (None, _) => {
             let problem =
                 "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
             return Err(scene.source().error(problem));

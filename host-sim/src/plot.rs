@@ -67,6 +67,12 @@ const PICTURES: [(&str, Picture); 4] = [
     ("strip", strip::svg),
 ];
 
+/// The files that [`write`] writes into `dir`.
+pub(crate) fn places(dir: &Path) -> Vec<PathBuf> {
+    let both = |(name, _)| ["svg", "png"].map(|extension| dir.join(name).with_extension(extension));
+    PICTURES.into_iter().flat_map(both).collect()
+}
+
 /// Writes `trajectory`, `forces`, `motion` and `strip`, each as `.svg` and `.png`, into `dir`, which is created where it is
 /// missing. Gives the paths of the files in that order.
 ///

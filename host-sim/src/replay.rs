@@ -51,6 +51,8 @@ pub enum ReplayError {
 /// # Errors
 /// A recording that cannot be used, or output that cannot be written.
 pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
+    let input = [args.recording.as_path()];
+    Files::check(input, args.out.as_ref(), args.record.as_ref(), None)?;
     let mut recording = Recording::open(&args.recording)?;
     let head = recording.head.clone();
     let (scene, run) = read(&recording)?;
