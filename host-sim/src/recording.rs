@@ -5,10 +5,11 @@
 //! {"recording":1,"build":"...","number":"f32","evolution":"path","tolerance":0.0,"events":128,
 //!  "friction":true,"weight":true,"name":"box.toml","scene":"[body]\n..."}
 //! {"sample":{"t":0.0,"position":[x,y],"turns":0,"rest":0.1,"depth":0.0,"held":true},"answer":{record of the trace}}
+//! {"samples":1}
 //! ```
 //!
 //! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
-//! parts the solver has. The first sample starts the scene.
+//! parts the solver has. The first sample starts the scene. The last line counts the samples; a recording without it was cut.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
@@ -108,6 +109,13 @@ struct LineIn {
     answer: Option<Box<RawValue>>,
 }
 
+/// The last line.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct End {
+    samples: u64,
+}
+
 /// The program that runs, and the machine.
 pub(crate) fn this_build() -> String {
     let version = env!("CARGO_PKG_VERSION");
@@ -144,6 +152,7 @@ pub(crate) struct RecordingWriter {
     place: PathBuf,
     surfaces: Vec<String>,
     single: bool,
+    samples: u64,
     writer: BufWriter<NamedTempFile>,
 }
 
@@ -160,6 +169,7 @@ impl RecordingWriter {
             place: place.to_owned(),
             surfaces: run.surface_names(),
             single: run.number.is_single(),
+            samples: 0,
             writer,
         })
     }
@@ -174,14 +184,18 @@ impl RecordingWriter {
             answer: answer.map(|frame| Record::new(frame, &self.surfaces, self.single)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;
+        self.samples += 1;
         self.writer.write_all(b"\n")
     }
 
-    /// Puts the whole recording in its place.
+    /// Ends the recording with the count of its samples and puts it in its place.
     ///
     /// # Errors
     /// The file cannot be written or moved.
-    pub(crate) fn finish(self) -> io::Result<()> {
+    pub(crate) fn finish(mut self) -> io::Result<()> {
+        let samples = self.samples;
+        serde_json::to_writer(&mut self.writer, &End { samples })?;
+        self.writer.write_all(b"\n")?;
         let file = self
             .writer
             .into_inner()
@@ -219,6 +233,8 @@ pub enum RecordingError {
 pub(crate) struct Recording {
     file: PathBuf,
     line: usize,
+    samples: u64,
+    ended: bool,
     reader: BufReader<File>,
     pub(crate) head: Head,
 }
@@ -253,6 +269,8 @@ impl Recording {
         Ok(Self {
             file: file.to_owned(),
             line: 1,
+            samples: 0,
+            ended: false,
             reader,
             head,
         })
@@ -261,8 +279,26 @@ impl Recording {
     /// The next sample with the text of its answer; nothing at the end.
     ///
     /// # Errors
-    /// The file cannot be read, or the line is no sample.
+    /// The file cannot be read, the line is no sample, or the last line counts others than there are.
     pub(crate) fn next(&mut self) -> Result<Option<(Sample, Option<String>)>, RecordingError> {
+        let Some(text) = self.next_line()? else {
+            return Ok(None);
+        };
+        if let Ok(end) = serde_json::from_str::<End>(&text) {
+            self.end(&end)?;
+            return Ok(None);
+        }
+        let line: LineIn = serde_json::from_str(&text).map_err(|error| {
+            let allowed = "a sample and its answer, or the count of the samples";
+            self.error(format!("{}, allowed: {allowed}", plain(&error)))
+        })?;
+        self.samples += 1;
+        let answer = line.answer.map(|answer| answer.get().to_owned());
+        Ok(Some((line.sample.sample(), answer)))
+    }
+
+    /// The text of the next line; nothing at the end of the file.
+    fn next_line(&mut self) -> Result<Option<String>, RecordingError> {
         let mut text = String::new();
         let count = self
             .reader
@@ -271,18 +307,37 @@ impl Recording {
                 file: self.file.clone(),
                 error,
             })?;
-        if count == 0 {
-            return Ok(None);
+        self.line += usize::from(count > 0);
+        Ok((count > 0).then_some(text))
+    }
+
+    /// Takes the last line.
+    fn end(&mut self, end: &End) -> Result<(), RecordingError> {
+        let (counted, there) = (end.samples, self.samples);
+        if counted != there {
+            let problem = format!(
+                "`samples` is {counted}, but {there} are there, allowed: all that were recorded"
+            );
+            return Err(self.error(problem));
         }
-        self.line += 1;
-        let line: LineIn = serde_json::from_str(&text).map_err(|error| {
-            self.error(format!(
-                "{}, allowed: a sample and its answer",
-                plain(&error)
-            ))
-        })?;
-        let answer = line.answer.map(|answer| answer.get().to_owned());
-        Ok(Some((line.sample.sample(), answer)))
+        self.ended = true;
+        match self.next_line()? {
+            Some(_) => {
+                Err(self.error("follows the count of the samples, allowed: nothing".to_owned()))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// What is missing where the recording ended without the count of its samples.
+    pub(crate) fn cut(&self) -> Option<String> {
+        (!self.ended).then(|| {
+            format!(
+                "{}: ends after line {} without the count of its samples: it was cut, or what wrote it was ended; allowed: a last line {{\"samples\":N}}",
+                self.file.display(),
+                self.line
+            )
+        })
     }
 
     /// A problem in the line that was read last.

@@ -46,7 +46,7 @@ pub enum ReplayError {
     Write(#[from] WriteError),
 }
 
-/// Replays a recording and says whether every answer is the same. False where one differs.
+/// Replays a recording and says whether every answer is the same. False where one differs, or where the recording was cut.
 ///
 /// # Errors
 /// A recording that cannot be used, or output that cannot be written.
@@ -85,6 +85,8 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     }
     files.finish()?;
     let build = &head.build;
+    let cut = recording.cut();
+    cut.iter().for_each(|cut| eprintln!("{cut}"));
     match first {
         Some((line, t, difference)) => {
             report::print(&format!(
@@ -100,7 +102,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
                     "{compared} of {count} frames compared, the same bits; recorded by {build}\n"
                 ));
             }
-            Ok(true)
+            Ok(cut.is_none())
         }
     }
 }

@@ -122,6 +122,44 @@ fn the_first_frame_that_differs_is_named() {
     assert!(message.contains("10 of 11 frames compared"), "{message}");
 }
 
+/// The last line counts the samples, so that lines which are lost are missed.
+#[test]
+fn a_recording_that_lost_whole_lines_is_not_good() {
+    let folder = recorded(&[]);
+    let recording = folder.read("recording.jsonl");
+    let lines: Vec<&str> = recording.lines().collect();
+    assert_eq!((lines.len(), lines[12]), (13, r#"{"samples":11}"#));
+    let replayed = |kept: &[&str], options: &[&str]| {
+        folder.write("lost.jsonl", kept.join("\n") + "\n");
+        said(&folder, &[&["replay", "lost.jsonl"], options].concat())
+    };
+    // Its end is lost: what is there is replayed, and what is missing is said.
+    for options in [&[][..], &["--quiet"]] {
+        for (kept, last) in [(&lines[..12], 12), (&lines[..5], 5)] {
+            let (status, message) = replayed(kept, options);
+            assert_eq!(status, Some(1), "{message}");
+            let place = format!("lost.jsonl: ends after line {last} without the count");
+            assert!(message.contains(&place), "{message}");
+            let compared = format!("{0} of {0} frames compared, the same bits", last - 1);
+            assert_eq!(message.contains(&compared), options.is_empty(), "{message}");
+        }
+    }
+    // Lines are lost in between, or there are more than were recorded.
+    let lost = [&lines[..11], &lines[12..]].concat();
+    let twice = [&lines[..12], &lines[11..]].concat();
+    for (kept, place, there) in [(lost, "line 12", 10), (twice, "line 14", 12)] {
+        let (status, message) = replayed(&kept, &["--out", "again.jsonl"]);
+        assert_eq!(status, Some(2), "{message}");
+        let counts = format!("{place}: `samples` is 11, but {there} are there, allowed: ");
+        assert!(message.contains(&counts), "{message}");
+        assert!(!folder.names().contains(&"again.jsonl".to_owned()));
+    }
+    let more = [&lines[..], &lines[11..]].concat();
+    let (status, message) = replayed(&more, &[]);
+    assert_eq!(status, Some(2), "{message}");
+    assert!(message.contains("line 14: follows the count"), "{message}");
+}
+
 /// A line of a recording whose answer did not come.
 fn without_answer(line: &str) -> String {
     let end = line.find(r#","answer":"#).expect("an answer");
