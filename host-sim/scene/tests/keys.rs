@@ -1,0 +1,71 @@
+//! The table of keys in the README: those that the reader of scene files knows, and the room that it has.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use stiction_scene::{SURFACES, SceneFile, Source, VERTICES};
+
+fn readme() -> String {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    fs::read_to_string(file).expect("the README")
+}
+
+/// The keys in the first column of the table.
+fn written() -> BTreeSet<String> {
+    let text = readme();
+    let (_, table) = text.split_once("<!-- keys: begin -->").expect("a table");
+    let (table, _) = table.split_once("<!-- keys: end -->").expect("its end");
+    let rows = table.lines().filter_map(|line| line.strip_prefix("| `"));
+    let keys = rows.map(|row| row.split('`').next().expect("a key").to_owned());
+    let (keys, count): (BTreeSet<_>, _) = (keys.clone().collect(), keys.count());
+    assert_eq!(keys.len(), count, "a key is there twice");
+    keys
+}
+
+/// What the reader says that it expects where a key is not known.
+fn expected(text: &str) -> Vec<String> {
+    let error = SceneFile::parse(Source::new("scene.toml", text), f64::MAX).expect_err("no scene");
+    let (_, names) = error
+        .problem()
+        .split_once("expected ")
+        .expect("what is expected");
+    let names: Vec<String> = names
+        .split('`')
+        .skip(1)
+        .step_by(2)
+        .map(str::to_owned)
+        .collect();
+    assert!(!names.is_empty(), "{error}");
+    names
+}
+
+/// The keys that the reader knows, in every section that it knows.
+fn known() -> BTreeSet<String> {
+    let keys = expected("none = 1").into_iter().flat_map(|section| {
+        let header = match section.as_str() {
+            "surface" => "[[surface]]".to_owned(),
+            _ => format!("[{section}]"),
+        };
+        let names = expected(&format!("{header}\nnone = 1"));
+        names
+            .into_iter()
+            .map(move |name| format!("{section}.{name}"))
+    });
+    keys.collect()
+}
+
+#[test]
+fn the_table_has_the_keys_that_are_read() {
+    assert_eq!(written(), known());
+}
+
+#[test]
+fn the_table_tells_the_room_that_there_is() {
+    for told in [
+        format!("| 1 to {VERTICES} of `[x, y]`"),
+        format!("0 to {SURFACES} of them"),
+    ] {
+        assert!(readme().contains(&told), "{told}");
+    }
+}
