@@ -249,10 +249,23 @@ fn more_vertices_or_surfaces_than_there_is_room_for_are_refused() {
         "scene.toml",
         SCENE.replacen(vertices, &format!("[{}]", circle.join(", ")), 1),
     );
-    assert_refused("vertices", &folder, &[], &["line 3", "body.vertices", "65"]);
+    assert_refused(
+        "vertices",
+        &folder,
+        &[],
+        &[
+            "line 3",
+            "`body.vertices` is 65 vertices long, allowed: 1 to 64",
+        ],
+    );
     let surfaces = "\n[[surface]]\nnormal = [0.0, 1.0]\noffset = -1.0\n".repeat(15);
     folder.write("scene.toml", format!("{SCENE}{surfaces}"));
-    assert_refused("surfaces", &folder, &[], &["surface", "17"]);
+    assert_refused(
+        "surfaces",
+        &folder,
+        &[],
+        &["`surface` is given 17 times, allowed: 0 to 16"],
+    );
 }
 
 #[test]

@@ -14,9 +14,17 @@ fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -
 }
 
 impl WrittenScene {
-    /// The solver's error in the words of the file.
-    pub(crate) fn explain<F: SiFloat>(&self, error: &SceneError<F>) -> InputError {
-        let allowed = error.allowed;
+    /// The error of a solver with room for so many vertices and surfaces, in the words of the file.
+    pub(crate) fn explain<F: SiFloat>(
+        &self,
+        error: &SceneError<F>,
+        [vertices, surfaces]: [usize; 2],
+    ) -> InputError {
+        let allowed = match error.parameter {
+            Parameter::VertexCount => format!("1 to {vertices}"),
+            Parameter::SurfaceCount => format!("0 to {surfaces}"),
+            _ => error.allowed.to_owned(),
+        };
         if let Parameter::Penetration { surface, vertex } = error.parameter {
             let (key, offset, _) = place("body.start", &self.document.body.start);
             let name = self.surfaces.get(surface).map_or("", |s| s.name.as_str());

@@ -88,7 +88,7 @@ impl WrittenScene {
         M: Model,
     {
         self.described(|description| Scene::new(description))
-            .map_err(|error| self.explain(&error))
+            .map_err(|error| self.explain(&error, [V, S]))
     }
 
     /// The scene in the float of a solver, as it is given to it or sent to a board.
