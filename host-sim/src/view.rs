@@ -144,6 +144,16 @@ pub enum ViewError {
         /// What the system says.
         error: io::Error,
     },
+    /// Poses cannot be sent there.
+    #[error("{option} {address}: {error}, allowed: HOST:PORT, the port from 1 to 65535")]
+    Renderer {
+        /// `--osc` or `--opentrack`.
+        option: &'static str,
+        /// As it was given.
+        address: String,
+        /// What the system says.
+        error: io::Error,
+    },
     /// The system does not give what a server needs.
     #[error(transparent)]
     System(#[from] io::Error),

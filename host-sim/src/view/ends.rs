@@ -66,12 +66,13 @@ impl Ends {
             inward: Vec::new(),
         };
         let outward = [
-            (&args.osc, Format::Osc),
-            (&args.opentrack, Format::OpenTrack),
+            ("--osc", &args.osc, Format::Osc),
+            ("--opentrack", &args.opentrack, Format::OpenTrack),
         ];
-        for (address, format) in outward {
+        for (option, address, format) in outward {
             let Some(address) = address else { continue };
-            let socket = outward::to(address).map_err(|error| ViewError::Address {
+            let socket = outward::to(address).map_err(|error| ViewError::Renderer {
+                option,
                 address: address.clone(),
                 error,
             })?;

@@ -26,10 +26,13 @@ const CENTIMETRES: f64 = 100.0;
 /// A socket that sends to an address.
 ///
 /// # Errors
-/// There is no such host.
+/// There is no such host, or no port.
 pub(super) fn to(address: &str) -> io::Result<StdSocket> {
     let resolved = address.to_socket_addrs()?.next();
     let to = resolved.ok_or_else(|| io::Error::other("no such host"))?;
+    if to.port() == 0 {
+        return Err(io::Error::other("nobody hears on port 0"));
+    }
     let from: SocketAddr = match to {
         SocketAddr::V4(_) => ([0, 0, 0, 0], 0).into(),
         SocketAddr::V6(_) => ([0; 16], 0).into(),

@@ -192,18 +192,26 @@ fn without_arguments_the_page_is_served() {
 fn what_cannot_be_viewed_ends_with_status_2() {
     let folder = Folder::new();
     folder.write("bad.toml", "[body]\n");
-    for arguments in [
-        &["nowhere"][..],
-        &["bad.toml"],
-        &["--hand", "none.csv"],
-        &["--listen", "somewhere"],
-        &["--osc", "no port"],
-        &["--osc-rate", "0"],
+    for (arguments, expected) in [
+        (&["nowhere"][..], "nowhere: no such file, allowed: "),
+        (&["bad.toml"], "bad.toml, line 1: "),
+        (&["--hand", "none.csv"], "none.csv: cannot be read"),
+        (&["--listen", "somewhere"], "--listen"),
+        (&["--osc", "nohost"], "--osc nohost: "),
+        (
+            &["--osc", "nohost"],
+            ", allowed: HOST:PORT, the port from 1 to 65535",
+        ),
+        (&["--osc", "127.0.0.1:0"], "--osc 127.0.0.1:0: "),
+        (&["--opentrack", "127.0.0.1:0"], "--opentrack 127.0.0.1:0: "),
+        (&["--opentrack", "127.0.0.1:port"], ", allowed: HOST:PORT, "),
+        (&["--osc-rate", "0"], "--osc-rate"),
     ] {
         let output =
             folder.stiction(&[&["view", "--listen", "127.0.0.1:0"][..], arguments].concat());
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(!text(&output.stderr).is_empty());
+        let message = text(&output.stderr);
+        assert!(message.contains(expected), "{arguments:?}: {message}");
     }
 }
 
