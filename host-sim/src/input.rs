@@ -30,9 +30,9 @@ pub(crate) fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Opt
 pub(crate) fn open_path(
     scene: &SceneFile,
     hand: Option<&Path>,
-    rate: Option<f64>,
+    given: Option<f64>,
 ) -> Result<(HandPath, Option<f64>), InputError> {
-    let rate = rate.or(scene.hand.rate);
+    let rate = given.or(scene.hand.rate);
     let path = match (path_file(scene, hand), &scene.hand.motion) {
         (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
@@ -47,12 +47,19 @@ pub(crate) fn open_path(
         }
     };
     let count = path.frame_count(rate);
-    if count > HandPath::LARGEST_COUNT {
-        let problem = format!(
-            "the rate gives {count} frames, allowed: at most {}",
-            HandPath::LARGEST_COUNT
-        );
-        return Err(scene.source().error(&problem));
+    if count <= HandPath::LARGEST_COUNT {
+        return Ok((path, rate));
     }
-    Ok((path, rate))
+    let by = given.map_or("hand.rate", |_| "--rate");
+    let problem = format!(
+        "`{by}` is {:?} Hz and the path {:?} s long, which gives {count} frames, allowed: at most {}",
+        rate.unwrap_or_default(),
+        path.seconds(),
+        HandPath::LARGEST_COUNT
+    );
+    Err(match path_file(scene, hand) {
+        Some(file) => HandPath::error_at_end(file, &problem),
+        None if given.is_some() => scene.source().error(&problem),
+        None => scene.error_at_rate(&problem),
+    })
 }

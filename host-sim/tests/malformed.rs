@@ -31,10 +31,12 @@ const IN_SCENES: &[Mistake] = &[
     ("offset missing", "normal = [1.0, 0.0]\noffset = 0.0", "normal = [1.0, 0.0]", &["offset"]),
     ("friction missing", "[friction]\nstatic = 0.5\ndynamic = 0.3\n", "", &["surface 0", "static", "[friction]"]),
     ("dynamic friction missing", "dynamic = 0.3\n", "", &["surface 0", "dynamic"]),
-    ("text for a number", "500.0", "\"500\"", &["line 12", "string"]),
-    ("number for a text", "\"floor\"", "1", &["line 20", "integer"]),
-    ("table for an array", "[0.2, 0.12, 0.5]", "{ x = 0.2 }", &["line 4"]),
-    ("boolean for a number", "reach = 0.01", "reach = true", &["line 9", "boolean"]),
+    ("text for a number", "500.0", "\"500\"", &["line 12", "`spring.translation` is string \"500\", allowed: a number"]),
+    ("number for a text", "\"floor\"", "1", &["line 20", "`surface[0].name` is integer `1`, allowed: a text"]),
+    ("table for an array", "[0.2, 0.12, 0.5]", "{ x = 0.2 }", &["line 4", "`body.start` is map, allowed: an array"]),
+    ("boolean for a number", "reach = 0.01", "reach = true", &["line 9", "`grasp.reach` is boolean `true`, allowed: a number"]),
+    ("text for a friction", "static = 0.5", "static = \"high\"", &["line 16", "`friction.static` is string \"high\", allowed: a number"]),
+    ("text in an array", "[0.05, 0.03]", "[0.05, \"up\"]", &["line 3", "`body.vertices[2][1]` is string \"up\", allowed: a number"]),
     // The body.
     ("start of two numbers", "[0.2, 0.12, 0.5]\nweight", "[0.2, 0.12]\nweight", &["body.start", "3 numbers"]),
     ("vertex of three numbers", "[0.05, 0.03]", "[0.05, 0.03, 0.0]", &["body.vertices[2]", "2 numbers"]),
@@ -84,7 +86,7 @@ const IN_SCENES: &[Mistake] = &[
     ("rate 0", "rate = 10.0", "rate = 0.0", &["line 30", "hand.rate", "more than 0"]),
     ("negative rate", "rate = 10.0", "rate = -10.0", &["line 30", "hand.rate", "-10.0"]),
     ("nan rate", "rate = 10.0", "rate = nan", &["line 30", "hand.rate", "NaN"]),
-    ("too many frames", "rate = 10.0", "rate = 1e12", &["rate", "frames"]),
+    ("too many frames", "rate = 10.0", "rate = 1e12", &["line 30", "`hand.rate` is 1000000000000.0 Hz", "the path 1.0 s long", "1000000000001 frames", "allowed: at most 1000000000"]),
     ("keyframe of three numbers", "[1.0, 0.2, 0.06, 0.5]", "[1.0, 0.2, 0.06]", &["line 33", "hand.keyframes[1]", "4 numbers"]),
     ("keyframe of six numbers", "[1.0, 0.2, 0.06, 0.5]", "[1.0, 0.2, 0.06, 0.5, 1, 1]", &["line 33", "hand.keyframes[1]"]),
     ("held neither 0 nor 1", "0.06, 0.5]", "0.06, 0.5, 0.5]", &["line 33", "hand.keyframes[1]", "held"]),
@@ -123,7 +125,8 @@ const IN_PATHS: &[BadPath] = &[
     ("long row", "hand.csv", "t,x,y,phi\n0,0,0.14,0,1\n", &["line 2", "5 values"]),
     ("text for a number", "hand.csv", "t,x,y,phi\n0,0,zero,0\n", &["line 2", "`y`", "zero"]),
     ("no value", "hand.csv", "t,x,y,phi\n0,,0.14,0\n", &["line 2", "`x`"]),
-    ("held neither 0 nor 1", "hand.csv", "t,x,y,phi,held\n0,0,0.14,0,2\n", &["line 2", "`held`"]),
+    ("held neither 0 nor 1", "hand.csv", "t,x,y,phi,held\n0,0,0.14,0,2\n", &["line 2", "`held` is 2.0, allowed: 0 or 1"]),
+    ("held a word", "hand.csv", "t,x,y,phi,held\n0,0,0.14,0,yes\n", &["line 2", "`held` is \"yes\", allowed: 0 or 1"]),
     ("held nan", "hand.csv", "t,x,y,phi,held\n0,0,0.14,0,nan\n", &["line 2", "`held`"]),
     ("times equal", "hand.csv", "t,x,y,phi\n0,0,0.14,0\n0,0,0.14,0\n", &["line 3", "`t`"]),
     ("times decreasing", "hand.csv", "t,x,y,phi\n\n2,0,0.14,0\n# back\n1,0,0.14,0\n", &["line 5", "`t`"]),
@@ -227,6 +230,30 @@ fn mistakes_in_recorded_paths_are_refused() {
     }
 }
 
+/// A path that is given beside the scene is blamed itself.
+#[test]
+fn paths_that_last_too_long_for_the_rate_are_refused_with_their_last_line() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    folder.write(
+        "long.csv",
+        "t,x,y,phi\n0,0.2,0.14,0.5\n1e12,0.2,0.14,0.5\n# the end\n",
+    );
+    for (rate, by) in [
+        (&[][..], "`hand.rate` is 10.0 Hz"),
+        (&["--rate", "5"], "`--rate` is 5.0 Hz"),
+    ] {
+        let arguments = [&["--hand", "long.csv"], rate].concat();
+        let end = "the path 1000000000000.0 s long, which gives";
+        assert_refused(
+            by,
+            &folder,
+            &arguments,
+            &["long.csv, line 3: ", by, end, "at most 1000000000"],
+        );
+    }
+}
+
 #[test]
 fn bytes_that_are_not_text_are_refused() {
     let folder = Folder::new();
@@ -276,6 +303,14 @@ fn arguments_that_mean_nothing_are_refused() {
         (&["--rate", "0"], &["--rate", "0"]),
         (&["--rate", "nan"], &["--rate", "nan"]),
         (&["--rate", "fast"], &["--rate", "fast"]),
+        (
+            &["--rate", "1e12"],
+            &[
+                "`--rate` is 1000000000000.0 Hz",
+                "1000000000001 frames",
+                "at most 1000000000",
+            ],
+        ),
         (&["--tolerance", "0.02"], &["--tolerance", "0 to 0.01"]),
         (&["--events", "0"], &["--events", "1 to 128"]),
         (&["--hand", "absent.csv"], &["absent.csv"]),

@@ -66,9 +66,25 @@ impl HandPath {
         Ok(Self::new(placement.place(source, &rows)?))
     }
 
+    /// A problem with the last record of a recorded path.
+    pub fn error_at_end(file: &Path, problem: &str) -> InputError {
+        match Source::read(file) {
+            Ok(source) => source.error_in_line(recorded::last_line(&source), problem),
+            Err(error) => error,
+        }
+    }
+
     /// How many samples there are.
     pub fn count(&self) -> usize {
         self.samples.len()
+    }
+
+    /// From the first sample to the last (s).
+    pub fn seconds(&self) -> f64 {
+        match self.samples.as_slice() {
+            [first, .., last] => last.t - first.t,
+            _ => 0.0,
+        }
     }
 
     /// How many frames [`Self::frames`] gives; more than [`Self::LARGEST_COUNT`] for a rate that is too high.

@@ -46,6 +46,14 @@ impl SceneFile {
         Ok(Self { written, hand })
     }
 
+    /// A problem with `hand.rate`, in its line where it is given.
+    pub fn error_at_rate(&self, problem: &str) -> InputError {
+        match &self.written.document.hand.rate {
+            Some(rate) => self.source().error_at(rate.span().start, problem),
+            None => self.source().error(problem),
+        }
+    }
+
     /// The scene for the solver.
     ///
     /// # Errors

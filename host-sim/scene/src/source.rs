@@ -1,9 +1,12 @@
 //! An input file held as text, and the message that says what is wrong in it and where.
 
 use std::fmt;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
 
 /// Input that cannot be used: the file, the line, what is wrong there and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,6 +52,25 @@ pub(crate) fn excerpt(text: &str) -> String {
         Some((end, _)) => format!("{}...", &text[..end]),
         None => text.to_owned(),
     }
+}
+
+/// The key below a table whose value stands at a place in the text, as `.spring.rotation` or `.surface[0].normal[1]`.
+fn key_of_table(table: &DeTable<'_>, span: &Range<usize>) -> Option<String> {
+    let mut entries = table.iter();
+    entries.find_map(|(name, value)| Some(format!(".{}{}", name.get_ref(), key_of(value, span)?)))
+}
+
+/// The rest of the key from a value on: nothing where that is the one.
+fn key_of(value: &Spanned<DeValue<'_>>, span: &Range<usize>) -> Option<String> {
+    let below = match value.get_ref() {
+        DeValue::Table(table) => key_of_table(table, span),
+        DeValue::Array(array) => {
+            let mut entries = array.iter().enumerate();
+            entries.find_map(|(i, value)| Some(format!("[{i}]{}", key_of(value, span)?)))
+        }
+        _ => None,
+    };
+    below.or_else(|| (value.span() == *span).then(String::new))
 }
 
 /// A text file with its name.
@@ -97,10 +119,31 @@ impl Source {
     pub fn toml<T: DeserializeOwned>(&self) -> Result<T, InputError> {
         toml::from_str(&self.text).map_err(|error| match error.span() {
             Some(span) if span.start > 0 || span.len() < self.text.len() => {
-                self.error_at(span.start, error.message())
+                let mistyped = self.mistyped(&span, error.message());
+                let problem = mistyped.unwrap_or_else(|| error.message().to_owned());
+                self.error_at(span.start, problem)
             }
             _ => self.error(error.message()),
         })
+    }
+
+    /// A value of a wrong type, from where it stands and the reader's message: its key, what it is, what is allowed.
+    fn mistyped(&self, span: &Range<usize>, message: &str) -> Option<String> {
+        let is_of = |kind| message.strip_prefix(kind);
+        let rest = is_of("invalid type: ").or(is_of("invalid value: "))?;
+        let (value, expected) = rest.rsplit_once(", expected ")?;
+        let allowed = match expected {
+            "f64" => "a number",
+            "a string" => "a text",
+            "a sequence" => "an array",
+            "u64" | "u32" => "a whole number, 0 or more",
+            _ if expected.starts_with("struct ") => "a section",
+            other => other,
+        };
+        let table = DeTable::parse(&self.text).ok()?;
+        let key = key_of_table(table.get_ref(), span)?;
+        let key = key.trim_start_matches('.');
+        Some(format!("`{key}` is {value}, allowed: {allowed}"))
     }
 
     /// A problem of the whole file.

@@ -11,6 +11,8 @@ use super::key::Key;
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub(super) key: Key,
+    /// Where the key stands in the sweep file.
+    pub(super) offset: usize,
     values: Values,
 }
 
@@ -40,11 +42,16 @@ enum Scale {
 }
 
 impl Axis {
-    /// Of a key with what stands behind it; a grid needs `steps`.
+    /// Of a key at a place in the sweep file, with what stands behind it; a grid needs `steps`.
     ///
     /// # Errors
     /// What is wrong and what is allowed.
-    pub(super) fn new(key: Key, given: Value, is_grid: bool) -> Result<Self, String> {
+    pub(super) fn new(
+        key: Key,
+        offset: usize,
+        given: Value,
+        is_grid: bool,
+    ) -> Result<Self, String> {
         let values = match given {
             Value::Array(list) if list.is_empty() => {
                 return Err("is an empty list, allowed: at least one value".to_owned());
@@ -59,7 +66,11 @@ impl Axis {
                 return Err(format!("is {other}, allowed: {allowed}"));
             }
         };
-        Ok(Self { key, values })
+        Ok(Self {
+            key,
+            offset,
+            values,
+        })
     }
 
     /// How many values a grid takes.

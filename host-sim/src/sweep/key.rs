@@ -222,10 +222,28 @@ fn set_in(node: &mut Value, name: &str, path: &[String], value: &Value) -> Resul
             let index = index.or_else(|| step.parse().ok());
             match index.and_then(|index| array.get_mut(index)) {
                 Some(entry) => set_in(entry, step, rest, value),
-                None => Err(format!("has no {name} {step:?}")),
+                None => Err(format!("has no {name} {step:?}, allowed: {}", steps(array))),
             }
         }
-        _ => Err(format!("has no {step:?} in `{name}`")),
+        _ => Err(format!(
+            "has no {step:?} in `{name}`, allowed: a scene that has it"
+        )),
+    }
+}
+
+/// The names of the tables in an array, or its indices.
+fn steps(array: &[Value]) -> String {
+    let named = |(i, entry): (usize, &Value)| match entry.get("name").and_then(Value::as_str) {
+        Some(name) => name.to_owned(),
+        None => i.to_string(),
+    };
+    match array {
+        [] => "a scene that has one".to_owned(),
+        [Value::Table(_), ..] => {
+            let names: Vec<String> = array.iter().enumerate().map(named).collect();
+            names.join(", ")
+        }
+        _ => format!("0 to {}", array.len() - 1),
     }
 }
 

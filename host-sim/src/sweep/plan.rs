@@ -152,7 +152,7 @@ impl Plan {
                 set.map_err(|problem| {
                     let (key, name) = (axis.key.name(), &scene.name);
                     let problem = format!("`{key}` cannot be varied: scene {name:?} {problem}");
-                    self.source.error(problem)
+                    self.source.error_at(axis.offset, problem)
                 })?;
             }
         }
@@ -239,7 +239,7 @@ fn axes(source: &Source, is_grid: bool) -> Result<Vec<Axis>, InputError> {
         if axes.iter().any(|axis| axis.key.name() == name) {
             return Err(error("is given twice, allowed: once".to_owned()));
         }
-        axes.push(Axis::new(key, value, is_grid).map_err(error)?);
+        axes.push(Axis::new(key, offset, value, is_grid).map_err(error)?);
     }
     Ok(axes)
 }

@@ -127,21 +127,31 @@ impl Columns {
 
     fn values(self, fields: &[&str]) -> Result<Vec<f64>, String> {
         let names = self.pose.iter().chain([&HELD]);
-        let value = |(field, name): (&&str, _)| {
+        let value = |(field, name): (&&str, &&str)| {
             let number = field.parse();
-            number.map_err(|_| format!("`{name}` is {:?}, allowed: a number", excerpt(field)))
+            let allowed = if *name == HELD { "0 or 1" } else { "a number" };
+            number.map_err(|_| format!("`{name}` is {:?}, allowed: {allowed}", excerpt(field)))
         };
         fields.iter().zip(names).map(value).collect()
     }
 }
 
-/// The rows of a file: at least one, their times increasing. A `#` starts a comment.
-pub(super) fn rows(source: &Source, format: Format) -> Result<Vec<Row>, InputError> {
-    let mut lines = (1..)
+/// The lines that hold something, counted from 1. A `#` starts a comment.
+fn lines(source: &Source) -> impl Iterator<Item = (usize, &str)> {
+    (1..)
         .zip(source.text().lines())
         .map(|(line, text)| (line, text.split('#').next().unwrap_or("").trim()))
         .filter(|(_, text)| !text.is_empty())
-        .map(|(line, text)| (line, format.fields(text)));
+}
+
+/// The line of the last record.
+pub(super) fn last_line(source: &Source) -> usize {
+    lines(source).last().map_or(1, |(line, _)| line)
+}
+
+/// The rows of a file: at least one, their times increasing.
+pub(super) fn rows(source: &Source, format: Format) -> Result<Vec<Row>, InputError> {
+    let mut lines = lines(source).map(|(line, text)| (line, format.fields(text)));
     let columns = match format {
         Format::Tum => Columns::TUM,
         Format::Csv => {
