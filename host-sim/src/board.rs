@@ -140,9 +140,10 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     ];
     let inputs = inputs.into_iter().flatten();
     Files::check(inputs, args.out.as_ref(), args.record.as_ref(), None)?;
+    let rate = args.rate.map(|rate| ("--rate", rate));
     let path = match args.tracker.is_wanted() {
         true => None,
-        false => Some(open_path(&scene, args.hand.as_deref(), args.rate)?),
+        false => Some(open_path(&scene, args.hand.as_deref(), rate)?),
     };
     let feed = match &path {
         Some((path, rate)) => Feed::path(path.frames(*rate)),

@@ -26,13 +26,13 @@ pub(crate) fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Opt
     })
 }
 
-/// The hand's path and the rate (Hz) to resample it to: a file and a rate that are given, or else those of the scene.
+/// The hand's path and the rate (Hz) to resample it to: a file, and a rate with what gives it, or else those of the scene.
 pub(crate) fn open_path(
     scene: &SceneFile,
     hand: Option<&Path>,
-    given: Option<f64>,
+    given: Option<(&str, f64)>,
 ) -> Result<(HandPath, Option<f64>), InputError> {
-    let rate = given.or(scene.hand.rate);
+    let rate = given.map(|(_, rate)| rate).or(scene.hand.rate);
     let path = match (path_file(scene, hand), &scene.hand.motion) {
         (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
         (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
@@ -50,10 +50,10 @@ pub(crate) fn open_path(
     if count <= HandPath::LARGEST_COUNT {
         return Ok((path, rate));
     }
-    let by = given.map_or("hand.rate", |_| "--rate");
     let problem = format!(
-        "`{by}` is {:?} Hz and the path {:?} s long, which gives {count} frames, allowed: at most {}",
+        "{:?} Hz of `{}` and a path of {:?} s give {count} frames, allowed: at most {}",
         rate.unwrap_or_default(),
+        given.map_or("hand.rate", |(by, _)| by),
         path.seconds(),
         HandPath::LARGEST_COUNT
     );

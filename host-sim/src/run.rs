@@ -73,7 +73,8 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
         args.record.as_ref(),
         args.plot.as_ref(),
     )?;
-    let (path, rate) = open_path(&scene, settings.hand.as_deref(), settings.rate)?;
+    let given = settings.rate.map(|rate| ("--rate", rate));
+    let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;
     let mut record = Run::of(&scene, settings.number, settings.evolution);
     let mut summary = Summary::new(&record);
     let head = Head::new(&scene, settings);

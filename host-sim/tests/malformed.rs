@@ -86,7 +86,7 @@ const IN_SCENES: &[Mistake] = &[
     ("rate 0", "rate = 10.0", "rate = 0.0", &["line 30", "hand.rate", "more than 0"]),
     ("negative rate", "rate = 10.0", "rate = -10.0", &["line 30", "hand.rate", "-10.0"]),
     ("nan rate", "rate = 10.0", "rate = nan", &["line 30", "hand.rate", "NaN"]),
-    ("too many frames", "rate = 10.0", "rate = 1e12", &["line 30", "`hand.rate` is 1000000000000.0 Hz", "the path 1.0 s long", "1000000000001 frames", "allowed: at most 1000000000"]),
+    ("too many frames", "rate = 10.0", "rate = 1e12", &["line 30", "1000000000000.0 Hz of `hand.rate` and a path of 1.0 s give 1000000000001 frames", "allowed: at most 1000000000"]),
     ("keyframe of three numbers", "[1.0, 0.2, 0.06, 0.5]", "[1.0, 0.2, 0.06]", &["line 33", "hand.keyframes[1]", "4 numbers"]),
     ("keyframe of six numbers", "[1.0, 0.2, 0.06, 0.5]", "[1.0, 0.2, 0.06, 0.5, 1, 1]", &["line 33", "hand.keyframes[1]"]),
     ("held neither 0 nor 1", "0.06, 0.5]", "0.06, 0.5, 0.5]", &["line 33", "hand.keyframes[1]", "held"]),
@@ -240,11 +240,11 @@ fn paths_that_last_too_long_for_the_rate_are_refused_with_their_last_line() {
         "t,x,y,phi\n0,0.2,0.14,0.5\n1e12,0.2,0.14,0.5\n# the end\n",
     );
     for (rate, by) in [
-        (&[][..], "`hand.rate` is 10.0 Hz"),
-        (&["--rate", "5"], "`--rate` is 5.0 Hz"),
+        (&[][..], "10.0 Hz of `hand.rate`"),
+        (&["--rate", "5"], "5.0 Hz of `--rate`"),
     ] {
         let arguments = [&["--hand", "long.csv"], rate].concat();
-        let end = "the path 1000000000000.0 s long, which gives";
+        let end = "and a path of 1000000000000.0 s give ";
         assert_refused(
             by,
             &folder,

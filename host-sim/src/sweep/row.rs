@@ -71,7 +71,8 @@ pub(super) fn varied(point: &Point<'_>) -> Vec<String> {
 /// The columns after `status`.
 fn results(plan: &Plan, point: &Point<'_>, time: bool) -> Result<Vec<String>, InputError> {
     let (scene, settings) = point.scene_file(plan)?;
-    let (path, rate) = open_path(&scene, settings.hand.as_deref(), settings.rate)?;
+    let given = settings.rate.map(|rate| ("run.rate", rate));
+    let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;
     let mut summary = Summary::new(&Run::of(&scene, settings.number, settings.evolution));
     let (mut largest_moment, mut pose) = (0.0_f64, [0.0; 3]);
     let spent = settings.simulate(&scene, path.frames(rate), |frame| {

@@ -30,7 +30,7 @@ impl Stage {
         let reach = graspable(&scene);
         scene.written.reach = reach;
         let path = match &scene.hand.motion {
-            Some(_) => Some(Arc::new(open_path(&scene, None, Some(1000.0))?.0)),
+            Some(_) => Some(Arc::new(open_path(&scene, None, Some(("view", 1000.0)))?.0)),
             None => None,
         };
         let first = path.as_ref().and_then(|path| path.frames(None).next());
