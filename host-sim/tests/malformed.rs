@@ -306,9 +306,8 @@ fn arguments_that_mean_nothing_are_refused() {
         (
             &["--rate", "1e12"],
             &[
-                "`--rate` is 1000000000000.0 Hz",
-                "1000000000001 frames",
-                "at most 1000000000",
+                "1000000000000.0 Hz of `--rate` and a path of 1.0 s give 1000000000001 frames",
+                "allowed: at most 1000000000",
             ],
         ),
         (&["--tolerance", "0.02"], &["--tolerance", "0 to 0.01"]),
