@@ -11,13 +11,13 @@
 //! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
 //! parts the solver has. The first sample starts the scene. The last line counts the samples; a recording without it was cut.
 
+mod line;
+
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use serde_json::value::RawValue;
-use stiction_core::{Angle, Hand};
 use stiction_scene::{Sample, SceneFile};
 use stiction_tools::files::part;
 use tempfile::NamedTempFile;
@@ -25,6 +25,7 @@ use tempfile::NamedTempFile;
 use crate::record::{Frame, Run};
 use crate::settings::Settings;
 use crate::trace::Record;
+use line::{End, LineIn, LineOut, Written};
 
 /// The version of the format.
 const VERSION: u32 = 1;
@@ -51,69 +52,6 @@ pub(crate) struct Head {
     pub(crate) name: String,
     /// Its text.
     pub(crate) scene: String,
-}
-
-/// A sample as it is written.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written {
-    t: f64,
-    position: [Option<f64>; 2],
-    turns: i32,
-    rest: Option<f64>,
-    depth: Option<f64>,
-    held: bool,
-}
-
-impl Written {
-    fn new(sample: &Sample) -> Self {
-        let finite = |value: f64| value.is_finite().then_some(value);
-        let hand = &sample.hand;
-        Self {
-            t: sample.t,
-            position: hand.position.map(finite),
-            turns: hand.angle.turns,
-            rest: finite(hand.angle.rest),
-            depth: finite(hand.depth),
-            held: hand.held,
-        }
-    }
-
-    fn sample(self) -> Sample {
-        let value = |given: Option<f64>| given.unwrap_or(f64::NAN);
-        Sample {
-            t: self.t,
-            hand: Hand {
-                position: self.position.map(value),
-                angle: Angle {
-                    turns: self.turns,
-                    rest: value(self.rest),
-                },
-                depth: value(self.depth),
-                held: self.held,
-            },
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct LineOut<'a> {
-    sample: Written,
-    answer: Option<Record<'a>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct LineIn {
-    sample: Written,
-    answer: Option<Box<RawValue>>,
-}
-
-/// The last line.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct End {
-    samples: u64,
 }
 
 /// The program that runs, and the machine.

@@ -1,0 +1,73 @@
+//! The lines of a recording below its head: a sample with its answer, and the count of the samples.
+
+use serde::{Deserialize, Serialize};
+use serde_json::value::RawValue;
+use stiction_core::{Angle, Hand};
+use stiction_scene::Sample;
+
+use crate::trace::Record;
+
+/// A sample as it is written.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Written {
+    t: f64,
+    position: [Option<f64>; 2],
+    turns: i32,
+    rest: Option<f64>,
+    depth: Option<f64>,
+    held: bool,
+}
+
+impl Written {
+    pub(super) fn new(sample: &Sample) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let hand = &sample.hand;
+        Self {
+            t: sample.t,
+            position: hand.position.map(finite),
+            turns: hand.angle.turns,
+            rest: finite(hand.angle.rest),
+            depth: finite(hand.depth),
+            held: hand.held,
+        }
+    }
+
+    pub(super) fn sample(self) -> Sample {
+        let value = |given: Option<f64>| given.unwrap_or(f64::NAN);
+        Sample {
+            t: self.t,
+            hand: Hand {
+                position: self.position.map(value),
+                angle: Angle {
+                    turns: self.turns,
+                    rest: value(self.rest),
+                },
+                depth: value(self.depth),
+                held: self.held,
+            },
+        }
+    }
+}
+
+/// A line with a sample, as it is written.
+#[derive(Serialize)]
+pub(super) struct LineOut<'a> {
+    pub(super) sample: Written,
+    pub(super) answer: Option<Record<'a>>,
+}
+
+/// A line with a sample, as it is read.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LineIn {
+    pub(super) sample: Written,
+    pub(super) answer: Option<Box<RawValue>>,
+}
+
+/// The last line.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct End {
+    pub(super) samples: u64,
+}
