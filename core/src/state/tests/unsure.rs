@@ -1,7 +1,7 @@
 //! A verb whose search gives up says so, or has done what it should all the same.
 
 use super::*;
-use crate::fixtures::searches;
+use crate::fixtures::{sampled, searches};
 use crate::geometry::Vec2;
 use crate::model::{Frictionless, Full};
 
@@ -29,7 +29,7 @@ fn honest(
     let mut whole = begin.clone();
     let end = verb(&mut whole);
     let mut seen = [0; 2];
-    for most in 1..200 {
+    for most in sampled(1..200, 17) {
         let mut state = begin.clone();
         let (moved, counts) = searches::giving_up(most, || verb(&mut state));
         let (is, should) = (state.pose(scene), whole.pose(scene));
@@ -115,7 +115,7 @@ fn gliding_vertex_says_so() {
         // Pressed so much that a way as short as this cannot lift it, it is made good.
         let near = hand(0.1, -2.5, 4.0);
         let unsure = honest(&point, &begin, |s| s.advance(&point, &from, &near));
-        assert!(unsure[0] > 0 && unsure[1] > 0, "{unsure:?}");
+        assert!(cfg!(miri) || unsure[0] > 0 && unsure[1] > 0, "{unsure:?}");
         let unsure = honest(&rod, &begin, |s| s.relax(&rod, &to, Relax::default()));
         assert!(unsure[0] > 0);
     }
