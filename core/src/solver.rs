@@ -117,7 +117,8 @@ pub struct State<R: Real> {
     unrest: Status,
 }
 
-/// A hand that is turned farther than this (rad) from the body that it holds is out of range.
+/// A hand that is turned farther than this (rad) from the body that it holds, less the rest offset, is out of range; in
+/// [`Fixed`](crate::Fixed) already one farther than half the largest number, 64 rad.
 const MAX_TURN: i32 = 100_000;
 
 impl<R: Real> State<R> {

@@ -1,5 +1,6 @@
 //! The documentation of the solver says what the code does: the picture and the table of the contact states are those of its
-//! transition table, and every equation and section that the code cites is there. Links between documents lead somewhere.
+//! transition table, and every equation and section that the code cites is there. Links between documents lead somewhere, and
+//! so do the paths that they name.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -115,18 +116,44 @@ fn anchor(heading: &str) -> String {
     kept.collect::<String>().replace(' ', "-")
 }
 
+/// Where the documents are.
+const FOLDERS: [&str; 6] = [
+    ".",
+    "core",
+    "firmware",
+    "host-sim",
+    "host-sim/bench",
+    "tests",
+];
+
+/// What is in code marks and begins with a top folder is a path from there, or from the document.
+#[test]
+fn paths_lead_somewhere() {
+    let mut count = 0;
+    for file in FOLDERS.into_iter().flat_map(documents) {
+        let text = fs::read_to_string(&file).expect("a document");
+        let marked = text
+            .lines()
+            .flat_map(|line| line.split('`').skip(1).step_by(2));
+        for code in marked {
+            let is_path = code.split_once('/').is_some_and(|(top, _)| {
+                ["core", "firmware", "host-sim", "tests"].contains(&top) && !code.contains(' ')
+            });
+            if is_path {
+                let beside = file.with_file_name("").join(code);
+                let there = document("..").join(code).exists() || beside.exists();
+                assert!(there, "{}: {code}", file.display());
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 10, "{count} paths");
+}
+
 #[test]
 fn links_lead_somewhere() {
-    let folders = [
-        ".",
-        "core",
-        "firmware",
-        "host-sim",
-        "host-sim/bench",
-        "tests",
-    ];
     let mut count = 0;
-    for file in folders.into_iter().flat_map(documents) {
+    for file in FOLDERS.into_iter().flat_map(documents) {
         let text = fs::read_to_string(&file).expect("a document");
         let targets = text.split("](").skip(1);
         for target in targets.filter_map(|rest| rest.split(')').next()) {

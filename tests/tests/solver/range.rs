@@ -3,10 +3,11 @@
 use stiction_core::{
     Evolution, Fixed, Frictionless, Full, Parameter, SceneError, StateKind, Status,
 };
-use stiction_tests::{Number, Run, RunOf, Setup, test_each};
+use stiction_tests::{Number, Run, RunOf, Setup, close, test_each};
 
 test_each!(
     cases::pull_counts_from_the_body,
+    cases::hand_takes_hold_wound_up_to_a_bound,
     cases::scene_goes_as_far_as_the_numbers,
 );
 
@@ -29,6 +30,25 @@ mod cases {
             let refused = (false, Status::Saturated);
             assert_eq!((beyond.held, beyond.status), refused, "{x} {y}");
             assert_eq!(beyond.pose, near.pose);
+        }
+    }
+
+    /// A hand takes hold of a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (STATICS 10). What
+    /// it is turned by in the world does not count.
+    pub(super) fn hand_takes_hold_wound_up_to_a_bound<R: Number>(evolution: Evolution) {
+        let most = f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0);
+        for theta in [0.0, -40.0, 300.0] {
+            let setup = Setup::rod(1.0).springs(1.0, 0.5).at([0.0, 0.0, theta]);
+            for (turn, holds) in [(0.985, true), (1.015, false)] {
+                for sign in [-1.0, 1.0] {
+                    let hand = theta + sign * turn * most;
+                    let frame = Run::<R>::start(&setup, evolution, [0.0, 0.0, hand]).frame;
+                    let status = if holds { Status::Ok } else { Status::Saturated };
+                    assert_eq!((frame.held, frame.status), (holds, status), "{hand}");
+                    let follows = if holds { hand } else { theta };
+                    close("theta", frame.pose[2], follows, 1e-6 * most);
+                }
+            }
         }
     }
 
