@@ -115,7 +115,8 @@ pub enum Status {
     /// Nothing.
     #[default]
     Ok,
-    /// Slips became smaller than told apart, or too many: the rest of the frame was taken as one jump of the hand.
+    /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) tells apart: the rest of the frame was one
+    /// jump of the hand. Or, after 100 slips in a frame, slips too short to be told apart became a slide at mu_d (STATICS 7).
     EventLimit,
     /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
     IterationLimit,

@@ -307,7 +307,8 @@ fn absent<R: Real>() -> Moved<R> {
 }
 
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
-/// are closed to the rounding. The pivot's foot stays unless the other contacts leave no choice.
+/// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
+/// no choice.
 pub(crate) fn seat<R: Real>(
     scene: &impl World<R>,
     mut pivot: Pivot<R>,

@@ -140,7 +140,7 @@ impl LogitechDecoder {
         }
     }
 
-    /// Records that ended too early or had no beginning, as far as that can be told.
+    /// Records that ended too early: a start byte came within one. One whose first byte is lost is passed over uncounted.
     pub const fn faults(&self) -> u32 {
         self.faults
     }

@@ -22,7 +22,7 @@ pub enum Reason {
     Code,
     /// A number is not allowed; which one, and what is allowed, is told.
     Number,
-    /// The stiffness would make the haptic device unstable: b > K T / 2 does not hold.
+    /// The stiffness would make the haptic device unstable: b > K (T/2 + delay) does not hold.
     NotPassive,
     /// The board has no time, no room or no use for it.
     Unsupported,

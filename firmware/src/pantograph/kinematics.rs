@@ -72,10 +72,12 @@ pub struct Kinematics {
     geometry: Geometry,
 }
 
-/// An arm: the vector of its proximal link turned by a quarter (dB/dq), its elbow, later its distal link.
+/// The proximal link of an arm.
 #[derive(Clone, Copy)]
 struct Arm {
+    /// Its far end, in the world (m).
     elbow: Vector,
+    /// The link as a vector turned by a quarter, counter-clockwise (m): how the elbow goes with the joint's angle.
     turned: Vector,
 }
 
