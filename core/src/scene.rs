@@ -16,7 +16,7 @@ use heapless::Vec;
 mod check;
 mod description;
 
-use check::{check_model, check_numbers, check_vertices, size_of_point, surfaces};
+use check::{Carried, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces};
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// A checked surface, lengths / L.
@@ -255,43 +255,50 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     /// Coordinates beyond the range of the number type are refused: their sums would carry no digits.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
         let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
-        let error = |parameter, value| {
+        let allowed = Carried::by::<R>();
+        let error = |parameter, value, allowed| {
             Err(SceneError {
                 parameter,
                 value,
-                allowed: "a value that the number type can carry in units of the body's size",
+                allowed,
             })
         };
         for (i, (vertex, given)) in self.vertices().iter().zip(d.vertices).enumerate() {
             if !fits(vertex.reach()) {
-                return error(Parameter::Vertex(i), given[0].abs().max(given[1].abs()));
+                return error(Parameter::Vertex(i), larger(*given), allowed.place);
             }
         }
         let [x, y, theta] = d.start;
         if !fits(self.start.position.reach()) {
-            return error(Parameter::Start, x.abs().max(y.abs()));
+            return error(Parameter::Start, larger([x, y]), allowed.place);
         }
         if self.start.orientation.angle().rest.abs() > R::TAU {
-            return error(Parameter::Start, theta);
+            return error(
+                Parameter::Start,
+                theta,
+                "an angle whose whole turns the number type can count",
+            );
         }
-        if let (Some(g), Some([gx, gy])) = (self.holding_point, d.holding_point)
+        if let (Some(g), Some(given)) = (self.holding_point, d.holding_point)
             && !fits(g.reach())
         {
-            return error(Parameter::HoldingPoint, gx.abs().max(gy.abs()));
+            return error(Parameter::HoldingPoint, larger(given), allowed.place);
         }
         for (i, (surface, given)) in self.surfaces.iter().zip(d.surfaces).enumerate() {
             if !fits(surface.offset) {
-                return error(Parameter::Offset(i), given.offset);
+                return error(Parameter::Offset(i), given.offset, allowed.offset);
             }
         }
         if !self.units.are_usable() {
-            return error(Parameter::StiffnessTranslation, d.stiffness_translation);
+            let k_h = d.stiffness_translation;
+            return error(Parameter::StiffnessTranslation, k_h, allowed.stiffness);
         }
         if !fits(self.stiffness) {
-            return error(Parameter::StiffnessRotation, d.stiffness_rotation);
+            let k_theta = d.stiffness_rotation;
+            return error(Parameter::StiffnessRotation, k_theta, allowed.rotation);
         }
         if !fits(self.weight.y) {
-            return error(Parameter::Weight, d.weight);
+            return error(Parameter::Weight, d.weight, allowed.weight);
         }
         Ok(())
     }

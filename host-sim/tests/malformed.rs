@@ -198,17 +198,17 @@ fn scenes_beyond_the_range_of_fixed_point_are_refused_in_fixed_point_alone() {
         (
             "[0.2, 0.12, 0.5]\nweight",
             "[0.2, 12.0, 0.5]\nweight",
-            &["line 4", "body.start", "number type can carry"],
+            &["line 4", "body.start", "at most 16 body sizes"],
         ),
         (
             "normal = [1.0, 0.0]\noffset = 0.0",
             "normal = [1.0, 0.0]\noffset = -12.0",
-            &["line 27", "surface[1].offset", "number type can carry"],
+            &["line 27", "surface[1].offset", "at most 16 body sizes"],
         ),
         (
             "rotation = 0.5",
             "rotation = 5000.0",
-            &["line 13", "spring.rotation", "number type can carry"],
+            &["line 13", "spring.rotation", "at most 16 k_h L^2"],
         ),
     ];
     for &(from, to, expected) in cases {

@@ -27,6 +27,59 @@ fn require<F: Real>(
     }
 }
 
+/// The coordinate of the larger size.
+pub(super) fn larger<F: Real>([x, y]: [F; 2]) -> F {
+    if y.abs() > x.abs() { y } else { x }
+}
+
+/// What is said to be allowed of numbers that the number type must carry.
+pub(super) struct Carried {
+    /// Of x and y of a place.
+    pub(super) place: &'static str,
+    /// Of the offset of a surface.
+    pub(super) offset: &'static str,
+    /// Of k_h.
+    pub(super) stiffness: &'static str,
+    /// Of k_theta.
+    pub(super) rotation: &'static str,
+    /// Of W.
+    pub(super) weight: &'static str,
+}
+
+/// With [`Real::RANGE`] of a number type and 1 / [`Real::HUGE`] of its float.
+macro_rules! carried {
+    ($range:literal, $least:literal) => {
+        Carried {
+            place: concat!(
+                "the larger coordinate and half of the other one at most ",
+                $range,
+                " body sizes"
+            ),
+            offset: concat!("at most ", $range, " body sizes, either way"),
+            stiffness: concat!(
+                "finite, with L, k_h L and k_h L^2 more than ",
+                $least,
+                " and finite in SI units, L the size of the body"
+            ),
+            rotation: concat!("at most ", $range, " k_h L^2, L the size of the body"),
+            weight: concat!("at most ", $range, " k_h L, L the size of the body"),
+        }
+    };
+}
+
+impl Carried {
+    /// In the words for a number type.
+    pub(super) fn by<R: Real>() -> Self {
+        if R::RANGE <= R::from_int(16) {
+            carried!("16", "1e-15")
+        } else if R::RANGE <= R::from_int(1_000_000) {
+            carried!("1e6", "1e-15")
+        } else {
+            carried!("1e12", "1e-30")
+        }
+    }
+}
+
 /// The single numbers of a description.
 pub(super) fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
     for value in d.start {
@@ -103,7 +156,7 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
             require(
                 distance > F::ZERO && distance.is_finite(),
                 Parameter::Vertex(i),
-                v[0],
+                larger(v),
                 "a place of its own: no vertex twice, none too far",
             )?;
             length = length.max(distance);
@@ -145,7 +198,7 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
             require(
                 joined || side.cross(at(v) - at(from)) > F::ZERO,
                 Parameter::Vertex(k),
-                v[0],
+                larger(v),
                 "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side",
             )?;
         }

@@ -147,7 +147,9 @@ impl fmt::Display for Parameter {
 pub struct SceneError<F> {
     /// Which parameter.
     pub parameter: Parameter,
-    /// Its value, SI units (for a vector the component that is at fault, for a count the count).
+    /// Its value, SI units. Of a place or a pose the component that is not finite, or else the one of the larger size, with its
+    /// sign (theta where theta is at fault); of a vertex so, too, where it is its place among the others that is at fault. Of a
+    /// normal its length, or the component that is not finite; of a count the count; of a penetration the depth (m).
     pub value: F,
     /// What is allowed, in words.
     pub allowed: &'static str,

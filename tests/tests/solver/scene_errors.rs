@@ -1,6 +1,6 @@
 //! A scene that cannot be used is refused, and the error names the parameter, its value and what is allowed.
 
-use stiction_core::{Evolution, Fixed, Parameter};
+use stiction_core::{Evolution, Fixed, Parameter, Real};
 use stiction_tests::run::planar;
 use stiction_tests::setup::{SURFACES, VERTICES};
 use stiction_tests::{Number, Run, Setup};
@@ -92,6 +92,72 @@ fn start_pose() {
     }
     refused_by_all(Parameter::Start, 1e13, |s| s.start[1] = 1e13);
     refused_by_all(Parameter::Start, 1e30, |s| s.start[2] = 1e30);
+}
+
+/// Of a place the larger coordinate is told, with its sign.
+#[test]
+fn places_are_told_by_the_larger_coordinate() {
+    for far in [1e13, -1e13] {
+        for place in [[far, 0.0], [0.5 * far, far], [far, -0.5 * far]] {
+            refused_by_all(Parameter::Start, far, |s| {
+                s.start = [place[0], place[1], 0.0]
+            });
+            refused_by_all(Parameter::HoldingPoint, far, |s| {
+                s.holding_point = Some(place)
+            });
+        }
+        refused_by_all(Parameter::Vertex(0), far, |s| {
+            s.vertices = vec![[-1.0, far], [1.0, far]];
+        });
+    }
+    // So it is where the place among the others is at fault.
+    refused_by_all(Parameter::Vertex(3), 1.5, |s| {
+        (s.vertices[2], s.vertices[3]) = ([-0.5, 0.3], [-1.0, 1.5]);
+    });
+}
+
+/// What is said to be allowed of a number that is too large for the type is what the type carries: with it the scene is one,
+/// beyond it is none.
+#[test]
+fn allowed_numbers_are_those_that_are_carried() {
+    fn check<R: Number>() {
+        let most = R::wide(R::RANGE.to_si(R::si(1.0)));
+        let size = changed(|_| ()).size();
+        let changes: [(Parameter, fn(&mut Setup, f64)); 6] = [
+            (Parameter::Start, |s, far| s.start[1] = far),
+            (Parameter::Start, |s, far| {
+                s.start = [0.8 * far, 0.4 * far, 0.0]
+            }),
+            (Parameter::HoldingPoint, |s, far| {
+                s.holding_point = Some([-far, 0.0])
+            }),
+            (Parameter::Offset(0), |s, far| s.surfaces[0].offset = -far),
+            // k_h is 1 and the surface below the body.
+            (Parameter::Weight, |s, far| s.weight = far),
+            (Parameter::StiffnessRotation, |s, far| {
+                let size = s.size();
+                s.stiffness_rotation = far * size;
+            }),
+        ];
+        for (parameter, change) in changes {
+            let with = |part: f64| changed(|s| change(s, part * most * size)).scene::<R>();
+            assert!(with(0.999).is_ok(), "{parameter}");
+            let error = with(1.001).map(|_| ()).expect_err("too large");
+            assert_eq!(error.parameter, parameter);
+            let words = error.allowed.split([' ', ',']);
+            let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).collect();
+            assert_eq!(numbers, [most], "{parameter}: {}", error.allowed);
+        }
+        let soft = changed(|s| s.stiffness_translation = 1e-40).scene::<R>();
+        let allowed = soft.map(|_| ()).expect_err("too soft").allowed;
+        let least = 1.0 / R::wide(R::Si::HUGE);
+        let mut words = allowed.split(' ').filter_map(|word| word.parse().ok());
+        let named: f64 = words.next().expect("a number");
+        assert!((named / least - 1.0).abs() < 1e-6, "{allowed}");
+    }
+    check::<f64>();
+    check::<f32>();
+    check::<Fixed>();
 }
 
 #[test]
