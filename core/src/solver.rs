@@ -69,8 +69,8 @@ pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
 /// The most events of one frame that are told apart; see [`Solver::with_event_limit`].
 pub const MAX_EVENT_LIMIT: u8 = 128;
 
-/// The state of a run: plain data, at most 256 bytes in `f32` and [`Fixed`](crate::Fixed). A copy of it is a snapshot; assigned
-/// back, the run repeats bit for bit, on every machine. It belongs to the scene of the solver that made it.
+/// The state of a run: plain data, at most 256 bytes in every number type. A copy of it is a snapshot; assigned back, the
+/// run repeats bit for bit, on every machine. It belongs to the scene of the solver that made it.
 ///
 /// ```
 /// # use stiction_core::{Description, Scene, SurfaceDescription};

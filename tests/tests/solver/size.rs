@@ -1,11 +1,16 @@
 //! The state is small enough for a microcontroller and for one snapshot per frame.
 
-use stiction_core::State;
+use stiction_core::{Fixed, State};
 
 #[test]
 fn state_fits_into_256_bytes() {
-    let (single, double) = (size_of::<State<f32>>(), size_of::<State<f64>>());
-    println!("State<f32>: {single} bytes, State<f64>: {double} bytes");
-    assert!(single <= 256, "{single} bytes");
-    assert!(double <= 512, "{double} bytes");
+    let sizes = [
+        ("f32", size_of::<State<f32>>()),
+        ("f64", size_of::<State<f64>>()),
+        ("Fixed", size_of::<State<Fixed>>()),
+    ];
+    for (number, size) in sizes {
+        println!("State<{number}>: {size} bytes");
+        assert!(size <= 256, "{number}: {size} bytes");
+    }
 }
