@@ -257,6 +257,42 @@ impl<F> Deref for Contacts<F> {
 
 /// The answer of one step. SI units, world frame. Forces are asked for apart, [`Solver::wrench`](crate::Solver::wrench) and
 /// [`Solver::contacts`](crate::Solver::contacts), as not every frame needs them.
+///
+/// ```
+/// # use stiction_core::{Description, Scene, SurfaceDescription};
+/// use stiction_core::{Event, Evolution, Hand, Solver, StateKind, Status, Transition};
+///
+/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
+/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+/// #     start: [0.0, 0.05, 0.0],
+/// #     weight: 0.0,
+/// #     holding_point: Some([0.0, 0.02]),
+/// #     reach: 0.0,
+/// #     stiffness_translation: 500.0,
+/// #     stiffness_rotation: 0.5,
+/// #     surfaces: &[SurfaceDescription {
+/// #         normal: [0.0, 1.0],
+/// #         offset: 0.0,
+/// #         friction_static: 0.5,
+/// #         friction_dynamic: 0.3,
+/// #     }],
+/// # })?;
+/// // A box that hangs 20 mm over the floor is put down flat and pressed, then dragged, then lifted.
+/// let solver = Solver::new(scene, Evolution::Path);
+/// let (mut state, _) = solver.start(Hand::new(0.0, 0.07, 0.0));
+///
+/// let down = solver.step(&mut state, Hand::new(0.0, 0.04, 0.0));
+/// assert_eq!((down.state, down.events()), (StateKind::Edge, &[Event::Land][..]));
+///
+/// let along = solver.step(&mut state, Hand::new(0.006, 0.04, 0.0));
+/// assert_eq!((along.slips, along.events()), (1, &[Event::Slip][..]));
+/// assert!((along.longest_slip - 0.002).abs() < 1e-6, "(mu_s - mu_d) · 10 mm");
+/// assert!(along.transitions.iter().any(|arm| arm == Transition::EdgeSlips));
+///
+/// let up = solver.step(&mut state, Hand::new(0.006, 0.07, 0.0));
+/// assert_eq!((up.state, up.status), (StateKind::NonContact, Status::Ok));
+/// # Ok::<(), stiction_core::SceneError<f32>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Output<F> {
     /// The hand holds the body (its switch is on and it took hold within reach).

@@ -5,16 +5,18 @@ use super::fields::{Fields, Sink, at, index_of, require};
 use super::list::{Item, List};
 use crate::output::{Contact, Event, Wrench};
 
-/// The forces after a step.
+/// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Forces<'a> {
-    /// Force (N) and moment (N·m, about the holding point) of the hand's springs on the body: the bits of the solver.
+    /// Force (N, world frame) and moment (N·m, about the holding point, counter-clockwise positive) of the hand's springs on the
+    /// body: the bits of the solver.
     pub wrench: Wrench<f32>,
-    /// What the board gives to the hand (N, N·m), after its limits: the opposite of `wrench` where nothing limits it.
+    /// What the board gives to the hand (N, N·m, world frame), after its limits: the opposite of `wrench` where nothing limits
+    /// it.
     pub feedback: Wrench<f32>,
     /// The whole turns of theta.
     pub turns: i32,
-    /// The contacts, with their reactions (N).
+    /// The contacts, with their reactions (N); of a board at most [`MAX_CONTACTS`](crate::MAX_CONTACTS), 8.
     pub contacts: List<'a, Contact<f32>>,
 }
 
@@ -23,9 +25,9 @@ pub struct Forces<'a> {
 pub struct Events<'a> {
     /// Slips that ended at mu_d N.
     pub slips: u32,
-    /// The longest of them (m).
+    /// The longest of them (m) >= 0; 0 without a slip.
     pub longest_slip: f32,
-    /// The events in order.
+    /// The events in order; of a board at most [`MAX_EVENTS`](crate::MAX_EVENTS), 16.
     pub list: List<'a, Event>,
 }
 

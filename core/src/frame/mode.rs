@@ -28,7 +28,31 @@ impl Stepping {
     }
 }
 
-/// How a board works. The default is path evolution, exact, at 1 kHz in the x-y plane, with every pose and its events.
+/// How a board works. The default is path evolution, exact, at 1 kHz in the x-y plane, with every pose and its events. A board
+/// refuses what is out of its range (FRAME 4.5).
+///
+/// ```
+/// use stiction_core::Evolution;
+/// use stiction_core::frame::{Command, Decoder, Frame, Mode};
+///
+/// // A pose every 2 steps of the paper's evolution, and forces every 10.
+/// let mode = Mode {
+///     evolution: Evolution::Frame,
+///     pose_every: 2,
+///     forces_every: 10,
+///     ..Mode::default()
+/// };
+/// let mut wire = [0; 64];
+/// let command = Frame { sequence: 7, time: 0, message: Command::Mode(mode) };
+/// let wire = command.encode(&mut wire).expect("room for it");
+///
+/// let mut board = Decoder::<64>::new();
+/// let received = wire.iter().find_map(|&byte| {
+///     let frame = board.push::<Command>(byte)?.ok()?;
+///     Some((frame.sequence, matches!(frame.message, Command::Mode(got) if got == mode)))
+/// });
+/// assert_eq!(received, Some((7, true)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mode {
     /// The evolution within a frame of the hand.
@@ -39,7 +63,7 @@ pub struct Mode {
     pub plane: [Axis; 2],
     /// [`Report::Events`](super::Report::Events) is sent when something happened.
     pub events: bool,
-    /// Ticks per second (Hz).
+    /// Ticks per second (Hz), 100 to [`Info::fastest_tick`](super::Info::fastest_tick).
     pub tick_rate: u16,
     /// A pose every so many steps; 0: none.
     pub pose_every: u16,
@@ -47,14 +71,12 @@ pub struct Mode {
     pub forces_every: u16,
     /// Health every so many milliseconds; 0: never.
     pub health_every: u16,
-    /// The tolerance of the solver (rad), see [`Solver::with_tolerance`](crate::Solver::with_tolerance); 0: exact.
+    /// The tolerance of the solver (rad), 0 to 0.01, see [`Solver::with_tolerance`](crate::Solver::with_tolerance); 0: exact.
     pub tolerance: f32,
     /// So many events of a step are told apart, 1 to 128, see
     /// [`Solver::with_event_limit`](crate::Solver::with_event_limit).
     pub event_limit: u8,
 }
-
-const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 
 /// +x, +y, +z, nothing, -x, -y, -z: bit 2 is the sign.
 const NEGATIVE: u8 = 4;
@@ -83,7 +105,7 @@ impl Mode {
     pub(super) const BYTES: usize = 18;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
-        sink.code(&EVOLUTIONS, &self.evolution);
+        sink.code(&Evolution::ALL, &self.evolution);
         sink.code(&Stepping::ALL, &self.stepping);
         for axis in self.plane {
             let sign = if axis.negative { NEGATIVE } else { 0 };
@@ -102,7 +124,7 @@ impl Mode {
     }
 
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
-        let evolution = fields.code(&EVOLUTIONS)?;
+        let evolution = fields.code(&Evolution::ALL)?;
         let stepping = fields.code(&Stepping::ALL)?;
         let plane = [axis(fields.u8())?, axis(fields.u8())?];
         let [first, second] = plane;

@@ -26,7 +26,7 @@ pub enum Reason {
     NotPassive,
     /// The board has no time, no room or no use for it.
     Unsupported,
-    /// Not now: the board is stopped by a fault, or another command is under way.
+    /// Not now: the board is stopped by a fault, another command is under way, or the body cannot settle where it is.
     NotNow,
 }
 
