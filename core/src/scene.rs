@@ -276,7 +276,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             return error(
                 Parameter::Start,
                 theta,
-                "an angle whose whole turns the number type can count",
+                "turns that the number type can count",
             );
         }
         if let (Some(g), Some(given)) = (self.holding_point, d.holding_point)

@@ -51,18 +51,18 @@ macro_rules! carried {
     ($range:literal, $least:literal) => {
         Carried {
             place: concat!(
-                "the larger coordinate and half of the other one at most ",
+                "the larger coordinate and half the other at most ",
                 $range,
                 " body sizes"
             ),
-            offset: concat!("at most ", $range, " body sizes, either way"),
+            offset: concat!("at most ", $range, " body sizes"),
             stiffness: concat!(
-                "finite, with L, k_h L and k_h L^2 more than ",
+                "L, k_h L and k_h L^2 finite and more than ",
                 $least,
-                " and finite in SI units, L the size of the body"
+                ", L the body's size"
             ),
-            rotation: concat!("at most ", $range, " k_h L^2, L the size of the body"),
-            weight: concat!("at most ", $range, " k_h L, L the size of the body"),
+            rotation: concat!("at most ", $range, " k_h L^2, L the body's size"),
+            weight: concat!("at most ", $range, " k_h L, L the body's size"),
         }
     };
 }

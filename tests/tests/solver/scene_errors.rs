@@ -116,6 +116,9 @@ fn places_are_told_by_the_larger_coordinate() {
     });
 }
 
+/// Puts a number into a sound scene.
+type Change = fn(&mut Setup, f64);
+
 /// What is said to be allowed of a number that is too large for the type is what the type carries: with it the scene is one,
 /// beyond it is none.
 #[test]
@@ -123,7 +126,7 @@ fn allowed_numbers_are_those_that_are_carried() {
     fn check<R: Number>() {
         let most = R::wide(R::RANGE.to_si(R::si(1.0)));
         let size = changed(|_| ()).size();
-        let changes: [(Parameter, fn(&mut Setup, f64)); 6] = [
+        let changes: [(Parameter, Change); 6] = [
             (Parameter::Start, |s, far| s.start[1] = far),
             (Parameter::Start, |s, far| {
                 s.start = [0.8 * far, 0.4 * far, 0.0]
@@ -151,7 +154,9 @@ fn allowed_numbers_are_those_that_are_carried() {
         let soft = changed(|s| s.stiffness_translation = 1e-40).scene::<R>();
         let allowed = soft.map(|_| ()).expect_err("too soft").allowed;
         let least = 1.0 / R::wide(R::Si::HUGE);
-        let mut words = allowed.split(' ').filter_map(|word| word.parse().ok());
+        let mut words = allowed
+            .split([' ', ','])
+            .filter_map(|word| word.parse().ok());
         let named: f64 = words.next().expect("a number");
         assert!((named / least - 1.0).abs() < 1e-6, "{allowed}");
     }
