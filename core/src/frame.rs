@@ -54,7 +54,7 @@ pub use message::Message;
 pub use mode::{Mode, Stepping};
 pub use pose::{EventSet, Pose};
 pub use reply::{Reason, Reply, Subject};
-pub use report::{Pong, Report};
+pub use report::{LONGEST_REPORT, Pong, Report};
 pub use scene::{SceneCommand, scene_bytes};
 
 /// The version of the format, the first byte of every frame.

@@ -27,6 +27,11 @@ pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
+/// Instructions of a loop that must be counted.
+const PROBE: u32 = 501;
+/// The compiler may put so many instructions of the caller between the two readings of the counter.
+const TOLERANCE: u32 = 4;
+
 /// The longest command line, and the longest file name in it.
 const LINE: usize = 256;
 

@@ -50,8 +50,9 @@ mod ports;
 mod refusal;
 mod store;
 
-pub use change::{Parameters, Placement};
+pub use change::Placement;
 pub(crate) use controller::NO_HAND;
 pub use controller::{Controller, Pose, Settings, Tick};
 pub use ports::{Actuators, FromLine, NoActuators, Outage, Sample, Source};
 pub use refusal::Refusal;
+pub use stiction_core::frame::Parameters;

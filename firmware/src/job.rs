@@ -11,7 +11,7 @@
 //!             12  u32 1: with a holding point                      8  f64 x, y (m), rest of theta (rad)
 //!             16  f64 start x, y, theta                           32  u32 slips
 //!             40  f64 weight                                      36  u8  state, as in StateKind::ALL
-//!             48  f64 holding point x, y                          37  u8  status, as in STATUSES
+//!             48  f64 holding point x, y                          37  u8  status, as in Status::ALL
 //!             64  f64 reach, k_h, k_theta                         38  2 bytes, 0
 //!             88  f64 tolerance (rad), 0 exact                then the totals:
 //!             96  n times f64 vertex x, y                     at  0  "done"

@@ -3,7 +3,7 @@
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, at, index_of, require};
 use super::list::{Item, List};
-use crate::output::{Contact, Event, Wrench};
+use crate::output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Wrench};
 
 /// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub struct Events<'a> {
 
 impl<'a> Forces<'a> {
     const HEAD_BYTES: usize = 29;
+    /// With as many contacts as a state has at most.
+    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * Contact::<f32>::BYTES;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         for wrench in [self.wrench, self.feedback] {
@@ -64,6 +66,8 @@ impl<'a> Forces<'a> {
 
 impl<'a> Events<'a> {
     const HEAD_BYTES: usize = 9;
+    /// With as many events as are told of a step.
+    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_EVENTS * Event::BYTES;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.u32(self.slips);

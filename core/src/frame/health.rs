@@ -56,7 +56,7 @@ pub struct Health {
 }
 
 impl Health {
-    const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
+    pub(super) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Drive::ALL, &self.drive);

@@ -64,6 +64,8 @@ pub struct Info<'a> {
 
 impl<'a> Info<'a> {
     const HEAD_BYTES: usize = 35 + Mode::BYTES;
+    /// With the longest name.
+    pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.put(&self.version);

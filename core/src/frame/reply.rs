@@ -157,6 +157,8 @@ impl<'a> Reply<'a> {
     }
 
     const HEAD_BYTES: usize = 14;
+    /// With the longest text.
+    pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         self.command.write(sink);

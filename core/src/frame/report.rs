@@ -57,6 +57,26 @@ pub struct Pong {
     pub time: u32,
 }
 
+/// The longest payload that a board sends (bytes): with [`wire_bytes`](super::wire_bytes) the room that it needs to encode its
+/// reports.
+pub const LONGEST_REPORT: usize = {
+    let others = [
+        Reply::LONGEST,
+        Forces::LONGEST,
+        Events::LONGEST,
+        Health::BYTES,
+    ];
+    let mut longest = Info::LONGEST;
+    let mut rest = others.as_slice();
+    while let [length, after @ ..] = rest {
+        if *length > longest {
+            longest = *length;
+        }
+        rest = after;
+    }
+    longest
+};
+
 /// The contact state is added to it.
 const POSE: u8 = 0x80;
 const FORCES: u8 = 0x90;

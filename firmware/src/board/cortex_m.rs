@@ -11,6 +11,7 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::{ExceptionFrame, exception};
 
 use super::stack::Watch;
+use super::{PROBE, TOLERANCE};
 use crate::count::Instruments;
 
 /// Clock of SysTick (Hz) and N of `-icount shift=N`, which make more than 4 ticks of an instruction.
@@ -21,10 +22,6 @@ const CLOCK_AND_SHIFT: (u64, u32) = (16_000_000, 8);
 
 /// SysTick counts down from here.
 const RELOAD: u32 = 0x00FF_FFFF;
-/// Instructions of a loop that must be counted.
-const PROBE: u32 = 501;
-/// The compiler may put so many instructions of the caller between the two readings of the counter.
-const TOLERANCE: u32 = 4;
 
 /// How often SysTick reached 0.
 static ROUNDS: AtomicU32 = AtomicU32::new(0);
@@ -76,7 +73,7 @@ impl Instruments for Counter {
         let (ticks, done) = self.ticks(work);
         let (clock, shift) = CLOCK_AND_SHIFT;
         let per_second = 1_000_000_000 >> shift;
-        let instructions = ((ticks - self.idle) * per_second + clock / 2) / clock;
+        let instructions = (ticks.saturating_sub(self.idle) * per_second + clock / 2) / clock;
         (u32::try_from(instructions).unwrap_or(u32::MAX), done)
     }
     #[inline(always)]

@@ -6,12 +6,8 @@ use core::hint::black_box;
 use riscv::register::minstret;
 
 use super::stack::Watch;
+use super::{PROBE, TOLERANCE};
 use crate::count::Instruments;
-
-/// Instructions of a loop that must be counted.
-const PROBE: u32 = 501;
-/// The compiler may put so many instructions of the caller between the two readings of the counter.
-const TOLERANCE: u32 = 4;
 
 /// Counts instructions.
 pub(super) struct Counter {

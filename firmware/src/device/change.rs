@@ -5,23 +5,11 @@
 use super::controller::{Controller, Hold, Run, Settings, is_held_last, solver, turned};
 use super::refusal::Refusal;
 use crate::safety::Limits;
+use stiction_core::frame::Parameters;
 use stiction_core::{Description, Evolution, Hand, Model, Output, Real, Solver, State, Wrench};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f32 = 1e-4;
-
-/// The four parameters of the model, those of friction for every surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameters {
-    /// k_h (N/m) > 0.
-    pub stiffness_translation: f32,
-    /// k_theta (N·m/rad) >= 0.
-    pub stiffness_rotation: f32,
-    /// mu_s >= mu_d.
-    pub friction_static: f32,
-    /// mu_d >= 0.
-    pub friction_dynamic: f32,
-}
 
 /// A solver and a state of its own: the length unit of a point depends on its holding point, so that no other solver will do.
 struct Settled<R: Real, const V: usize, const S: usize, M: Model> {

@@ -327,11 +327,6 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         self.run.store.description()
     }
 
-    /// The last good pose; the start of the scene before there is one.
-    pub fn pose(&self) -> &Pose {
-        &self.run.pose
-    }
-
     /// The solver of the scene.
     pub fn solver(&self) -> &Solver<R, V, S, M> {
         &self.run.solver

@@ -12,16 +12,6 @@ const TOTALS_BYTES: usize = 24;
 const MARK: [u8; 4] = *b"strs";
 const END: [u8; 4] = *b"done";
 
-/// The statuses in the order of their numbers.
-const STATUSES: [Status; 6] = [
-    Status::Ok,
-    Status::EventLimit,
-    Status::IterationLimit,
-    Status::Ambiguous,
-    Status::Saturated,
-    Status::HeldLast,
-];
-
 /// One frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -62,7 +52,7 @@ impl Frame {
         record.u32(self.instructions).i32(self.angle.turns);
         record.f64(x).f64(y).f64(self.angle.rest).u32(self.slips);
         record.u8(index_of(&StateKind::ALL, self.state));
-        record.u8(index_of(&STATUSES, self.status));
+        record.u8(index_of(&Status::ALL, self.status));
         record.bytes()
     }
 
@@ -81,7 +71,7 @@ impl Frame {
             angle: Angle { turns, rest },
             slips: fields.u32(),
             state: at_index(&StateKind::ALL, fields.u8())?,
-            status: at_index(&STATUSES, fields.u8())?,
+            status: at_index(&Status::ALL, fields.u8())?,
         })
     }
 }

@@ -3,9 +3,9 @@
 use super::intake::Intake;
 use super::refusal::Trouble;
 use super::{Desk, Link, Told};
-use crate::device::{Controller, Parameters, Placement};
+use crate::device::{Controller, Placement};
 use stiction_core::frame::{
-    self, Command, Frame, Mode, Pong, Reason, Reply, Report, Reset, SceneCommand,
+    Command, Frame, Mode, Parameters, Pong, Reason, Reply, Report, Reset, SceneCommand,
 };
 use stiction_core::{Model, Output, Real, SurfaceDescription};
 
@@ -102,14 +102,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         Ok(None)
     }
 
-    fn parameters(&mut self, new: &frame::Parameters) -> Result<Option<Output<f32>>, Trouble> {
-        let parameters = Parameters {
-            stiffness_translation: new.stiffness_translation,
-            stiffness_rotation: new.stiffness_rotation,
-            friction_static: new.friction_static,
-            friction_dynamic: new.friction_dynamic,
-        };
-        let settled = self.controller.set_parameters(&parameters);
+    fn parameters(&mut self, new: &Parameters) -> Result<Option<Output<f32>>, Trouble> {
+        let settled = self.controller.set_parameters(new);
         settled.map_err(|refusal| Trouble::of::<V, S, M>(&refusal))
     }
 

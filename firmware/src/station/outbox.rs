@@ -1,19 +1,20 @@
 //! Frames on their way out: numbered, encoded, and counted where the line has no room for them (FRAME 7).
 
-use stiction_core::frame::{Frame, Report};
+use stiction_core::frame::{Frame, LONGEST_REPORT, Report, wire_bytes};
 
 /// The line of a board, and a clock to measure with.
 pub trait Link {
     /// The next byte that came. Must not wait.
     fn take(&mut self) -> Option<u8>;
-    /// Sends all of a frame, or, where there is no room for it, nothing: false. Must not wait.
+    /// Sends all of a frame, or, where there is no room for it, nothing: false. Must not wait. A queue of less than
+    /// [`wire_bytes`] of [`LONGEST_REPORT`] never has room for the longest names and refusals.
     fn send(&mut self, frame: &[u8]) -> bool;
     /// A clock (ns, wrapping) with which the work of a tick is measured.
     fn now_ns(&mut self) -> u32;
 }
 
-/// The longest frame: a reply with its text.
-const LONGEST: usize = stiction_core::frame::wire_bytes(14 + 200);
+/// The longest frame.
+const LONGEST: usize = wire_bytes(LONGEST_REPORT);
 
 /// Numbers and encodes frames.
 #[derive(Clone, Debug)]

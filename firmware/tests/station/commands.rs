@@ -10,6 +10,7 @@ use stiction_core::frame::{
 use stiction_core::{
     Bare, Description, Evolution, Hand, Parameter, StateKind, Status, SurfaceDescription,
 };
+use stiction_firmware::station::Setup;
 
 const PARAMETERS: Parameters = Parameters {
     stiffness_translation: 400.0,
@@ -70,6 +71,18 @@ fn hello_is_answered_by_info() {
     assert_eq!(info.has, [true, true, true]);
     // 2 b / T
     assert_eq!(info.stiffest, [4_000.0, 1.953_125]);
+}
+
+/// Info is the longest frame that a board sends: it comes with any name, which is cut to 200 characters.
+#[test]
+fn hello_is_answered_whatever_the_name() {
+    for length in [0, 1, 161, 162, 199, 200, 201, 300] {
+        let name: &str = Box::leak("n".repeat(length).into_boxed_str());
+        let mut rig = Rig::<f32>::of(Setup { name, ..setup() });
+        let said = rig.info().name;
+        assert_eq!(said, name[..length.min(200)], "{length} characters");
+        assert_eq!(rig.health().unsent, 0);
+    }
 }
 
 #[test]
@@ -252,7 +265,7 @@ fn a_scene_in_mid_contact_begins_at_its_start() {
     let pose = rig.pose();
     assert!(pose.held && pose.status == Status::Ok && !pose.force_off);
     // The same as power-up with that scene.
-    let mut other = Rig::<f32>::of(stiction_firmware::station::Setup {
+    let mut other = Rig::<f32>::of(Setup {
         scene: TRIANGLE,
         ..setup()
     });
@@ -417,7 +430,7 @@ fn what_the_solver_lacks_is_not_supported() {
         friction_dynamic: 0.0,
         ..FLOOR
     };
-    let mut rig = Rig::<f32, Bare>::of(stiction_firmware::station::Setup {
+    let mut rig = Rig::<f32, Bare>::of(Setup {
         scene: Description {
             surfaces: Box::leak(Box::new([smooth])),
             ..BOX
