@@ -91,7 +91,9 @@ const ROWS: [Row; 13] = [
     ("the longest tick with a command", |c| {
         c.of_tick(c.taken.command)
     }),
-    ("missed ticks", |c| c.taken.missed.to_string()),
+    ("missed ticks on the way, without commands", |c| {
+        c.taken.missed.to_string()
+    }),
     ("the same bits as on this computer, path and frame", |c| {
         format!("{} of {SAMPLES} poses each", c.same)
     }),
