@@ -159,6 +159,8 @@ pub(crate) struct Stance<R> {
     pub(crate) centroid: Vec2<R>,
     /// F: the hand's force.
     pub(crate) spring: Vec2<R>,
+    /// phi - theta
+    pub(crate) turn: R,
     /// k_theta (phi - theta)
     pub(crate) couple: R,
     /// z = conj(lever) (p_h - c) + conj(centroid) weight
@@ -182,12 +184,14 @@ impl<R: Real> Stance<R> {
             hold = hold + centroid.conj_mul(weight);
         }
         let spring = hand - lever;
+        let turn = grip.angle.minus(placed.orientation.angle());
         Self {
             placed,
             lever,
             centroid,
             spring,
-            couple: scene.stiffness() * grip.angle.minus(placed.orientation.angle()),
+            turn,
+            couple: scene.stiffness() * turn,
             hold,
             force: spring + weight,
             stiffness: scene.stiffness(),
@@ -227,9 +231,11 @@ impl<R: Real> Stance<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The number type carries the moments of the load.
+    /// The number type certainly carries the pull, the turn and the moments of both.
     pub(crate) fn is_carried(&self) -> bool {
         self.hold.reach() + self.couple.abs() <= R::LOAD
+            && self.spring.reach() + self.lever.reach() <= R::RANGE
+            && self.turn.abs() <= R::TURN
     }
 
     /// The moment as a function of a turn about the pinned point.

@@ -55,6 +55,7 @@ pub(crate) fn unloaded() -> Stance<f64> {
         lever: Vec2::ZERO,
         centroid: Vec2::ZERO,
         spring: Vec2::ZERO,
+        turn: 0.0,
         couple: 0.0,
         hold: Vec2::ZERO,
         force: Vec2::ZERO,

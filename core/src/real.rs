@@ -59,6 +59,8 @@ pub trait Real:
     const RANGE: Self;
     /// The largest moment of the springs that is carried, in k_h L²: 4 [`Self::RANGE`].
     const LOAD: Self;
+    /// The farthest that a hand may be turned from the body that it holds (rad): 1e5, in [`Fixed`] 64.
+    const TURN: Self;
     /// A number beyond every root: the limit of an unlimited search.
     const HUGE: Self;
     /// -[`Self::HUGE`]

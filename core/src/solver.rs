@@ -117,10 +117,6 @@ pub struct State<R: Real> {
     unrest: Status,
 }
 
-/// A hand that is turned farther than this (rad) from the body that it holds, less the rest offset, is out of range; in
-/// [`Fixed`](crate::Fixed) already one farther than half the largest number, 64 rad.
-const MAX_TURN: i32 = 100_000;
-
 impl<R: Real> State<R> {
     /// The last sample of the hand that could be used, as it was given: the one that the state belongs to.
     pub fn hand(&self) -> &Hand<R::Si> {
@@ -313,7 +309,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let pull = if self.glides() { pull.max(lever) } else { pull };
         let turn = grip.angle.minus(placed.orientation.angle()).abs();
         pull <= R::RANGE
-            && turn <= R::from_int(MAX_TURN).min(R::HUGE.halved())
+            && turn <= R::TURN
             && lever * pull + self.scene.stiffness() * turn <= R::LOAD
     }
 }

@@ -67,6 +67,7 @@ impl Real for Counted {
     const MICRO: Self = Self(<f64 as Real>::MICRO);
     const RANGE: Self = Self(<f64 as Real>::RANGE);
     const LOAD: Self = Self(<f64 as Real>::LOAD);
+    const TURN: Self = Self(<f64 as Real>::TURN);
     const HUGE: Self = Self(<f64 as Real>::HUGE);
     const LEAST: Self = Self(<f64 as Real>::LEAST);
 

@@ -55,6 +55,7 @@ macro_rules! single {
             const MICRO: Self = Self(f32::MICRO);
             const RANGE: Self = Self(f32::RANGE);
             const LOAD: Self = Self(f32::LOAD);
+            const TURN: Self = Self(f32::TURN);
             const HUGE: Self = Self(f32::HUGE);
             const LEAST: Self = Self(f32::LEAST);
 
@@ -151,6 +152,7 @@ impl Real for CordicFixed {
     const MICRO: Self = Self(I8F24::from_bits(1 << 5));
     const RANGE: Self = Self(I8F24::lit("16"));
     const LOAD: Self = Self(I8F24::lit("64"));
+    const TURN: Self = Self(I8F24::lit("64"));
     const HUGE: Self = Self(I8F24::MAX);
     const LEAST: Self = Self(I8F24::from_bits(-i32::MAX));
 

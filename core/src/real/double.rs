@@ -16,6 +16,7 @@ impl Real for f64 {
     const MICRO: f64 = 1.0 / 524_288.0;
     const RANGE: f64 = 1e12;
     const LOAD: f64 = 4.0 * Self::RANGE;
+    const TURN: f64 = 1e5;
     const HUGE: f64 = 1e30;
     const LEAST: f64 = -Self::HUGE;
 

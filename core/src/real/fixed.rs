@@ -128,6 +128,7 @@ impl Real for Fixed {
     const MICRO: Self = Self::new(1 << 5);
     const RANGE: Self = Self::new(1 << 28);
     const LOAD: Self = Self::new(1 << 30);
+    const TURN: Self = Self::new(1 << 30);
     const HUGE: Self = Self::new(RAIL);
     const LEAST: Self = Self::new(-RAIL);
 

@@ -46,6 +46,7 @@ impl Real for f32 {
     const MICRO: f32 = 1.0 / 524_288.0;
     const RANGE: f32 = 1e6;
     const LOAD: f32 = 4.0 * Self::RANGE;
+    const TURN: f32 = 1e5;
     const HUGE: f32 = 1e15;
     const LEAST: f32 = -Self::HUGE;
 

@@ -22,6 +22,9 @@ impl<R: Real> SingleVertex<R> {
     ) -> bool {
         let mut stance = self.pivot.stance(scene, to);
         stance.tolerance = tolerance;
+        if !stance.is_carried() {
+            return false;
+        }
         let surface = self.pivot.surface(scene);
         let way = from.way_to(to);
         let gliding = |stance: &Stance<R>| stance.gliding::<Gliding<R>>(scene, &surface);

@@ -56,6 +56,9 @@ impl<R: Real> SingleVertex<R> {
     ) -> Option<Trigger<R>> {
         let mut stance = self.pivot.stance(scene, to);
         stance.tolerance = terms.tolerance;
+        if !stance.is_carried() {
+            return None;
+        }
         let way = from.way_to(to);
         let calm = Calm::pinned::<Unbent>(scene, &stance, to, &way)?;
         let orientation = calm.orientation;

@@ -8,6 +8,7 @@ use stiction_tests::{Number, Run, RunOf, Setup, close, test_each};
 test_each!(
     cases::pull_counts_from_the_body,
     cases::hand_takes_hold_wound_up_to_a_bound,
+    cases::springs_of_a_body_at_rest_are_told_as_they_are,
     cases::scene_goes_as_far_as_the_numbers,
 );
 
@@ -48,6 +49,52 @@ mod cases {
                     let follows = if holds { hand } else { theta };
                     close("theta", frame.pose[2], follows, 1e-6 * most);
                 }
+            }
+        }
+    }
+
+    /// A rod that lies in a slot cannot turn, and a block on a floor does not lift: in calm frames, too, the springs are told as they
+    /// are, or refused beyond what the number type carries.
+    pub(super) fn springs_of_a_body_at_rest_are_told_as_they_are<R: Number>(evolution: Evolution) {
+        let most = f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0);
+        let slot = Setup::rod(1.0)
+            .held_at([0.5, 0.0])
+            .springs(1.0, 0.1 * 64.0 / most)
+            .floor([0.5, 0.3])
+            .surface([0.0, -1.0], 0.0, [0.5, 0.3]);
+        let mut run = Run::<R>::start(&slot, evolution, [0.5, 0.0, 0.0]);
+        for i in 1..=120 {
+            let turn = (f64::from(i) - 0.5) * most / 50.0;
+            let frame = run.step([0.5, 0.0, turn]);
+            let carried = turn <= most;
+            let status = if carried {
+                Status::Ok
+            } else {
+                Status::Saturated
+            };
+            assert_eq!(frame.status, status, "{turn}");
+            let told = if carried { turn } else { 0.99 * most };
+            close("moment", frame.wrench[2], 6.4 * told / most, 1e-3);
+        }
+        // Pressed down, with its middle over the floor.
+        let range = range::<R>();
+        let block = Setup::block(0.8, 0.6)
+            .held_at([0.0, 0.3])
+            .at([0.0, 0.0, 0.0])
+            .floor([0.5, 0.3]);
+        let mut run = Run::<R>::start(&block, evolution, [0.0, 0.3, 0.0]);
+        for i in 1..=120 {
+            let pull = (f64::from(i) - 0.5) * range / 50.0;
+            let frame = run.step([0.0, 0.3 - pull, 0.0]);
+            let told = -frame.wrench[1];
+            if frame.status == Status::Ok {
+                close("pull", told, pull, 1e-3 * range);
+                assert!(pull <= range, "{pull}");
+            } else {
+                assert!(
+                    pull > 0.9 * range && frame.status == Status::Saturated,
+                    "{pull} {frame:?}"
+                );
             }
         }
     }
