@@ -51,7 +51,7 @@ pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::Files;
-use crate::input::{open_path, open_scene, path_file};
+use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate, parse_trace};
 use crate::record::Run;
@@ -134,11 +134,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         // Said with the key and the line, which the board does not know.
         scene.scene::<f32>()?;
     }
-    let inputs = [
-        Some(args.scene.as_path()),
-        path_file(&scene, args.hand.as_deref()),
-    ];
-    let inputs = inputs.into_iter().flatten();
+    let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
     Files::check(inputs, args.out.as_ref(), args.record.as_ref(), None)?;
     let rate = args.rate.map(|rate| ("--rate", rate));
     let path = match args.tracker.is_wanted() {

@@ -18,8 +18,20 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     }
 }
 
+/// The files of an input, which no output may replace: those that are read, and the scene's path where another one stands in
+/// for it.
+pub(crate) fn files<'a>(
+    name: &'a Path,
+    scene: &'a SceneFile,
+    hand: Option<&'a Path>,
+) -> impl Iterator<Item = &'a Path> {
+    [Some(name), hand, path_file(scene, None)]
+        .into_iter()
+        .flatten()
+}
+
 /// The file that [`open_path`] reads, if it reads one.
-pub(crate) fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
+fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
     hand.or(match &scene.hand.motion {
         Some(Motion::Recorded(file)) => Some(file),
         _ => None,

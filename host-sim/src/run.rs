@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use stiction_scene::InputError;
 
 use crate::files::{Files, WriteError};
-use crate::input::{open_path, open_scene, path_file};
+use crate::input::{self, open_path, open_scene};
 use crate::options::parse_trace;
 use crate::plot::{self, PlotError};
 use crate::progress;
@@ -62,13 +62,8 @@ pub enum RunError {
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
-    let inputs = [
-        Some(args.scene.as_path()),
-        path_file(&scene, settings.hand.as_deref()),
-    ];
-    let inputs = inputs.into_iter().flatten();
     Files::check(
-        inputs,
+        input::files(&args.scene, &scene, settings.hand.as_deref()),
         args.out.as_ref(),
         args.record.as_ref(),
         args.plot.as_ref(),
