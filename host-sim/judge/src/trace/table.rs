@@ -53,8 +53,14 @@ impl Rows {
         let mut reader = Reader::from_reader(file);
         let header = reader.headers().map_err(|error| error.to_string())?;
         let find = |name: &str| header.iter().position(|column| column == name);
-        let need =
-            |name: &str| find(name).ok_or_else(|| format!("the header has no column `{name}`"));
+        let need = |name: &str| {
+            find(name).ok_or_else(|| {
+                let allowed = SCALARS.join(", ");
+                format!(
+                    "the header has no column `{name}`, allowed: {allowed}, and those of contacts"
+                )
+            })
+        };
         let mut columns = Columns {
             scalars: HashMap::new(),
             depth: find("depth"),

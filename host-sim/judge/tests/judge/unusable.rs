@@ -95,7 +95,7 @@ fn value_of_the_wrong_type_is_told_with_its_key() {
 fn header_without_a_column() {
     let error = message("csv", 0, |line| line.replacen("pose_theta", "theta", 1));
     assert!(
-        error.contains("the header has no column `pose_theta`"),
+        error.contains("the header has no column `pose_theta`, allowed: t, "),
         "{error}"
     );
 }
