@@ -48,11 +48,13 @@ mod change;
 mod controller;
 mod ports;
 mod refusal;
+mod settings;
 mod store;
 
 pub use change::Placement;
 pub(crate) use controller::NO_HAND;
-pub use controller::{Controller, Pose, Settings, Tick};
+pub use controller::{Controller, Pose, Tick};
 pub use ports::{Actuators, FromLine, NoActuators, Outage, Sample, Source};
 pub use refusal::Refusal;
+pub use settings::Settings;
 pub use stiction_core::frame::Parameters;

@@ -2,8 +2,9 @@
 //! stays where it is, contacts stick at first, and it settles anew under the hand that holds it at the same point; the
 //! force goes to the new one within its rate limit.
 
-use super::controller::{Controller, Hold, Run, Settings, is_held_last, solver, turned};
+use super::controller::{Controller, Hold, Run, is_held_last, solver, turned};
 use super::refusal::Refusal;
+use super::settings::Settings;
 use crate::safety::Limits;
 use stiction_core::frame::Parameters;
 use stiction_core::{Description, Evolution, Hand, Model, Output, Real, Solver, State, Wrench};

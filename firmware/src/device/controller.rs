@@ -2,72 +2,13 @@
 
 use super::ports::Sample;
 use super::refusal::Refusal;
+use super::settings::Settings;
 use super::store::Store;
-use crate::safety::{
-    Arrival, Flags, Given, Governor, Health, LimitError, Limits, Line, Passivity, Ticks,
-};
+use crate::safety::{Arrival, Flags, Given, Governor, Health, Line, Ticks};
 use stiction_core::{
-    Angle, Description, Event, Evolution, Full, Hand, MAX_EVENT_LIMIT, Model, Output, Real, Scene,
-    Solver, State, StateKind, Status, Wrench,
+    Angle, Description, Event, Full, Hand, Model, Output, Real, Scene, Solver, State, StateKind,
+    Status, Wrench,
 };
-
-/// How a device runs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// How a frame is evolved.
-    pub evolution: Evolution,
-    /// See [`Solver::with_tolerance`]; 0 is exact.
-    pub tolerance: f32,
-    /// See [`Solver::with_event_limit`]; 0 is taken as 1.
-    pub event_limit: u8,
-    /// What may go to the hand.
-    pub limits: Limits,
-    /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
-    pub passivity: Option<Passivity>,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            evolution: Evolution::default(),
-            tolerance: 0.0,
-            event_limit: MAX_EVENT_LIMIT,
-            limits: Limits::DEFAULT,
-            passivity: None,
-        }
-    }
-}
-
-impl Settings {
-    pub(super) fn check(&self) -> Result<(), LimitError> {
-        self.limits.check()?;
-        match &self.passivity {
-            Some(passivity) => passivity.check(),
-            None => Ok(()),
-        }
-    }
-
-    /// The stiffnesses of a scene leave the device passive.
-    pub(super) fn admit(&self, scene: &Description<'_, f32>) -> Result<(), LimitError> {
-        match &self.passivity {
-            Some(passivity) => {
-                passivity.admit(scene.stiffness_translation, scene.stiffness_rotation)
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// A solver that runs so.
-    pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
-        &self,
-        solver: Solver<R, V, S, M>,
-    ) -> Solver<R, V, S, M> {
-        solver
-            .with_evolution(self.evolution)
-            .with_tolerance(self.tolerance)
-            .with_event_limit(self.event_limit)
-    }
-}
 
 /// Where the body is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

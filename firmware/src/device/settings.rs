@@ -1,0 +1,62 @@
+//! How a device runs: its solver's dials, its limits, and which stiffnesses they admit.
+
+use crate::safety::{LimitError, Limits, Passivity};
+use stiction_core::{Description, Evolution, MAX_EVENT_LIMIT, Model, Real, Solver};
+
+/// How a device runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// How a frame is evolved.
+    pub evolution: Evolution,
+    /// See [`Solver::with_tolerance`]; 0 is exact.
+    pub tolerance: f32,
+    /// See [`Solver::with_event_limit`]; 0 is taken as 1.
+    pub event_limit: u8,
+    /// What may go to the hand.
+    pub limits: Limits,
+    /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
+    pub passivity: Option<Passivity>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            evolution: Evolution::default(),
+            tolerance: 0.0,
+            event_limit: MAX_EVENT_LIMIT,
+            limits: Limits::DEFAULT,
+            passivity: None,
+        }
+    }
+}
+
+impl Settings {
+    pub(super) fn check(&self) -> Result<(), LimitError> {
+        self.limits.check()?;
+        match &self.passivity {
+            Some(passivity) => passivity.check(),
+            None => Ok(()),
+        }
+    }
+
+    /// The stiffnesses of a scene leave the device passive.
+    pub(super) fn admit(&self, scene: &Description<'_, f32>) -> Result<(), LimitError> {
+        match &self.passivity {
+            Some(passivity) => {
+                passivity.admit(scene.stiffness_translation, scene.stiffness_rotation)
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// A solver that runs so.
+    pub(super) fn apply<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
+        &self,
+        solver: Solver<R, V, S, M>,
+    ) -> Solver<R, V, S, M> {
+        solver
+            .with_evolution(self.evolution)
+            .with_tolerance(self.tolerance)
+            .with_event_limit(self.event_limit)
+    }
+}
