@@ -4,6 +4,7 @@
 use crate::coupling::{Pivot, Stance};
 use crate::detect::Placed;
 use crate::geometry::{Angle, Orientation, Vec2};
+use crate::real::Real;
 use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::Pair;
 
@@ -21,6 +22,14 @@ impl Random {
     pub(crate) fn vector(&mut self) -> Vec2<f64> {
         Vec2::new(self.next(), self.next())
     }
+}
+
+/// A number in a number type, to the digits of f32.
+pub(crate) fn number<R: Real>(x: f64) -> R
+where
+    R::Si: From<f32>,
+{
+    R::from_si(R::Si::from(x as f32), R::Si::ONE)
 }
 
 /// Of many cases every one, or, in the slow interpreter, one in `of`.

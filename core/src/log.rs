@@ -1,4 +1,4 @@
-//! What happens during a step, gathered for the output.
+//! The events, slips, status and transitions of a step on their way to the output.
 
 use crate::output::{Event, MAX_EVENTS, Status};
 use crate::real::Real;

@@ -1,7 +1,7 @@
 //! The searches against slow ones: folds, balances downhill, first zeros; what is polished and what is carried.
 
 use super::*;
-use crate::fixtures::{loads, searches};
+use crate::fixtures::{loads, number, searches};
 use crate::motion::Unbent;
 use crate::real::Fixed;
 
@@ -37,7 +37,6 @@ fn moment<R: Real>(now: f64, stiffness: f64, (x, y): (f64, f64)) -> Moment<R, Un
 where
     R::Si: From<f32>,
 {
-    let number = |x: f64| R::from_si(R::Si::from(x as f32), R::Si::ONE);
     Moment {
         couple: number(now - y),
         stiffness: number(stiffness),

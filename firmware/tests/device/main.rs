@@ -8,25 +8,11 @@ use stiction_firmware::device::{Controller, Parameters, Refusal, Sample, Setting
 use stiction_firmware::safety::{LimitParameter, Limits, Passivity};
 
 mod change;
+#[path = "../common/mod.rs"]
+mod common;
 mod point;
 
-const FLOOR: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [0.0, 1.0],
-    offset: 0.0,
-    friction_static: 0.5,
-    friction_dynamic: 0.3,
-};
-
-const BOX: Description<'static, f32> = Description {
-    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-    start: [0.0, 0.03, 0.0],
-    weight: 0.0,
-    holding_point: Some([0.0, 0.02]),
-    reach: 0.02,
-    stiffness_translation: 500.0,
-    stiffness_rotation: 0.5,
-    surfaces: &[FLOOR],
-};
+use common::BOX;
 
 type Device<R = f32> = Controller<R, 4, 2>;
 

@@ -1,6 +1,6 @@
 //! The solver of the board's scene on this machine, and whether a pose of the board has its bits.
 
-use crate::client::BOX;
+use crate::common::BOX;
 use stiction_core::frame::{Mode, Pose};
 use stiction_core::{Description, Event, Hand, Output, Real, Scene, Solver, State};
 

@@ -6,7 +6,7 @@ use stiction_core::frame::{
     Command, Decoder, Faults, Forces, Frame, Health, Info, Mode, NumberType, Pose, Reason,
     Reference, Reply, Report, SceneCommand, Subject,
 };
-use stiction_core::{Contact, Description, Event, Hand, SurfaceDescription, Wrench};
+use stiction_core::{Contact, Description, Event, Hand, Wrench};
 
 /// Reports of a board, on their own.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,25 +183,6 @@ impl Client {
         self.decoder.faults()
     }
 }
-
-/// A box of 0.10 m by 0.06 m on a floor.
-pub(crate) const FLOOR: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [0.0, 1.0],
-    offset: 0.0,
-    friction_static: 0.5,
-    friction_dynamic: 0.3,
-};
-
-pub(crate) const BOX: Description<'static, f32> = Description {
-    vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-    start: [0.0, 0.03, 0.0],
-    weight: 0.0,
-    holding_point: Some([0.0, 0.02]),
-    reach: 0.02,
-    stiffness_translation: 500.0,
-    stiffness_rotation: 0.5,
-    surfaces: &[FLOOR],
-};
 
 /// The command of a scene.
 pub(crate) fn scene(description: &'static Description<'static, f32>) -> Command<'static> {

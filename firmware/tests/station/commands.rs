@@ -1,7 +1,8 @@
 //! Every command and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4 and 5.4).
 
 use crate::beside::{Beside, assert_same};
-use crate::client::{BOX, FLOOR, Known, Said, scene};
+use crate::client::{Known, Said, scene};
+use crate::common::{BOX, FLOOR};
 use crate::rig::{Rig, driven, setup};
 use stiction_core::frame::{
     Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, SceneCommand, Stepping,

@@ -38,7 +38,7 @@ fn a_flood_of_anything_is_taken_in_bounded_parts() {
             .flat_map(|_| client.encode(Command::Hand(Hand::new(0.0, 0.05, 0.0))))
             .collect(),
         (0..500)
-            .flat_map(|_| client.encode(crate::client::scene(&crate::client::BOX)))
+            .flat_map(|_| client.encode(crate::client::scene(&crate::common::BOX)))
             .collect(),
     ];
     for bytes in flood {

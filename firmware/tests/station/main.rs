@@ -7,6 +7,8 @@ mod beside;
 mod bits;
 mod client;
 mod commands;
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../../boards/olimex-stm32-h405/src/device.rs"]
 mod example;
 mod faulty_line;

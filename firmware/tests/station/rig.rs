@@ -1,6 +1,7 @@
 //! A station with a client, a line between them, a device and a clock, all on this machine.
 
-use crate::client::{Answer, BOX, Client, Heard, Known, Said};
+use crate::client::{Answer, Client, Heard, Known, Said};
+use crate::common::BOX;
 use std::collections::VecDeque;
 use stiction_core::frame::{
     Command, Health, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,

@@ -2,7 +2,8 @@
 
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT};
-use crate::client::{BOX, Known, Said, hand_path, scene};
+use crate::client::{Known, Said, hand_path, scene};
+use crate::common::BOX;
 use std::fs;
 use stiction_core::Hand;
 use stiction_core::frame::{Command, Health, Mode, Parameters, Reset, Stepping};

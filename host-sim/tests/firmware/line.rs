@@ -3,7 +3,8 @@
 use crate::beside::{Beside, assert_same};
 use crate::board::{AGAIN, Board};
 use crate::chip::{Chip, F405, MICROBIT};
-use crate::client::{BOX, Client, Said, hand_path, scene};
+use crate::client::{Client, Said, hand_path, scene};
+use crate::common::BOX;
 use crate::random::{Random, garbled};
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};

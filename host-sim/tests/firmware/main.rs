@@ -9,6 +9,8 @@ mod budgets;
 mod chip;
 #[path = "../../../firmware/tests/station/client.rs"]
 mod client;
+#[path = "../../../firmware/tests/common/mod.rs"]
+mod common;
 mod line;
 mod log;
 mod pantograph;

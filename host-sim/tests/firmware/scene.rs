@@ -3,7 +3,8 @@
 use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT, bundled};
-use crate::client::{BOX, Said, scene};
+use crate::client::{Said, scene};
+use crate::common::BOX;
 use stiction_core::frame::{Command, Mode, Reason, Stepping};
 use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
 use stiction_scene::WrittenScene;

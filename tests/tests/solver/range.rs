@@ -17,6 +17,11 @@ fn range<R: Number>() -> f64 {
     R::wide(R::RANGE.to_si(R::si(1.0)))
 }
 
+/// The farthest that a hand may be turned from the body that it holds (rad).
+fn most_turn<R: Number>() -> f64 {
+    f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0)
+}
+
 mod cases {
     use super::*;
 
@@ -37,7 +42,7 @@ mod cases {
     /// A hand takes hold of a body that it is turned against by up to 10^5 rad, in fixed point up to 64 rad (STATICS 10). What
     /// it is turned by in the world does not count.
     pub(super) fn hand_takes_hold_wound_up_to_a_bound<R: Number>(evolution: Evolution) {
-        let most = f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0);
+        let most = most_turn::<R>();
         for theta in [0.0, -40.0, 300.0] {
             let setup = Setup::rod(1.0).springs(1.0, 0.5).at([0.0, 0.0, theta]);
             for (turn, holds) in [(0.985, true), (1.015, false)] {
@@ -56,7 +61,7 @@ mod cases {
     /// A rod that lies in a slot cannot turn, and a block on a floor does not lift: in calm frames, too, the springs are told as they
     /// are, or refused beyond what the number type carries.
     pub(super) fn springs_of_a_body_at_rest_are_told_as_they_are<R: Number>(evolution: Evolution) {
-        let most = f64::min(1e5, R::wide(R::HUGE.to_si(R::si(1.0))) / 2.0);
+        let most = most_turn::<R>();
         let slot = Setup::rod(1.0)
             .held_at([0.5, 0.0])
             .springs(1.0, 0.1 * 64.0 / most)

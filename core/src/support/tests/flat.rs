@@ -2,6 +2,7 @@
 //! known; parts beyond all numbers are not told as small ones.
 
 use super::*;
+use crate::fixtures::number;
 use crate::real::Fixed;
 
 /// A contact at a lever on a surface of an angle, with mu = 1/2.
@@ -19,13 +20,6 @@ where
         tangent: vector(cos, sin),
         edges: [(along, across), (along, -across)],
     }
-}
-
-fn number<R: Real>(x: f64) -> R
-where
-    R::Si: From<f32>,
-{
-    R::from_si(R::Si::from(x as f32), R::Si::ONE)
 }
 
 /// Two contacts close together: what three edges of theirs add up to is borne on these and shared out.
