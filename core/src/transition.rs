@@ -134,8 +134,18 @@ fn apply<R: Real, W: World<R>>(
             Next::Snap(direction)
         }
         Trigger::Touch(pair) => {
-            touch(scene, state, pair, log);
-            Next::Relax(None)
+            // Up to where a search gave up nothing has happened.
+            let reached = if moved.unsure {
+                another(scene, state)
+            } else {
+                Some(pair)
+            };
+            if let Some(pair) = reached {
+                touch(scene, state, pair, log);
+                Next::Relax(None)
+            } else {
+                Next::Relax((sliding != R::ZERO).then_some(sliding))
+            }
         }
         Trigger::Keep { contacts, sliding } if W::SEVERAL => {
             keep(scene, state, contacts, sliding, log)
@@ -157,15 +167,19 @@ fn undriven<R: Real>(
     state: &mut ContactState<R>,
     log: &mut Log<R>,
 ) -> Next<R> {
-    let contacts = state.contacts();
-    let touching = state.placed(scene).touching(scene, R::TOUCH);
-    let dropped = touching.iter().find(|pair| !contacts.contains(pair));
-    if let Some(&pair) = dropped {
+    if let Some(pair) = another(scene, state) {
         touch(scene, state, pair, log);
         return Next::Relax(None);
     }
     stays(log);
     Next::Rest
+}
+
+/// A vertex at a surface that is no contact yet.
+fn another<R: Real>(scene: &impl World<R>, state: &ContactState<R>) -> Option<Pair> {
+    let contacts = state.contacts();
+    let touching = state.placed(scene).touching(scene, R::TOUCH);
+    touching.into_iter().find(|pair| !contacts.contains(pair))
 }
 
 /// A vertex reaches a surface; all that close together are taken together.

@@ -3,6 +3,7 @@
 use super::*;
 use crate::fixtures::{sampled, scene, searches};
 use crate::hand::Hand;
+use crate::state::Pair;
 use core::f64::consts::FRAC_PI_2;
 
 /// Boxes and rods that are dragged, turned and pushed into a corner, with searches that give up after one step, two steps and so on.
@@ -46,19 +47,40 @@ fn gives_up<const V: usize, const S: usize>(
     for most in sampled(1..60, 29) {
         let mut state = begin.clone();
         let (output, counts) = searches::giving_up(most, || solver.step(&mut state, to));
-        let [x, y] = output.position;
-        assert!(x.is_finite() && y.is_finite());
+        stays_outside(solver, &state, &output);
         if output.status != end.status {
             assert!(counts.unsure > 0, "{most} {output:?}");
             seen[0] += 1;
             continue;
         }
         seen[1] += usize::from(counts.unsure > 0);
-        let [there_x, there_y] = end.position;
+        let [[x, y], [there_x, there_y]] = [output.position, end.position];
         let off = libm::hypot(x - there_x, y - there_y);
         assert!(
             off < 1e-6 && output.state == end.state,
             "{most}: {output:?} for {end:?}"
         );
+    }
+}
+
+/// Every contact is on its surface, and no vertex is inside one, wherever a search gave up.
+fn stays_outside<const V: usize, const S: usize>(
+    solver: &Solver<f64, V, S>,
+    state: &State<f64>,
+    output: &Output<f64>,
+) {
+    let (scene, contact) = (&solver.scene, &state.contact);
+    let placed = contact.placed(scene);
+    for surface in scene.surface_indices() {
+        for vertex in scene.vertex_indices() {
+            let pair = Pair { vertex, surface };
+            let gap = placed.gap(scene, pair);
+            let is_lawful = if contact.contacts().contains(&pair) {
+                gap.abs() < 1e-9
+            } else {
+                gap > -1e-9
+            };
+            assert!(is_lawful, "{pair:?} is at {gap}: {output:?}");
+        }
     }
 }

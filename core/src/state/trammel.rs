@@ -32,8 +32,9 @@ struct Sense<R> {
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
     reactions: [Vec2<R>; 2],
-    /// The excess of drive over friction.
+    /// The excess of drive over friction, and its rounding.
     excess: R,
+    rounding: R,
     /// The determinant that scales the excess and the reactions.
     resistance: R,
 }
@@ -91,6 +92,7 @@ impl<R: Real> Sense<R> {
             signs: [R::ZERO; 2],
             reactions: [Vec2::ZERO; 2],
             excess: R::ZERO,
+            rounding: R::ZERO,
             resistance: R::ZERO,
         }
     }
@@ -196,6 +198,7 @@ impl<R: Real> Trammel<R> {
             .normals
             .map(|n| n.value * self.sense.resistance.sign());
         self.sense.excess = found.imbalance.value * self.sense.resistance.sign();
+        self.sense.rounding = rounding;
         let pressed = n1 >= -rounding && n2 >= -rounding;
         self.sense.resistance.abs() > rest
             && self.sense.excess > rounding
@@ -289,7 +292,10 @@ impl<R: Real> Trammel<R> {
             };
             let ([v1, v2], [s1, s2]) = (q.velocities, self.sense.signs);
             let (turns1, turns2) = (turns(0, v1, s1), turns(1, v2, s2));
-            Look::far([q.imbalance.as_slope(sense), n1, n2, turns1, turns2])
+            // What drives it is not nothing to the search, whatever its bound.
+            let mut imbalance = q.imbalance.as_slope(sense);
+            imbalance.rounding = imbalance.rounding.min(self.sense.rounding);
+            Look::far([imbalance, n1, n2, turns1, turns2])
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),
