@@ -179,7 +179,8 @@ fn undriven<R: Real>(
 fn another<R: Real>(scene: &impl World<R>, state: &ContactState<R>) -> Option<Pair> {
     let contacts = state.contacts();
     let touching = state.placed(scene).touching(scene, R::TOUCH);
-    touching.into_iter().find(|pair| !contacts.contains(pair))
+    let mut others = touching.iter().filter(|pair| !contacts.contains(pair));
+    others.next().copied()
 }
 
 /// A vertex reaches a surface; all that close together are taken together.
