@@ -1,9 +1,7 @@
-//! What force may go to the hand: limits of size and rate, passivity, silence, the sender's count, missed ticks.
+//! What force may go to the hand: limits of size and rate, passivity.
 
 use stiction_core::Wrench;
-use stiction_firmware::safety::{
-    Allowed, Arrival, Governor, LimitParameter, Limits, Line, Passivity, Ticks,
-};
+use stiction_firmware::safety::{Allowed, Governor, LimitParameter, Limits, Passivity};
 
 /// Random numbers (splitmix64).
 struct Random(u64);
@@ -264,106 +262,4 @@ fn a_wall_below_the_bound_takes_energy_and_far_above_it_gives_some() {
     let damping = 0.5; // the bound is 1000 N/m
     assert!(energy_gained(999.0, damping) < 0.0);
     assert!(energy_gained(20_000.0, damping) > 0.0);
-}
-
-fn line() -> Line {
-    Line::new(20_000, 1_000)
-}
-
-#[test]
-fn silence_is_noticed_before_20_ms_have_passed() {
-    // Whatever the phase of the sample between two ticks, and wherever the clock wraps.
-    for start in [0, u32::MAX - 5_000, 1 << 31, (1 << 31) - 10_000] {
-        for phase in [0, 1, 499, 500, 999] {
-            let mut line = line();
-            assert!(line.is_silent(start));
-            assert_eq!(line.arrive(0), Arrival::New);
-            line.hear(start);
-            let at = |tick: u32| start.wrapping_add(phase + tick * 1_000);
-            let zero = (0..30).find(|&tick| line.is_silent(at(tick))).unwrap();
-            let age = phase + zero * 1_000;
-            assert!(age <= 20_000 && age > 19_000, "{age}");
-            assert_eq!(line.silences, 1);
-        }
-    }
-}
-
-#[test]
-fn silence_lasts_until_something_is_heard_however_often_the_clock_wraps() {
-    let mut line = line();
-    line.hear(0);
-    let mut now = 0u32;
-    for _ in 0..10_000 {
-        now = now.wrapping_add(1_234_567);
-        assert!(line.is_silent(now));
-    }
-    line.hear(now);
-    assert!(!line.is_silent(now));
-    assert_eq!(line.silences, 1);
-    // A time stamp a little ahead of the clock is of now.
-    line.hear(now.wrapping_add(3));
-    assert!(!line.is_silent(now));
-}
-
-#[test]
-fn late_and_lost_samples_are_counted() {
-    let mut line = line();
-    let numbers = [65_533, 65_534, 65_534, 2, 0, 3, 2, 4];
-    let new = numbers.map(|number| {
-        let arrival = line.arrive(number);
-        line.hear(0);
-        arrival == Arrival::New
-    });
-    assert_eq!(new, [true, true, false, true, false, true, false, true]);
-    // 65 535, 0 and 1 are missing; 0 comes late after all; 65 534 and 2 come twice.
-    assert_eq!((line.lost, line.late, line.restarts), (3, 3, 0));
-}
-
-#[test]
-fn a_sender_that_begins_anew_is_believed_in_silence_only() {
-    let mut line = line();
-    for number in 1_000..1_010 {
-        line.arrive(number);
-    }
-    line.hear(0);
-    assert!(!line.is_silent(1_000));
-    assert_eq!(line.arrive(0), Arrival::Late);
-    assert_eq!(line.arrive(1), Arrival::Late);
-    assert!(line.is_silent(20_000));
-    // One of them alone may be an old one.
-    assert_eq!(line.arrive(2), Arrival::Late);
-    assert_eq!(line.arrive(3), Arrival::New);
-    assert_eq!(line.arrive(4), Arrival::New);
-    assert_eq!((line.restarts, line.late, line.lost), (1, 3, 0));
-    // One that goes on where it was is believed at once.
-    assert_eq!(line.arrive(7), Arrival::New);
-    assert_eq!(line.lost, 2);
-}
-
-#[test]
-fn counters_stay_at_their_largest_value() {
-    let mut line = line();
-    line.lost = u32::MAX - 1;
-    line.late = u32::MAX;
-    line.arrive(0);
-    line.arrive(30_000);
-    line.arrive(5);
-    assert_eq!((line.lost, line.late), (u32::MAX, u32::MAX));
-    let mut ticks = Ticks::new(1_000);
-    ticks.missed = u32::MAX - 1;
-    ticks.done = u32::MAX;
-    ticks.tick(0);
-    ticks.tick(1 << 30);
-    assert_eq!((ticks.missed, ticks.done), (u32::MAX, u32::MAX));
-}
-
-#[test]
-fn missed_ticks_are_counted_to_the_nearest() {
-    let mut ticks = Ticks::new(1_000);
-    let start = u32::MAX - 1_500;
-    let times = [0, 1_000, 1_990, 3_010, 4_499, 6_100, 11_100, 11_100, 10_000];
-    let missed = times.map(|time| ticks.tick(start.wrapping_add(time)));
-    // A clock that stands still or goes backwards misses nothing.
-    assert_eq!(missed, [0, 0, 0, 0, 0, 1, 4, 0, 0]);
-    assert_eq!((ticks.missed, ticks.done), (5, 9));
 }

@@ -1,19 +1,17 @@
-//! Every command and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4 and 5.4).
+//! Every command but for scenes, and every refusal: the reason, what it is about, and that a refusal changes nothing (FRAME 4
+//! and 5.4).
 
 use crate::beside::{Beside, assert_same};
 use crate::client::{Known, Said, scene};
-use crate::common::{BOX, FLOOR};
 use crate::rig::{Rig, driven, setup};
+use crate::scenes::TRIANGLE;
 use stiction_core::frame::{
-    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, SceneCommand, Stepping,
-    Subject,
+    Command, Drive, Mode, NumberType, Parameters, Pose, Reason, Reset, Stepping, Subject,
 };
-use stiction_core::{
-    Bare, Description, Evolution, Hand, Parameter, StateKind, Status, SurfaceDescription,
-};
+use stiction_core::{Evolution, Hand, Parameter, StateKind, Status};
 use stiction_firmware::station::Setup;
 
-const PARAMETERS: Parameters = Parameters {
+pub(crate) const PARAMETERS: Parameters = Parameters {
     stiffness_translation: 400.0,
     stiffness_rotation: 0.3,
     friction_static: 0.8,
@@ -22,13 +20,13 @@ const PARAMETERS: Parameters = Parameters {
 
 const DEEP: [f32; 3] = [0.001, 0.045, 0.0];
 
-fn deep() -> Hand<f32> {
+pub(crate) fn deep() -> Hand<f32> {
     let [x, y, phi] = DEEP;
     Hand::new(x, y, phi)
 }
 
 /// What a client can see of the board's state: what it says of itself, and its pose.
-fn seen(rig: &mut Rig) -> (Known, Pose) {
+pub(crate) fn seen(rig: &mut Rig) -> (Known, Pose) {
     let info = rig.info();
     rig.hand(deep());
     let pose = rig.pose();
@@ -36,7 +34,7 @@ fn seen(rig: &mut Rig) -> (Known, Pose) {
 }
 
 /// The command is refused, the subject named with value and limit, and nothing changes.
-fn refused(rig: &mut Rig, command: Command<'_>, expected: (Reason, Subject, f32, f32)) {
+pub(crate) fn refused(rig: &mut Rig, command: Command<'_>, expected: (Reason, Subject, f32, f32)) {
     let before = seen(rig);
     let answer = rig.ask(command);
     let said = (answer.reason, answer.subject);
@@ -238,216 +236,6 @@ fn a_stiffness_that_is_not_passive_is_refused_with_the_bound() {
     assert_eq!(rig.info().stiffest, [400.0, 0.195_312_5]);
 }
 
-const WALL: SurfaceDescription<f32> = SurfaceDescription {
-    normal: [1.0, 0.0],
-    offset: -0.2,
-    ..FLOOR
-};
-
-const TRIANGLE: Description<'static, f32> = Description {
-    vertices: &[[-0.04, -0.02], [0.04, -0.02], [0.0, 0.03]],
-    start: [0.0, 0.05, 0.0],
-    weight: 1.0,
-    holding_point: None,
-    surfaces: &[FLOOR, WALL],
-    ..BOX
-};
-
-#[test]
-fn a_scene_in_mid_contact_begins_at_its_start() {
-    let mut rig = Rig::<f32>::new();
-    rig.stay(Hand::new(0.05, 0.045, 0.2), 60);
-    rig.done(scene(&TRIANGLE));
-    let pose = rig.pose();
-    assert!(!pose.held && pose.status == Status::HeldLast);
-    assert!((pose.position[1] - 0.05).abs() < 1e-6);
-    assert_eq!(rig.force.force, [0.0, 0.0], "what the hand felt is gone");
-    rig.hand(Hand::new(0.0, 0.05, 0.0));
-    let pose = rig.pose();
-    assert!(pose.held && pose.status == Status::Ok && !pose.force_off);
-    // The same as power-up with that scene.
-    let mut other = Rig::<f32>::of(Setup {
-        scene: TRIANGLE,
-        ..setup()
-    });
-    other.hand(Hand::new(0.0, 0.05, 0.0));
-    let expected = other.pose();
-    assert_eq!(
-        (pose.position, pose.rest),
-        (expected.position, expected.rest)
-    );
-}
-
-#[test]
-fn scenes_that_cannot_be_used_are_refused() {
-    use Parameter as P;
-    let nan = f32::NAN;
-    let mut rig = Rig::<f32>::new();
-    rig.stay(deep(), 30);
-    let many: Vec<[f32; 2]> = (0..9)
-        .map(|i| {
-            let (sin, cos) = (std::f32::consts::TAU * i as f32 / 9.0).sin_cos();
-            [cos * 0.05, sin * 0.05]
-        })
-        .collect();
-    let wrong = SurfaceDescription {
-        normal: [0.0, 0.0],
-        ..FLOOR
-    };
-    let number = Reason::Number;
-    let cases = [
-        (
-            Description {
-                vertices: &many,
-                ..BOX
-            },
-            Reason::Unsupported,
-            P::VertexCount,
-            9.0,
-            8.0,
-        ),
-        (
-            Description {
-                vertices: &[],
-                ..BOX
-            },
-            number,
-            P::VertexCount,
-            0.0,
-            nan,
-        ),
-        (
-            Description {
-                surfaces: &[FLOOR; 5],
-                ..BOX
-            },
-            Reason::Unsupported,
-            P::SurfaceCount,
-            5.0,
-            4.0,
-        ),
-        (
-            Description {
-                vertices: &[[0.0, 0.0], [0.05, nan]],
-                ..BOX
-            },
-            number,
-            P::Vertex(1),
-            nan,
-            nan,
-        ),
-        (
-            Description {
-                start: [0.0, nan, 0.0],
-                ..BOX
-            },
-            number,
-            P::Start,
-            nan,
-            nan,
-        ),
-        (
-            Description {
-                weight: -1.0,
-                ..BOX
-            },
-            number,
-            P::Weight,
-            -1.0,
-            nan,
-        ),
-        (
-            Description {
-                holding_point: Some([nan, 0.0]),
-                ..BOX
-            },
-            number,
-            P::HoldingPoint,
-            nan,
-            nan,
-        ),
-        (
-            Description { reach: -0.5, ..BOX },
-            number,
-            P::Reach,
-            -0.5,
-            nan,
-        ),
-        (
-            Description {
-                stiffness_translation: 0.0,
-                ..BOX
-            },
-            number,
-            P::StiffnessTranslation,
-            0.0,
-            nan,
-        ),
-        (
-            Description {
-                stiffness_rotation: -1.0,
-                ..BOX
-            },
-            number,
-            P::StiffnessRotation,
-            -1.0,
-            nan,
-        ),
-        (
-            Description {
-                surfaces: &[FLOOR, wrong],
-                ..BOX
-            },
-            number,
-            P::Normal(1),
-            0.0,
-            nan,
-        ),
-    ];
-    for (description, reason, parameter, value, limit) in cases {
-        let command = Command::Scene(SceneCommand::from(&description));
-        refused(
-            &mut rig,
-            command,
-            (reason, Subject::Scene(parameter), value, limit),
-        );
-    }
-    let inside = Description {
-        start: [0.0, 0.02, 0.0],
-        ..BOX
-    };
-    let before = seen(&mut rig);
-    let answer = rig.ask(Command::Scene(SceneCommand::from(&inside)));
-    assert_eq!(answer.reason, Reason::Number);
-    let vertex = |vertex| Subject::Scene(P::Penetration { surface: 0, vertex });
-    assert!((0..2).any(|v| answer.subject == vertex(v)), "{answer:?}");
-    assert_eq!(seen(&mut rig), before);
-}
-
-#[test]
-fn what_the_solver_lacks_is_not_supported() {
-    let smooth = SurfaceDescription {
-        friction_static: 0.0,
-        friction_dynamic: 0.0,
-        ..FLOOR
-    };
-    let mut rig = Rig::<f32, Bare>::of(Setup {
-        scene: Description {
-            surfaces: Box::leak(Box::new([smooth])),
-            ..BOX
-        },
-        ..setup()
-    });
-    assert_eq!(rig.info().has, [false; 3]);
-    let answer = rig.ask(Command::Parameters(PARAMETERS));
-    assert_eq!(answer.reason, Reason::Unsupported);
-    assert_eq!(answer.subject, Subject::Scene(Parameter::FrictionStatic(0)));
-    assert_eq!((answer.value, answer.limit), (0.8, 0.0));
-    let answer = rig.ask(scene(&TRIANGLE));
-    assert_eq!(answer.subject, Subject::Scene(Parameter::Weight));
-    assert_eq!((answer.reason, answer.limit), (Reason::Unsupported, 0.0));
-}
-
 #[test]
 fn reset_of_the_body_keeps_scene_parameters_and_mode() {
     let mut rig = Rig::<f32>::new();
@@ -505,73 +293,4 @@ fn reset_of_everything_is_power_up() {
     let mut beside = Beside::<f32>::new(&Mode::DEFAULT);
     rig.hand(deep());
     assert_same(&rig.pose(), &beside.step(deep()), "power-up");
-}
-
-#[test]
-fn undamaged_frames_that_are_no_commands_are_answered() {
-    let mut rig = Rig::<f32>::new();
-    // FRAME 2: version, type, sequence, time, payload, CRC; COBS by hand is the codec's own test: here by its encoder.
-    let frame = |bytes: &[u8]| {
-        let mut frame = bytes.to_vec();
-        frame.extend(crc32(bytes).to_le_bytes());
-        cobs_of(&frame)
-    };
-    let cases: [(&[u8], Reason); 6] = [
-        (&[2, 7, 40, 0, 0, 0, 0], Reason::Version),
-        (&[1, 0x55, 41, 0, 0, 0, 0], Reason::UnknownType),
-        (&[1, 0x80, 42, 0, 0, 0, 0], Reason::UnknownType),
-        (&[1, 7, 43, 0, 0, 0, 0, 9], Reason::Length),
-        (&[1, 8, 44, 0, 0, 0, 0], Reason::Length),
-        (&[1, 8, 45, 0, 0, 0, 0, 2], Reason::Code),
-    ];
-    for (bytes, reason) in cases {
-        rig.line.to_board.extend(frame(bytes));
-        rig.client.heard.clear();
-        rig.tick();
-        let heard = rig.heard();
-        let Said::Reply(answer) = &heard[0].said else {
-            panic!("{heard:?}")
-        };
-        assert_eq!(answer.reason, reason, "{bytes:?}");
-        assert_eq!(
-            (answer.command.code, answer.command.sequence),
-            (bytes[1], bytes[2])
-        );
-    }
-    // They are frames of the line all the same: none is lost.
-    assert_eq!(rig.health().lost_frames, 0);
-    assert_eq!(rig.health().faults.total(), 6);
-    // A damaged one is not answered.
-    let mut damaged = frame(&[1, 7, 46, 0, 0, 0, 0]);
-    damaged[3] ^= 0x10;
-    rig.line.to_board.extend(damaged);
-    rig.tick();
-    assert!(rig.heard().iter().all(|h| matches!(h.said, Said::Pose(_))));
-}
-
-/// CRC-32/ISO-HDLC, bit by bit.
-fn crc32(bytes: &[u8]) -> u32 {
-    let mut crc = u32::MAX;
-    for &byte in bytes {
-        crc ^= u32::from(byte);
-        for _ in 0..8 {
-            crc = if crc & 1 == 1 {
-                crc >> 1 ^ 0xedb8_8320
-            } else {
-                crc >> 1
-            };
-        }
-    }
-    !crc
-}
-
-/// COBS of less than 254 bytes, with its delimiter.
-fn cobs_of(bytes: &[u8]) -> Vec<u8> {
-    let mut out = Vec::new();
-    for part in bytes.split(|&byte| byte == 0) {
-        out.push(part.len() as u8 + 1);
-        out.extend(part);
-    }
-    out.push(0);
-    out
 }

@@ -1,32 +1,27 @@
 //! A board that has the solver: what it answers is what clients see, with the reference beside it.
 
 use std::fs;
-#[cfg(target_os = "linux")]
-use std::path::PathBuf;
-use std::sync::atomic::Ordering;
 
 use serde_json::{Value, json};
-use stiction_tools::board::Board as Emulated;
-use stiction_tools::process::{if_installed, require_qemu_arm};
 
 use crate::common::{Folder, text};
 use crate::program::{Client, View};
 use crate::station::Board;
 
 /// A board of f32, and the view that it is the source of.
-fn with_board(scene: &str) -> (Board, View) {
+pub(crate) fn with_board(scene: &str) -> (Board, View) {
     let folder = Folder::new();
     let board = Board::f32(&folder.file("line"));
     let arguments = [scene, "--socket", "line", "--timeout", "20"];
     (board, View::in_folder(folder, &arguments))
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+pub(crate) fn numbers(value: &Value) -> Vec<f64> {
     serde_json::from_value(value.clone()).expect("numbers")
 }
 
 /// The next frame in which the board has answered this hand.
-fn with_hand(client: &mut Client, pose: [f64; 3]) -> Value {
+pub(crate) fn with_hand(client: &mut Client, pose: [f64; 3]) -> Value {
     client.frame(|frame| {
         let hand = numbers(&frame["frame"]["hand"]);
         hand.iter().zip(pose).all(|(a, b)| (a - b).abs() < 1e-6)
@@ -34,7 +29,7 @@ fn with_hand(client: &mut Client, pose: [f64; 3]) -> Value {
 }
 
 /// The hand goes there in a straight line, with a sample for every frame that comes.
-fn lead(client: &mut Client, from: [f64; 3], to: [f64; 3]) -> Value {
+pub(crate) fn lead(client: &mut Client, from: [f64; 3], to: [f64; 3]) -> Value {
     for k in 1..=20 {
         let part = f64::from(k) / 20.0;
         let pose = [0, 1, 2].map(|i| from[i] + (to[i] - from[i]) * part);
@@ -362,36 +357,6 @@ fn an_echo_is_of_the_answered_hand() {
 }
 
 #[test]
-fn a_board_that_was_pulled_out_comes_back_at_the_start() {
-    let (board, view) = with_board("box-flat");
-    let mut client = view.client();
-    client.done(json!({"type": "set", "parameters": {"stiffness_translation": 1000.0}}));
-    lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
-    client.done(json!({"type": "record", "value": true}));
-    board.is_pulled.store(true, Ordering::Relaxed);
-    client.frame(|frame| frame["board"]["connected"] == false);
-    client.frame(|frame| frame["board"]["connected"] == true);
-    with_hand(&mut client, [0.0, 0.07, 0.0]);
-    client.state(|state| !state["recorded"].is_null());
-    let pressed = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
-    // The parameters are those of before: 1000 N/m times 10 mm.
-    let force = numbers(&pressed["frame"]["wrench"])[1];
-    assert!((force + 10.0).abs() < 1e-3, "{force}");
-}
-
-#[test]
-fn a_board_that_is_away_changes_nothing_and_ctrl_c_ends_the_view() {
-    let (board, mut view) = with_board("box-flat");
-    let mut client = view.client();
-    drop(board);
-    client.frame(|frame| frame["board"]["connected"] == false);
-    let error = client.ask(json!({"type": "set", "parameters": {"static": 0.6}}));
-    assert!(error.is_err_and(|error| error.contains("not connected")));
-    view.interrupt();
-    assert!(view.child.wait().expect("it ends").success());
-}
-
-#[test]
 fn the_reference_beside_a_board_of_fixed_point() {
     let folder = Folder::new();
     let _board = Board::fixed(&folder.file("line"));
@@ -401,49 +366,4 @@ fn the_reference_beside_a_board_of_fixed_point() {
     let frame = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
     let error = numbers(&frame["reference"]["error"]);
     assert!(error[0] < 1e-4 && error[1] < 1e-3, "{error:?}");
-}
-
-#[test]
-fn without_a_board_there_is_nothing_to_view() {
-    let folder = Folder::new();
-    let output = folder.stiction(&["view", "--socket", "nowhere", "--timeout", "1"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("nowhere"));
-    let output = folder.stiction(&["view", "--socket", "nowhere", "--number", "f64"]);
-    assert!(text(&output.stderr).contains("cannot be used with"));
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn an_emulated_board_is_a_board() {
-    let image = require_qemu_arm().and_then(|()| Emulated::OLIMEX.image("", None));
-    if if_installed(image).is_none() {
-        return;
-    }
-    let mut view = View::start(&["box-flat", "--emulate", "--timeout", "60"]);
-    let mut client = view.client();
-    let source = &client.hello["source"];
-    assert_eq!(
-        (&source["name"], &source["emulated"]),
-        (&json!("olimex-stm32-h405"), &json!(true))
-    );
-    let pressed = lead(&mut client, [0.0, 0.07, 0.0], [0.0, 0.04, 0.0]);
-    assert_eq!(pressed["frame"]["state"], "edge");
-    assert_eq!(pressed["reference"]["state"], "edge");
-    let emulators = children(view.child.id());
-    assert_eq!(emulators.len(), 1);
-    view.interrupt();
-    assert!(view.child.wait().expect("it ends").success());
-    assert!(!emulators[0].exists(), "the emulator ends with it");
-}
-
-/// The processes that one has started.
-#[cfg(target_os = "linux")]
-fn children(id: u32) -> Vec<PathBuf> {
-    let all = fs::read_dir("/proc").expect("the processes").flatten();
-    let is_child = |process: &PathBuf| {
-        let status = fs::read_to_string(process.join("status")).unwrap_or_default();
-        status.lines().any(|line| line == format!("PPid:\t{id}"))
-    };
-    all.map(|entry| entry.path()).filter(is_child).collect()
 }

@@ -7,6 +7,8 @@ mod common;
 mod messages;
 mod outward;
 mod paths;
+#[cfg(unix)]
+mod plugged;
 mod program;
 mod refusals;
 mod several;

@@ -1,0 +1,74 @@
+//! Undamaged frames that are no commands are answered with the reason (FRAME 2 and 5.4).
+
+use crate::client::Said;
+use crate::rig::Rig;
+use stiction_core::frame::Reason;
+
+#[test]
+fn undamaged_frames_that_are_no_commands_are_answered() {
+    let mut rig = Rig::<f32>::new();
+    // FRAME 2: version, type, sequence, time, payload, CRC; COBS by hand is the codec's own test: here by its encoder.
+    let frame = |bytes: &[u8]| {
+        let mut frame = bytes.to_vec();
+        frame.extend(crc32(bytes).to_le_bytes());
+        cobs_of(&frame)
+    };
+    let cases: [(&[u8], Reason); 6] = [
+        (&[2, 7, 40, 0, 0, 0, 0], Reason::Version),
+        (&[1, 0x55, 41, 0, 0, 0, 0], Reason::UnknownType),
+        (&[1, 0x80, 42, 0, 0, 0, 0], Reason::UnknownType),
+        (&[1, 7, 43, 0, 0, 0, 0, 9], Reason::Length),
+        (&[1, 8, 44, 0, 0, 0, 0], Reason::Length),
+        (&[1, 8, 45, 0, 0, 0, 0, 2], Reason::Code),
+    ];
+    for (bytes, reason) in cases {
+        rig.line.to_board.extend(frame(bytes));
+        rig.client.heard.clear();
+        rig.tick();
+        let heard = rig.heard();
+        let Said::Reply(answer) = &heard[0].said else {
+            panic!("{heard:?}")
+        };
+        assert_eq!(answer.reason, reason, "{bytes:?}");
+        assert_eq!(
+            (answer.command.code, answer.command.sequence),
+            (bytes[1], bytes[2])
+        );
+    }
+    // They are frames of the line all the same: none is lost.
+    assert_eq!(rig.health().lost_frames, 0);
+    assert_eq!(rig.health().faults.total(), 6);
+    // A damaged one is not answered.
+    let mut damaged = frame(&[1, 7, 46, 0, 0, 0, 0]);
+    damaged[3] ^= 0x10;
+    rig.line.to_board.extend(damaged);
+    rig.tick();
+    assert!(rig.heard().iter().all(|h| matches!(h.said, Said::Pose(_))));
+}
+
+/// CRC-32/ISO-HDLC, bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    let mut crc = u32::MAX;
+    for &byte in bytes {
+        crc ^= u32::from(byte);
+        for _ in 0..8 {
+            crc = if crc & 1 == 1 {
+                crc >> 1 ^ 0xedb8_8320
+            } else {
+                crc >> 1
+            };
+        }
+    }
+    !crc
+}
+
+/// COBS of less than 254 bytes, with its delimiter.
+fn cobs_of(bytes: &[u8]) -> Vec<u8> {
+    let mut out = Vec::new();
+    for part in bytes.split(|&byte| byte == 0) {
+        out.push(part.len() as u8 + 1);
+        out.extend(part);
+    }
+    out.push(0);
+    out
+}
