@@ -65,6 +65,7 @@ impl<R: Real> TwoVertex<R> {
     /// Slides on both surfaces to the first of (E6), N_i = 0, touch.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
+        let (begin, mut turn) = (self.pivot, R::ZERO);
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
             let any = |demand| Trammel::driven(scene, self, grip, demand);
@@ -74,6 +75,7 @@ impl<R: Real> TwoVertex<R> {
             let (run, ending) = trammel.run(scene, self, demand);
             self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
+            turn = turn + run.turn;
             moved.unsure |= run.unsure;
             moved.unbalanced = ending != Ending::Stopped || demand == Demand::AtTheEnd;
             moved.trigger = match ending {
@@ -95,7 +97,8 @@ impl<R: Real> TwoVertex<R> {
         // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
         if moved.trigger == Trigger::Stopped && !self.bracing(scene).is_at_rest(scene, grip) {
             moved.unbalanced = true;
-            if moved.slip.abs() <= R::MICRO {
+            if moved.slip.abs() + turn.abs() <= R::MICRO {
+                self.pivot = begin;
                 moved.trigger = Trigger::Undriven;
             }
         }

@@ -210,6 +210,24 @@ fn what_is_driven_moves() {
     assert!(cfg!(miri) || count > 1000, "{count}");
 }
 
+/// Where a slip does not get away, the body stays to the bit.
+#[test]
+fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
+    let mut count = 0;
+    driven(Demand::AtTheEnd, |case, _, seed| {
+        let mut state = case.state.clone();
+        for _ in 0..4 {
+            let begin = state.clone();
+            let moved = state.slide(&case.scene, &case.grip);
+            if moved.trigger == Trigger::Undriven {
+                assert_eq!(state, begin, "{seed}");
+                count += 1;
+            }
+        }
+    });
+    assert!(cfg!(miri) || count > 10, "{count}");
+}
+
 #[test]
 fn slopes_are_derivatives_and_bounds_hold() {
     driven(Demand::AtTheEnd, |_, trammel, seed| {
