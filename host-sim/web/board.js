@@ -34,18 +34,37 @@ export class Board {
     this.reader = null;
     this.baud = 0;
     this.sequence = 0;
-    /** The command that waits for its answer. @type {{type: string, take: (message: Message) => void} | null} */
+    /** The end of all that is asked for so far. @type {Promise<unknown>} */
+    this.turn = Promise.resolve();
+    /**
+     * The command that waits for its answer, and under which numbers it was sent.
+     * @type {{type: string, sent: number[], take: (message: Message) => void} | null}
+     */
     this.asked = null;
     /** The hand as it was last told. @type {{pose: Pose, held: boolean, sent: number}} */
     this.sample = { pose: this.model.scene.home, held: true, sent: -1 };
     this.lastSample = 0;
     this.timer = 0;
-    this.evolution = 0;
     this.gone = false;
   }
 
   /** Asks the reader for a port, and everything that follows; rejects in words. @param {number} baud */
-  async start(baud) {
+  start(baud) {
+    return this.inTurn(() => this.open(baud));
+  }
+
+  /**
+   * Does a piece of work after all that was asked for before: one command at a time is under way.
+   * @template T @param {() => Promise<T>} work @returns {Promise<T>}
+   */
+  inTurn(work) {
+    const done = this.turn.then(work);
+    this.turn = done.catch(() => {});
+    return done;
+  }
+
+  /** @param {number} baud */
+  async open(baud) {
     if (!navigator.serial) throw new Error("This browser has no Web Serial.");
     this.port = await navigator.serial.requestPort();
     this.baud = baud;
@@ -56,7 +75,6 @@ export class Board {
     await this.writer?.write(Uint8Array.of(0));
     const info = await this.command({ type: "hello" }, "info");
     this.model.setInfo(info);
-    this.evolution = info.evolution;
     this.events.hello(this.model.hello(info, baud));
     await this.command(this.model.sceneMessage());
     await this.command(this.modeMessage());
@@ -109,15 +127,18 @@ export class Board {
   }
 
   /**
-   * Sends a command until it is answered; rejects with what the board refuses.
+   * Sends a command until it is answered; rejects with what the board refuses. A reply names the command that it
+   * answers (FRAME 5.4): one to another command, or one that comes too late, is none.
    * @param {{type: string, [field: string]: any}} message @param {string} [answer] type of the answer
    */
   async command(message, answer = "reply") {
+    /** @type {number[]} */
+    const sent = [];
     for (let attempt = 0; attempt < TRIES; attempt++) {
       /** @type {Message | null} */
       const reply = await new Promise((take) => {
-        this.asked = { type: answer, take };
-        this.write(message);
+        this.asked = { type: answer, sent, take };
+        sent.push(this.write(message));
         setTimeout(() => take(null), PATIENCE);
       });
       this.asked = null;
@@ -132,18 +153,23 @@ export class Board {
   /** A message of the board. @param {Message} message */
   take(message) {
     this.model.count(message);
-    if (this.asked?.type === message.type) this.asked.take(message);
+    const { asked } = this;
+    const isAnswer = message.type !== "reply" || asked?.sent.includes(message.command_sequence);
+    if (asked?.type === message.type && isAnswer) asked.take(message);
     const frame = this.model.take(message, this.decoder.faults);
     if (frame && this.timer) this.events.frame(frame);
   }
 
-  /** How the board is to work: in time with its ticks, as many poses and forces as the line and the screen take. */
-  modeMessage() {
+  /**
+   * How the board is to work: in time with its ticks, as many poses and forces as the line and the screen take.
+   * @param {number} [evolution] as it is, unless it is said
+   */
+  modeMessage(evolution = this.model.info.evolution) {
     const { info } = this.model;
     const rate = Math.min(info.tick_rate, info.fastest_tick);
     const every = Math.max(1, Math.round(rate / (this.baud >= FAST ? POSES.fast : POSES.slow)));
     return {
-      type: "mode", evolution: this.evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
+      type: "mode", evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
       pose_every: every, forces_every: every, health_every: 500, tolerance: info.tolerance,
       event_limit: info.event_limit,
     };
@@ -172,7 +198,12 @@ export class Board {
   }
 
   /** What a board can do of what a server can. @param {{type: string, [field: string]: any}} message */
-  async request(message) {
+  request(message) {
+    return this.inTurn(() => this.carryOut(message));
+  }
+
+  /** @param {{type: string, [field: string]: any}} message */
+  async carryOut(message) {
     switch (message.type) {
       case "set": {
         const parameters = { ...this.model.parameters, ...message.parameters };
@@ -189,9 +220,8 @@ export class Board {
         this.model.reset();
         break;
       case "evolution":
-        this.evolution = message.value === "path" ? 0 : 1;
-        await this.command(this.modeMessage());
-        this.model.info.evolution = this.evolution;
+        await this.command(this.modeMessage(message.value === "path" ? 0 : 1));
+        this.model.info.evolution = message.value === "path" ? 0 : 1;
         break;
       default:
         throw new Error("A board by Web Serial cannot do this: it needs the program.");

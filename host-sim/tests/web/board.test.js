@@ -2,6 +2,9 @@
 // core/FRAME.md says. It lets the box slide on the floor without friction.
 
 import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Board } from "../../web/board.js";
+import { Decoder } from "../../web/frame.js";
 import { liveTest } from "./live.js";
 
 /** The stiffest translational spring that the board takes (N/m). */
@@ -220,4 +223,47 @@ liveTest("a board by Web Serial gets the scene and the hand, and its poses are s
   await live.reads("#serial", /^Board by Web Serial$/);
   await live.until(() => window.stiction.frame?.frame.state === "non-contact");
   assert.ok(await page.locator("#pause").isEnabled());
+});
+
+/** A board without a page around it: what it is told, and answers to that. @param {any} [state] */
+function wired(state = null) {
+  const board = new Board({ hello() {}, state() {}, frame() {}, connected() {}, error() {} }, state);
+  /** @type {any[]} */
+  const told = [];
+  const decoder = new Decoder((message) => told.push(message));
+  board.writer = /** @type {any} */ ({ write: async (bytes) => decoder.push(bytes) });
+  const answer = (message, reason = 0) =>
+    board.take({
+      type: "reply", sequence: 0, time: 0, command_sequence: message.sequence, reason, allowed: "",
+    });
+  /** Waits until so many messages were told. */
+  const untilTold = async (count) => {
+    while (told.length < count) await new Promise((done) => setTimeout(done, 5));
+  };
+  return { board, told, answer, untilTold };
+}
+
+test("an answer counts for its own command alone, and commands go one after another", async () => {
+  const { board, told, answer, untilTold } = wired();
+  const first = board.request({ type: "set", parameters: { stiffness_translation: 600 } });
+  const second = board.request({ type: "set", parameters: { stiffness_rotation: 0.7 } });
+  const third = board.request({ type: "reset" });
+  // The first answer is late: the command is repeated, and both are answered.
+  await untilTold(2);
+  assert.deepEqual(told.map(({ type, k_h }) => [type, k_h]), Array(2).fill(["parameters", 600]));
+  answer(told[0]);
+  await first;
+  await untilTold(3);
+  assert.deepEqual([told[2].k_h, Math.fround(0.7)], [600, told[2].k_theta]);
+  answer(told[1]);
+  answer(told[2], 5);
+  await assert.rejects(second, /refuses the parameters/);
+  await untilTold(4);
+  assert.equal(told[3].type, "reset");
+  answer(told[1]);
+  answer(told[2], 5);
+  answer(told[3]);
+  await third;
+  const { parameters } = board.model;
+  assert.deepEqual([parameters.stiffness_translation, parameters.stiffness_rotation], [600, 0.5]);
 });
