@@ -70,6 +70,35 @@ export class BoardModel {
     this.run = newRun();
   }
 
+  /**
+   * The parameters with a change in them; a friction is of all surfaces. Throws where surfaces would keep frictions of
+   * their own: a board has one pair for all.
+   * @param {Partial<Parameters4>} change @returns {Parameters4}
+   */
+  changed(change) {
+    const parameters = { ...this.parameters, ...change };
+    const { scene: { surfaces } } = this;
+    const frictions = surfaces.map((own) => ({
+      static: change.static ?? own.static ?? parameters.static,
+      dynamic: change.dynamic ?? own.dynamic ?? parameters.dynamic,
+    }));
+    const [first] = frictions;
+    if (frictions.some((other) => other.static !== first.static || other.dynamic !== first.dynamic)) {
+      throw new Error(
+        "The surfaces have frictions of their own; allowed on a board: the same static and the same dynamic one for all.",
+      );
+    }
+    return { ...parameters, ...first };
+  }
+
+  /** The board works with these now, all surfaces with the same frictions. @param {Parameters4} parameters */
+  setParameters(parameters) {
+    const { static: mu_s, dynamic: mu_d } = parameters;
+    const surfaces = this.scene.surfaces.map((surface) => ({ ...surface, static: mu_s, dynamic: mu_d }));
+    this.parameters = parameters;
+    this.scene = { ...this.scene, surfaces };
+  }
+
   /** The body is at the start pose again. */
   reset() {
     this.run = newRun();

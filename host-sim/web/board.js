@@ -206,12 +206,12 @@ export class Board {
   async carryOut(message) {
     switch (message.type) {
       case "set": {
-        const parameters = { ...this.model.parameters, ...message.parameters };
+        const parameters = this.model.changed(message.parameters);
         await this.command({
           type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,
           mu_s: parameters.static, mu_d: parameters.dynamic,
         });
-        this.model.parameters = parameters;
+        this.model.setParameters(parameters);
         break;
       }
       case "reset":

@@ -267,3 +267,28 @@ test("an answer counts for its own command alone, and commands go one after anot
   const { parameters } = board.model;
   assert.deepEqual([parameters.stiffness_translation, parameters.stiffness_rotation], [600, 0.5]);
 });
+
+test("frictions of surfaces are set together, and are those of the scene then", async () => {
+  const surface = (name, friction) => ({ name, normal: [0, 1], offset: 0, static: friction, dynamic: friction / 2 });
+  const parameters = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.25 };
+  const scene = { body: [[0, 0]], surfaces: [surface("floor", 0.5), surface("wall", 0.25)], home: [0, 0, 0] };
+  const { board, told, answer, untilTold } = wired({ scene, parameters });
+  for (const change of [{ stiffness_translation: 600 }, { static: 0.6 }, { dynamic: 0.1 }]) {
+    await assert.rejects(board.request({ type: "set", parameters: change }), /frictions of their own; allowed/);
+  }
+  assert.equal(told.length, 0);
+  const done = board.request({ type: "set", parameters: { static: 0.75, dynamic: 0.5 } });
+  await untilTold(1);
+  assert.deepEqual([told[0].mu_s, told[0].mu_d], [0.75, 0.5]);
+  answer(told[0]);
+  await done;
+  const state = board.model.state();
+  assert.deepEqual([state.parameters.static, state.parameters.dynamic], [0.75, 0.5]);
+  for (const { static: mu_s, dynamic: mu_d } of state.scene.surfaces) assert.deepEqual([mu_s, mu_d], [0.75, 0.5]);
+  // Now that they are the same, one of them can be set alone.
+  const next = board.request({ type: "set", parameters: { dynamic: 0.25 } });
+  await untilTold(2);
+  assert.deepEqual([told[1].mu_s, told[1].mu_d], [0.75, 0.25]);
+  answer(told[1]);
+  await next;
+});
