@@ -50,7 +50,7 @@ pub use error::BoardError;
 pub(crate) use live::{Fares, Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
-use crate::files::Files;
+use crate::files::{self, Files};
 use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate, parse_trace};
@@ -135,7 +135,10 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
         scene.scene::<f32>()?;
     }
     let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
-    Files::check(inputs, args.out.as_ref(), args.record.as_ref(), None)?;
+    files::check(
+        inputs,
+        files::written(args.out.as_ref(), args.record.as_ref()),
+    )?;
     let rate = args.rate.map(|rate| ("--rate", rate));
     let path = match args.tracker.is_wanted() {
         true => None,

@@ -1,12 +1,11 @@
-//! The files that a run writes frame by frame: a trace and a recording, where they are wanted. They appear in their places
-//! when all is written, or not at all; never in the place of what was read, and no two in the same one.
+//! The files that commands write: never in the place of what is read, and no two in the same one. Those that a run writes
+//! frame by frame, a trace and a recording where they are wanted, appear in their places when all is written, or not at all.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use stiction_scene::Sample;
 
-use crate::plot;
 use crate::record::{Frame, Run};
 use crate::recording::{Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};
@@ -67,6 +66,44 @@ fn place(file: &Path) -> PathBuf {
     whole.unwrap_or(absolute)
 }
 
+/// An option and a file that it makes the program write.
+pub(crate) type Written = (&'static str, PathBuf);
+
+/// Looks at the names of all that a command reads (where the file is there) and writes, before anything is written.
+///
+/// # Errors
+/// An output would replace an input or another output.
+pub(crate) fn check<'a>(
+    read: impl IntoIterator<Item = &'a Path>,
+    written: impl IntoIterator<Item = Written>,
+) -> Result<(), WriteError> {
+    let read = read.into_iter().filter(|file| file.exists());
+    let read: Vec<PathBuf> = read.map(place).collect();
+    let mut known: Vec<Written> = Vec::new();
+    for (by, file) in written {
+        let there = place(&file);
+        if read.contains(&there) {
+            return Err(WriteError::Read { file, by });
+        }
+        if let Some((before, _)) = known.iter().find(|(_, place)| *place == there) {
+            let by = [*before, by];
+            return Err(WriteError::Twice { file, by });
+        }
+        known.push((by, there));
+    }
+    Ok(())
+}
+
+/// The trace and the recording that [`Files`] writes.
+pub(crate) fn written(
+    out: Option<&(PathBuf, Format)>,
+    record: Option<&PathBuf>,
+) -> impl Iterator<Item = Written> {
+    let out = out.map(|(file, _)| ("--out", file.clone()));
+    let record = record.map(|file| ("--record", file.clone()));
+    out.into_iter().chain(record)
+}
+
 /// A trace and a recording, or one of them, or none.
 #[derive(Debug)]
 pub(crate) struct Files {
@@ -75,37 +112,6 @@ pub(crate) struct Files {
 }
 
 impl Files {
-    /// Looks at the names of all that a command reads (where the file is there) and writes, before anything is written.
-    ///
-    /// # Errors
-    /// An output would replace an input or another output.
-    pub(crate) fn check<'a>(
-        read: impl IntoIterator<Item = &'a Path>,
-        out: Option<&(PathBuf, Format)>,
-        record: Option<&PathBuf>,
-        plot: Option<&PathBuf>,
-    ) -> Result<(), WriteError> {
-        let read = read.into_iter().filter(|file| file.exists());
-        let read: Vec<PathBuf> = read.map(place).collect();
-        let out = out.map(|(file, _)| ("--out", file.clone()));
-        let record = record.map(|file| ("--record", file.clone()));
-        let plots = plot.map_or_else(Vec::new, |folder| plot::places(folder));
-        let plots = plots.into_iter().map(|file| ("--plot", file));
-        let mut written: Vec<(&str, PathBuf)> = Vec::new();
-        for (by, file) in out.into_iter().chain(record).chain(plots) {
-            let there = place(&file);
-            if read.contains(&there) {
-                return Err(WriteError::Read { file, by });
-            }
-            if let Some((before, _)) = written.iter().find(|(_, place)| *place == there) {
-                let by = [*before, by];
-                return Err(WriteError::Twice { file, by });
-            }
-            written.push((by, there));
-        }
-        Ok(())
-    }
-
     /// Begins a trace of a run, where one is wanted.
     pub(crate) fn trace(file: Option<&(PathBuf, Format)>, run: &Run) -> Result<Self, WriteError> {
         let trace = file.map(|(file, format)| {

@@ -7,7 +7,7 @@ use serde_json::Value;
 use stiction_core::{Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, narrow_hand};
 use stiction_scene::{InputError, Sample, SceneFile, Source};
 
-use crate::files::{Files, WriteError};
+use crate::files::{self, Files, WriteError};
 use crate::number::Number;
 use crate::options::{evolution_named, parse_trace};
 use crate::record::{Frame, Run};
@@ -52,7 +52,10 @@ pub enum ReplayError {
 /// A recording that cannot be used, or output that cannot be written.
 pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     let input = [args.recording.as_path()];
-    Files::check(input, args.out.as_ref(), args.record.as_ref(), None)?;
+    files::check(
+        input,
+        files::written(args.out.as_ref(), args.record.as_ref()),
+    )?;
     let mut recording = Recording::open(&args.recording)?;
     let head = recording.head.clone();
     let (scene, run) = read(&recording)?;

@@ -7,7 +7,7 @@ use clap::Args;
 use indicatif::ProgressBar;
 use stiction_scene::InputError;
 
-use crate::files::{Files, WriteError};
+use crate::files::{self, Files, WriteError};
 use crate::input::{self, open_path, open_scene};
 use crate::options::parse_trace;
 use crate::plot::{self, PlotError};
@@ -62,11 +62,11 @@ pub enum RunError {
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
-    Files::check(
+    let plots = args.plot.as_deref().map_or_else(Vec::new, plot::places);
+    let plots = plots.into_iter().map(|file| ("--plot", file));
+    files::check(
         input::files(&args.scene, &scene, settings.hand.as_deref()),
-        args.out.as_ref(),
-        args.record.as_ref(),
-        args.plot.as_ref(),
+        files::written(args.out.as_ref(), args.record.as_ref()).chain(plots),
     )?;
     let given = settings.rate.map(|rate| ("--rate", rate));
     let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;

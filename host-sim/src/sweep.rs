@@ -26,6 +26,7 @@ use rayon::ThreadPoolBuilder;
 use sha2::{Digest, Sha256};
 use stiction_scene::InputError;
 
+use crate::files::{self, WriteError};
 use crate::{report, stop};
 use output::{Output, Rows};
 use plan::Plan;
@@ -83,6 +84,9 @@ pub enum SweepError {
     /// The sweep file, or a scene of it, cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// The table, or the file beside it, would replace what is read.
+    #[error(transparent)]
+    Write(#[from] WriteError),
     /// The table cannot be written or continued.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -121,6 +125,9 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
         .out
         .clone()
         .unwrap_or_else(|| place(&args.sweep, shard));
+    let (read, beside) = (plan.files(), output::beside(&place));
+    let written = [place.clone(), beside].map(|file| ("--out", file));
+    files::check(read.iter().map(PathBuf::as_path), written)?;
     let inputs = inputs(&plan, shard, &header);
     let mut output = Output::open(&place, &inputs, &rows)?;
     let before = output.rows();

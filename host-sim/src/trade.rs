@@ -34,6 +34,7 @@ use stiction_scene::InputError;
 use stiction_tools::machine::processor;
 use stiction_tools::process::EmulatorError;
 
+use crate::files::{WriteError, check};
 use crate::plot::{self, PlotError};
 use crate::progress::measuring;
 use emulated::Count;
@@ -73,6 +74,9 @@ pub enum TradeError {
     /// An emulated chip cannot be had, or does not do its job.
     #[error(transparent)]
     Emulator(#[from] EmulatorError),
+    /// A result would replace the hand's path, or another result.
+    #[error(transparent)]
+    Name(#[from] WriteError),
     /// The folder or the file cannot be written.
     #[error("{}: cannot be written: {error}", place.display())]
     Write {
@@ -105,11 +109,25 @@ impl TradeError {
     }
 }
 
+/// The files of the results, beside the pictures.
+const TABLE: &str = "trade.csv";
+const DATA: &str = "trade.json";
+
+/// All files that may be written into a folder.
+fn results(out: &Path) -> Vec<PathBuf> {
+    let pictures = Place::all().flat_map(Place::pictures);
+    let names = [TABLE, DATA].map(str::to_owned).into_iter().chain(pictures);
+    names.map(|name| out.join(name)).collect()
+}
+
 /// Measures the suite and writes all results.
 ///
 /// # Errors
 /// [`TradeError`]; before anything is measured where that can be known.
 pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
+    let results = results(&args.out).into_iter().map(|file| ("--out", file));
+    let readmes = args.readme.iter().map(|file| ("--readme", file.clone()));
+    check(args.hand.as_deref(), results.chain(readmes))?;
     let suite = Suite::new(args.hand.as_deref(), args.quick)?;
     let readmes = args.readme.iter().map(|file| Readme::find(file));
     let readmes: Vec<_> = readmes.collect::<Result<_, _>>()?;
@@ -123,16 +141,16 @@ pub fn trade(args: &TradeArgs) -> Result<(), TradeError> {
     let report = report(&suite, &counts)?;
     let mut files = vec![
         (
-            "trade.csv".to_owned(),
+            TABLE.to_owned(),
             report.csv().map_err(TradeError::write(&args.out))?,
         ),
-        ("trade.json".to_owned(), report.json()),
+        (DATA.to_owned(), report.json()),
     ];
     let rows = report.overall();
     for place in Place::of(&rows) {
         let (svg, png) = plot::fronts(&front::picture(place, &rows, &report.machine))?;
-        files.push((format!("{}.svg", place.stem()), svg.into_bytes()));
-        files.push((format!("{}.png", place.stem()), png));
+        let [as_svg, as_png] = place.pictures();
+        files.extend([(as_svg, svg.into_bytes()), (as_png, png)]);
     }
     let files = folder.write(&files).map_err(TradeError::write(&args.out))?;
     for (readme, pictures) in readmes.iter().zip(&pictures) {

@@ -16,6 +16,14 @@ fn outputs_in_the_place_of_an_input_or_of_another_output_are_refused() {
     folder.write("hand.csv", path);
     folder.write("other.csv", path);
     folder.write("forces.svg", scene_with_path("hand.csv", ""));
+    folder.write("study.sweep", "scenes = [\"scene.toml\"]\n");
+    folder.write(
+        "hands.toml",
+        "scenes = [\"keyframes.toml\"]\nvary.run.hand = [\"hands.csv\"]\n",
+    );
+    folder.write("hands.csv", path);
+    folder.write("trade.csv", path);
+    folder.write("README.md", "<!-- trade: begin --><!-- trade: end -->");
     fs::create_dir(folder.file("below")).expect("a folder");
     let output = folder.stiction(&["run", "scene.toml", "--record", "old.jsonl"]);
     assert!(output.status.success(), "{}", text(&output.stderr));
@@ -78,6 +86,38 @@ fn outputs_in_the_place_of_an_input_or_of_another_output_are_refused() {
             &format!("{board} --hand other.csv --out other.csv"),
             "other.csv",
             read("--out"),
+        ),
+        (
+            "sweep study.sweep --out study",
+            "study.sweep",
+            read("--out"),
+        ),
+        (
+            "sweep study.sweep --out study.sweep",
+            "study.sweep",
+            read("--out"),
+        ),
+        (
+            "sweep study.sweep --out scene.toml",
+            "scene.toml",
+            read("--out"),
+        ),
+        (
+            "sweep study.sweep --out below/../hand.csv",
+            "hand.csv",
+            read("--out"),
+        ),
+        ("sweep hands.toml", "hands.csv", read("--out")),
+        ("trade --hand trade.csv --out .", "trade.csv", read("--out")),
+        (
+            "trade --hand hand.csv --readme hand.csv",
+            "hand.csv",
+            read("--readme"),
+        ),
+        (
+            "trade --readme README.md --readme below/../README.md",
+            "README.md",
+            "would be written by --readme and by --readme".to_owned(),
         ),
         (
             "run scene.toml --out new.jsonl --record below/../new.jsonl",

@@ -227,7 +227,7 @@ fn write_error(place: &Path) -> impl Fn(io::Error) -> OutputError {
 }
 
 /// Where it stands what the rows of a table were made from.
-fn beside(place: &Path) -> PathBuf {
+pub(super) fn beside(place: &Path) -> PathBuf {
     let mut name = place.as_os_str().to_owned();
     name.push(".sweep");
     name.into()

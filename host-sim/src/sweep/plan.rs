@@ -159,6 +159,17 @@ impl Plan {
         Ok(())
     }
 
+    /// All files that are read: the sweep file, scenes that are not bundled ones, recorded paths of the hand.
+    pub(super) fn files(&self) -> Vec<PathBuf> {
+        let scenes = self
+            .scenes
+            .iter()
+            .map(|scene| self.folder().join(&scene.name));
+        let mut files = vec![self.source.file().to_owned()];
+        files.extend(scenes.chain(self.hand_files()));
+        files
+    }
+
     /// The recorded paths of the hand that rows may follow.
     pub(super) fn hand_files(&self) -> Vec<PathBuf> {
         let given = self.axes.iter().filter(|axis| axis.key.is_hand());

@@ -19,14 +19,16 @@ pub(super) enum Place {
 }
 
 impl Place {
+    /// All places.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        let chips = (0..Chip::ALL.len()).map(Self::Chip);
+        std::iter::once(Self::Host).chain(chips)
+    }
+
     /// All places for which rows have a cost.
     pub(super) fn of(rows: &[Row]) -> Vec<Self> {
         let counted = |place: &Self| rows.iter().any(|row| place.cost(&row.cost).is_some());
-        let chips = (0..Chip::ALL.len()).map(Self::Chip);
-        std::iter::once(Self::Host)
-            .chain(chips)
-            .filter(counted)
-            .collect()
+        Self::all().filter(counted).collect()
     }
 
     /// The name for a reader.
@@ -43,6 +45,11 @@ impl Place {
             Self::Host => "host",
             Self::Chip(k) => Chip::ALL[k].key(),
         }
+    }
+
+    /// The picture's files.
+    pub(super) fn pictures(self) -> [String; 2] {
+        ["svg", "png"].map(|extension| format!("{}.{extension}", self.stem()))
     }
 
     /// The unit of a cost.
