@@ -19,7 +19,7 @@ impl Recorder {
         if !matches!(pose.status, Status::HeldLast | Status::Saturated) {
             self.hand = sent.hand;
         }
-        if !step.is_whole() {
+        if !step.is_whole {
             return None;
         }
         let forces = step.forces.as_ref()?;

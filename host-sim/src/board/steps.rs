@@ -17,16 +17,10 @@ pub(super) struct Step {
     pub(super) at: Instant,
     pub(super) pose: Pose,
     pub(super) forces: Option<Forces>,
-    /// None where nothing happened.
+    /// Since the pose before; none where nothing happened.
     pub(super) events: Option<Events>,
-}
-
-impl Step {
     /// Nothing of it was lost.
-    pub(super) fn is_whole(&self) -> bool {
-        let told = self.events.is_some() || self.pose.events == EventSet::default();
-        told && self.forces.is_some()
-    }
+    pub(super) is_whole: bool,
 }
 
 /// Parts with the same time.
@@ -39,9 +33,10 @@ struct Parts {
 }
 
 impl Parts {
-    fn is_whole(&self) -> bool {
-        let told = |pose: &Pose| self.events.is_some() || pose.events == EventSet::default();
-        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| told(&pose))
+    /// Pose and forces came, and all that the pose says has happened is among what was told since the pose before.
+    fn is_whole(&self, told: EventSet) -> bool {
+        let is_told = |pose: &Pose| told.union(pose.events) == told;
+        self.forces.is_some() && self.pose.is_some_and(|(_, pose)| is_told(&pose))
     }
 
     fn lacks(&self, said: &Said) -> bool {
@@ -52,6 +47,11 @@ impl Parts {
             _ => false,
         }
     }
+}
+
+/// What happened, as a pose tells it.
+fn set(events: Option<&Events>) -> EventSet {
+    events.map_or_else(EventSet::default, |events| EventSet::of(&events.list))
 }
 
 /// Puts the parts of steps together.
@@ -87,8 +87,23 @@ impl Steps {
             _ => {}
         }
         let beyond = self.pending.len().saturating_sub(PATIENCE);
-        let whole = self.pending.iter().rposition(Parts::is_whole);
-        self.finish(beyond.max(whole.map_or(0, |last| last + 1)))
+        self.finish(beyond.max(self.up_to_the_last_whole()))
+    }
+
+    /// How many steps end with the last one that nothing is missing of.
+    fn up_to_the_last_whole(&self) -> usize {
+        let mut told = set(self.earlier.as_ref());
+        let mut count = 0;
+        for (k, parts) in self.pending.iter().enumerate() {
+            told = told.union(set(parts.events.as_ref()));
+            if parts.is_whole(told) {
+                count = k + 1;
+            }
+            if parts.pose.is_some() {
+                told = EventSet::default();
+            }
+        }
+        count
     }
 
     /// Events of a step that nobody asked for are of the next one.
@@ -109,22 +124,18 @@ impl Steps {
     /// The first so many steps.
     fn finish(&mut self, count: usize) -> Vec<Step> {
         let mut steps = Vec::new();
-        for parts in self.pending.drain(..count) {
-            let events = match (self.earlier.take(), parts.events) {
-                (Some(mut earlier), Some(events)) => {
-                    earlier.merge(events);
-                    Some(earlier)
-                }
-                (earlier, events) => earlier.or(events),
-            };
-            match parts.pose {
-                Some((at, pose)) => steps.push(Step {
+        let done: Vec<Parts> = self.pending.drain(..count).collect();
+        for mut parts in done {
+            self.keep(parts.events.take());
+            let is_whole = parts.is_whole(set(self.earlier.as_ref()));
+            if let Some((at, pose)) = parts.pose {
+                steps.push(Step {
                     at,
                     pose,
                     forces: parts.forces,
-                    events,
-                }),
-                None => self.earlier = events,
+                    events: self.earlier.take(),
+                    is_whole,
+                });
             }
         }
         steps
@@ -185,7 +196,7 @@ mod tests {
                 assert!(done.is_empty(), "{order:?} {k}");
                 done = steps.add(heard(7, parts[i].clone()));
             }
-            assert!(done.len() == 1 && done[0].is_whole(), "{order:?}");
+            assert!(done.len() == 1 && done[0].is_whole, "{order:?}");
         }
     }
 
@@ -202,8 +213,29 @@ mod tests {
         steps.add(heard(1, pose(&[])));
         steps.add(heard(2, pose(&[])));
         let done = steps.add(heard(2, forces(0)));
-        let whole: Vec<_> = done.iter().map(Step::is_whole).collect();
+        let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
         assert_eq!(whole, [false, true]);
+    }
+
+    #[test]
+    fn events_of_steps_before_do_not_stand_for_those_that_were_lost() {
+        let mut steps = Steps::default();
+        steps.add(heard(1, events(&[Event::Touch])));
+        steps.add(heard(2, pose(&[Event::Touch, Event::Slip])));
+        assert!(steps.add(heard(2, forces(0))).is_empty());
+        steps.add(heard(3, pose(&[])));
+        let done = steps.add(heard(3, forces(0)));
+        let whole: Vec<_> = done.iter().map(|step| step.is_whole).collect();
+        assert_eq!(whole, [false, true]);
+    }
+
+    #[test]
+    fn a_pose_that_tells_of_steps_before_alone_is_whole_at_once() {
+        let mut steps = Steps::default();
+        steps.add(heard(1, events(&[Event::Slip])));
+        steps.add(heard(2, pose(&[Event::Slip])));
+        let done = steps.add(heard(2, forces(0)));
+        assert!(done.len() == 1 && done[0].is_whole);
     }
 
     #[test]

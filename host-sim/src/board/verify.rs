@@ -189,11 +189,11 @@ impl Verdict {
     pub(super) fn add(&mut self, (index, t): (u64, f64), step: &Step, expected: &Expected) {
         self.frames += 1;
         let missed = std::mem::take(&mut self.missed);
-        if !step.is_whole() {
+        if !step.is_whole {
             self.lost += 1;
         }
         match compare(step, expected, missed) {
-            Ok(()) if step.is_whole() => self.equal += 1,
+            Ok(()) if step.is_whole => self.equal += 1,
             Ok(()) => self.note(index, t, "a part of the answer did not come"),
             Err(difference) => self.note(index, t, &difference.0),
         }
