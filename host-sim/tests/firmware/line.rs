@@ -363,6 +363,32 @@ fn in_mid_contact(chip: &'static Chip) {
     assert_eq!(pressed(&mut board).position, before.position);
 }
 
+/// Ticks faster and slower: none is counted as missed.
+fn another_tick_rate(chip: &'static Chip, rates: [u16; 4]) {
+    let Some(mut board) = Board::start(chip) else {
+        return;
+    };
+    let mode = Mode {
+        pose_every: 50,
+        health_every: 50,
+        ..board.info().mode
+    };
+    for tick_rate in rates {
+        board.done(Command::Mode(Mode { tick_rate, ..mode }));
+        board.health();
+        let health = board.health();
+        println!("{tick_rate} Hz: {} missed", health.missed_ticks);
+        assert_eq!(health.missed_ticks, 0, "{tick_rate} Hz");
+    }
+}
+
+#[test]
+fn another_tick_rate_misses_no_tick_on_both_boards() {
+    let _alone = alone();
+    another_tick_rate(&F405, [500, 1000, 250, 1000]);
+    another_tick_rate(&MICROBIT, [125, 250, 100, 500]);
+}
+
 #[test]
 fn commands_in_mid_contact_on_both_boards() {
     let _alone = alone();

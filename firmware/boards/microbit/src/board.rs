@@ -103,18 +103,22 @@ impl Clock {
         self.timer.cc[1].read().bits()
     }
 
-    /// Ticks of a second from the one after the next on.
+    /// Ticks of a second from the present one on.
     pub(crate) fn set_rate(&mut self, rate: u16) {
         if rate != self.rate {
+            self.next = self.next.wrapping_sub(self.period);
             self.rate = rate;
             self.period = period(rate);
+            let now = self.count();
+            self.arm(now);
         }
     }
 
-    /// A tick has come: what time it is (µs, wrapping). The next one is a whole number of periods after the first, and not
-    /// before now: a compare value of the past would come in 4 minutes.
-    pub(crate) fn tick(&mut self) -> u32 {
-        let now = self.count();
+    /// The next tick is a whole number of periods after the one before, and not before now: a compare value of the past would
+    /// come in 4 minutes.
+    // Flash is short.
+    #[inline(never)]
+    fn arm(&mut self, now: u32) {
         self.next = self.next.wrapping_add(self.period);
         // Time enough to write the compare value.
         const MARGIN: u32 = 20 * PER_US;
@@ -123,6 +127,12 @@ impl Clock {
         }
         // SAFETY: every compare value is allowed.
         unsafe { self.timer.cc[0].write(|w| w.bits(self.next)) };
+    }
+
+    /// A tick has come: what time it is (µs, wrapping).
+    pub(crate) fn tick(&mut self) -> u32 {
+        let now = self.count();
+        self.arm(now);
         // Last: as long as the compare value is the present one, QEMU lets a capture set the event again.
         self.timer.events_compare[0].reset();
         let counts = now.wrapping_sub(self.last).saturating_add(self.rest);
