@@ -133,7 +133,7 @@ pub enum ViewError {
     /// The scene or the hand's path cannot be used.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// The solver does not take the scene, or the path is too long.
+    /// The solver does not take the scene.
     #[error("{0}")]
     Scene(String),
     /// An address cannot be used.
@@ -235,8 +235,11 @@ fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
     engine.board = board;
     if let Some(file) = &args.hand {
         let path = HandPath::read(file, &placement)?;
-        let name = file.file_name().unwrap_or_default().to_string_lossy();
-        engine.upload = Some((name.into_owned(), Way::Path(Arc::new(path))));
+        let (name, way) = (file.file_name(), Way::Path(Arc::new(path)));
+        way.check()
+            .map_err(|problem| HandPath::error_at_end(file, &problem))?;
+        let name = name.unwrap_or_default().to_string_lossy();
+        engine.upload = Some((name.into_owned(), way));
         let follow = engine.upload().and_then(|change| engine.apply(change));
         follow.map_err(ViewError::Scene)?;
     }

@@ -69,9 +69,14 @@ impl HandPath {
     /// A problem with the last record of a recorded path.
     pub fn error_at_end(file: &Path, problem: &str) -> InputError {
         match Source::read(file) {
-            Ok(source) => source.error_in_line(recorded::last_line(&source), problem),
+            Ok(source) => Self::error_at_end_of(&source, problem),
             Err(error) => error,
         }
+    }
+
+    /// The same, of a path that is there already.
+    pub fn error_at_end_of(source: &Source, problem: &str) -> InputError {
+        source.error_in_line(recorded::last_line(source), problem)
     }
 
     /// How many samples there are.

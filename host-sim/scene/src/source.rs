@@ -94,6 +94,14 @@ impl Source {
     pub fn read(file: &Path) -> Result<Self, InputError> {
         let bytes = std::fs::read(file)
             .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))?;
+        Self::of_bytes(file, bytes)
+    }
+
+    /// What a file holds; a byte order mark at its beginning is left out.
+    ///
+    /// # Errors
+    /// It is not UTF-8.
+    pub fn of_bytes(file: &Path, bytes: Vec<u8>) -> Result<Self, InputError> {
         let text = String::from_utf8(bytes).map_err(|error| {
             let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();

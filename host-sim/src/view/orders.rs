@@ -16,7 +16,7 @@ use super::guide::{Guide, HandPose};
 use super::hear::{Message, Parameters, Path};
 use super::holder::Source;
 use super::recording::Recording;
-use super::replay::{self, Way};
+use super::replay::Way;
 use super::stage::{Stage, reread};
 use crate::number::Number;
 use crate::scenes;
@@ -277,13 +277,7 @@ impl Engine {
                 ("recording".to_owned(), Way::Recorded(Arc::clone(recorded)))
             }
         };
-        let ticks = path.1.len();
-        if ticks > replay::LONGEST {
-            return Err(format!(
-                "the path has {ticks} ticks, allowed: {}",
-                replay::LONGEST
-            ));
-        }
+        path.1.check()?;
         Ok(Change::Run(Box::new(Run {
             stage,
             setting,

@@ -11,8 +11,8 @@ use super::recording::Recording;
 
 /// Ticks from one snapshot to the next.
 const SNAPSHOT_EVERY: usize = 500;
-/// A path that is replayed has at most so many ticks: an hour.
-pub(super) const LONGEST: usize = 3_600_000;
+/// The longest path that is replayed (s).
+const LONGEST: f64 = 3600.0;
 /// Hertz.
 const RATE: f64 = 1000.0;
 
@@ -31,6 +31,24 @@ impl Way {
         match self {
             Self::Path(path) => path.frame_count(Some(RATE)),
             Self::Recorded(recording) => recording.len(),
+        }
+    }
+
+    /// From its first tick to its last (s).
+    pub(super) fn seconds(&self) -> f64 {
+        self.len().saturating_sub(1) as f64 / RATE
+    }
+
+    /// Whether it can be followed.
+    ///
+    /// # Errors
+    /// It is too long.
+    pub(super) fn check(&self) -> Result<(), String> {
+        match self.seconds() {
+            ..=LONGEST => Ok(()),
+            seconds => Err(format!(
+                "the path is {seconds:?} s long, allowed: up to {LONGEST} s"
+            )),
         }
     }
 
@@ -80,7 +98,7 @@ impl Replay {
 
     /// From its first tick to its last (s).
     pub(super) fn seconds(&self) -> f64 {
-        self.last() as f64 / RATE
+        self.way.seconds()
     }
 
     /// Where it is (s).

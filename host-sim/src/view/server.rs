@@ -1,6 +1,7 @@
 //! The server: the page, the socket, recordings and uploads. Only the page itself, and programs that are no browser, may ask.
 
 use std::net::IpAddr;
+use std::path::Path as FilePath;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -14,7 +15,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use serde::Deserialize;
 use serde_json::json;
-use stiction_scene::{HandPath, Source};
+use stiction_scene::{HandPath, InputError, Source};
 use tokio::sync::{mpsc, watch};
 use tokio::task::spawn_blocking;
 use tokio_util::io::ReaderStream;
@@ -22,7 +23,7 @@ use tokio_util::io::ReaderStream;
 use super::feed::Feed;
 use super::orders::Order;
 use super::recording::Recording;
-use super::replay::{self, Way};
+use super::replay::Way;
 use super::{client, page};
 use crate::board::Identity;
 
@@ -214,14 +215,13 @@ async fn upload(
     };
     let called = name.clone();
     let read = spawn_blocking(move || {
-        let text = String::from_utf8(bytes.into()).map_err(|_| "not UTF-8 text".to_owned())?;
-        let source = Source::new(called, text.trim_start_matches('\u{feff}'));
-        let path = HandPath::parse(&source, &scene.hand.placement);
-        checked(path.map_err(|error| error.to_string())?)
+        let source = Source::of_bytes(FilePath::new(&called), bytes.into())?;
+        let path = HandPath::parse(&source, &scene.hand.placement)?;
+        checked(path, &source)
     });
     let (path, answer) = match read.await {
         Ok(Ok(read)) => read,
-        Ok(Err(error)) => return problem(StatusCode::BAD_REQUEST, &error),
+        Ok(Err(error)) => return problem(StatusCode::BAD_REQUEST, &error.to_string()),
         Err(_) => return problem(StatusCode::BAD_REQUEST, "it cannot be read"),
     };
     match hub.orders.send(Order::Upload(name, path)).await {
@@ -231,20 +231,13 @@ async fn upload(
 }
 
 /// A path that is not too long, with the answer to it.
-fn checked(path: HandPath) -> Result<(Arc<HandPath>, String), String> {
+fn checked(path: HandPath, source: &Source) -> Result<(Arc<HandPath>, String), InputError> {
     let (records, path) = (path.count(), Arc::new(path));
-    let ticks = Way::Path(Arc::clone(&path)).len();
-    if ticks > replay::LONGEST {
-        return Err(format!(
-            "the path has {ticks} ticks of 1 ms, allowed: {}",
-            replay::LONGEST
-        ));
-    }
-    let seconds = ticks.saturating_sub(1) as f64 / 1000.0;
-    Ok((
-        path,
-        json!({"seconds": seconds, "records": records}).to_string(),
-    ))
+    let way = Way::Path(Arc::clone(&path));
+    way.check()
+        .map_err(|problem| HandPath::error_at_end_of(source, &problem))?;
+    let answer = json!({"seconds": way.seconds(), "records": records});
+    Ok((path, answer.to_string()))
 }
 
 fn problem(status: StatusCode, text: &str) -> Response {

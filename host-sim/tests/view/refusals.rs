@@ -122,6 +122,9 @@ fn files_have_their_types_and_a_policy() {
     headless.client().frame(|_| true);
 }
 
+/// Of a path `a.csv` whose last record, in line 3, is at 3601 s.
+const TOO_LONG: &str = "a.csv, line 3: the path is 3601.0 s long, allowed: up to 3600 s";
+
 #[test]
 fn paths_that_cannot_be_used_are_refused_with_a_message() {
     let view = View::start(&["box-flat"]);
@@ -139,6 +142,11 @@ fn paths_that_cannot_be_used_are_refused_with_a_message() {
         let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
         assert!(told["message"].is_string(), "{told}");
     }
+    let long = "t,x,y,phi\n0,0,0,0\n3601,0,0,0\n";
+    let answer = view.http("POST", "/upload?name=a.csv", "", long.as_bytes());
+    let told: Value = serde_json::from_slice(&answer.body).expect("JSON");
+    let message = told["message"].as_str().expect("a text");
+    assert_eq!(message.lines().next(), Some(TOO_LONG), "{message}");
     assert_eq!(
         view.http("POST", "/upload?name=a.csv", "", &[b'#'; (16 << 20) + 1])
             .status,
@@ -192,10 +200,12 @@ fn without_arguments_the_page_is_served() {
 fn what_cannot_be_viewed_ends_with_status_2() {
     let folder = Folder::new();
     folder.write("bad.toml", "[body]\n");
+    folder.write("a.csv", "t,x,y,phi\n0,0,0,0\n3601,0,0,0\n");
     for (arguments, expected) in [
         (&["nowhere"][..], "nowhere: no such file, allowed: "),
         (&["bad.toml"], "bad.toml, line 1: "),
         (&["--hand", "none.csv"], "none.csv: cannot be read"),
+        (&["--hand", "a.csv"], TOO_LONG),
         (&["--listen", "somewhere"], "--listen"),
         (&["--osc", "nohost"], "--osc nohost: "),
         (
