@@ -19,10 +19,13 @@ mod trajectory;
 #[cfg(test)]
 mod tests;
 
-use crate::record::Run;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+
+use stiction_tools::files;
+
+use crate::record::Run;
 
 /// Why the pictures of a run could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -113,7 +116,7 @@ pub(crate) fn fronts(fronts: &fronts::Fronts) -> Result<(String, Vec<u8>), PlotE
 }
 
 fn save(path: PathBuf, bytes: &[u8]) -> Result<PathBuf, PlotError> {
-    match fs::write(&path, bytes) {
+    match files::write(&path, bytes) {
         Ok(()) => Ok(path),
         Err(source) => Err(PlotError::File { path, source }),
     }

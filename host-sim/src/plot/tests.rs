@@ -295,6 +295,18 @@ fn a_single_frame_a_point_body_and_no_surface_are_drawn() {
 }
 
 #[test]
+fn a_picture_is_replaced_as_a_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (file, link) = (folder.path().join("forces.svg"), folder.path().join("link"));
+    fs::write(&file, "before").expect("a file");
+    fs::hard_link(&file, &link).expect("a second name");
+    write(&drag(10), folder.path()).expect("plots");
+    assert_eq!(fs::read_to_string(&link).expect("the old one"), "before");
+    let names = fs::read_dir(folder.path()).expect("the folder");
+    assert_eq!(names.count(), 9, "eight pictures and the link");
+}
+
+#[test]
 fn errors_name_the_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("taken");

@@ -6,7 +6,7 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use fs4::TryLockError;
-use stiction_tools::files::part;
+use stiction_tools::files;
 
 /// Why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
@@ -120,7 +120,7 @@ impl Output {
             return Err(cannot_write(error));
         }
         if there.len() == 0 {
-            write_whole(&beside, inputs).map_err(write_error(&beside))?;
+            files::write(&beside, inputs.as_bytes()).map_err(write_error(&beside))?;
         } else {
             output.compare(&beside, inputs)?;
         }
@@ -231,12 +231,4 @@ pub(super) fn beside(place: &Path) -> PathBuf {
     let mut name = place.as_os_str().to_owned();
     name.push(".sweep");
     name.into()
-}
-
-/// Writes a file that is there as a whole or not at all.
-fn write_whole(place: &Path, text: &str) -> io::Result<()> {
-    let mut file = part(place)?;
-    file.write_all(text.as_bytes())?;
-    file.persist(place)?;
-    Ok(())
 }

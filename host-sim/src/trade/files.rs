@@ -1,4 +1,4 @@
-//! A folder of results that appear together when they are whole, or not at all.
+//! A folder of results: none appears before all are written to the disk, and then each at once, one after the other.
 
 use std::fs;
 use std::io;

@@ -1,10 +1,10 @@
 //! Sections of a Markdown file that a command writes: the text between `<!-- NAME: begin -->` and `<!-- NAME: end -->`.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::files::part;
+use crate::files;
 
 /// A file with a section to be written.
 #[derive(Clone, Debug)]
@@ -48,10 +48,8 @@ impl Section {
     /// The file cannot be read or replaced, or has no such section any more.
     pub fn write(&self, text: &str) -> io::Result<()> {
         let (head, tail) = self.parts()?;
-        let mut file = part(&self.file)?;
-        write!(file, "{head}\n{}\n{tail}", text.trim_end())?;
-        file.persist(&self.file)?;
-        Ok(())
+        let whole = format!("{head}\n{}\n{tail}", text.trim_end());
+        files::write(&self.file, whole.as_bytes())
     }
 }
 
