@@ -17,6 +17,7 @@ mutants() {
 }
 export NEXTEST_PROFILE=mutants-quick
 mutants "$@"
+rm -rf target/mutants/quick.out
 cp -r target/mutants/mutants.out target/mutants/quick.out
 NEXTEST_PROFILE=mutants
 mutants --iterate "$@"
