@@ -53,7 +53,7 @@ pub(super) fn about(about: &About) -> String {
 fn actuators(about: &About) -> String {
     let [k_h, k_theta] = about.stiffest;
     if about.actuators {
-        format!("yes, passive up to k_h {k_h} N/m, k_theta {k_theta} N·m/rad")
+        format!("yes, passive below k_h {k_h} N/m, k_theta {k_theta} N·m/rad")
     } else {
         "none".to_owned()
     }

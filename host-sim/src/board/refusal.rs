@@ -5,7 +5,8 @@ use stiction_core::frame::{Reason, Subject};
 
 use super::heard::Answer;
 
-/// What was refused, its value, what is allowed, and the nearest allowed value. `surfaces`: their names.
+/// What was refused, its value, what is allowed, and the nearest allowed value, or the bound that the value must stay below.
+/// `surfaces`: their names.
 pub(super) fn explain(command: &str, answer: &Answer, surfaces: &[String]) -> String {
     let mut text = format!("the board refuses the {command}");
     let subject = subject(answer.subject, surfaces);
@@ -27,7 +28,11 @@ pub(super) fn explain(command: &str, answer: &Answer, surfaces: &[String]) -> St
         text.push_str(&format!(", allowed: {}", answer.allowed));
     }
     if !answer.limit.is_nan() && subject.is_some() {
-        text.push_str(&format!(", the nearest: {:?}{unit}", answer.limit));
+        let limit = match answer.reason {
+            Reason::NotPassive => "the limit",
+            _ => "the nearest",
+        };
+        text.push_str(&format!(", {limit}: {:?}{unit}", answer.limit));
     }
     text
 }
@@ -122,6 +127,22 @@ mod tests {
             explain("mode", &tick, &[]),
             "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time, no room or no use for it, allowed: 1 to \
              1000, the nearest: 1000.0 Hz"
+        );
+    }
+
+    #[test]
+    fn the_limit_of_what_is_passive_is_not_told_as_allowed() {
+        let spring = answer(
+            Reason::NotPassive,
+            Subject::Scene(Parameter::StiffnessTranslation),
+            900.0,
+            800.0,
+            "0, or less than the limit",
+        );
+        let text = explain("parameters", &spring, &[]);
+        assert!(
+            text.ends_with(", allowed: 0, or less than the limit, the limit: 800.0 N/m"),
+            "{text}"
         );
     }
 
