@@ -70,14 +70,13 @@ for tool in flip-link defmt-print; do
   command -v "$tool" || cargo install "$tool" --locked || missing "$tool" "cargo install $tool"
 done
 
-# Tests run with debug assertions and overflow checks. What computes is run as it is shipped, too; the program around it and the
-# images of boards, which are the same whatever the tests are built with, are not.
 stage 'images of emulated boards'
 # By one cargo for all, on all cores; the tests that run them would build one after the other.
 [ ${#boards[@]} = 0 ] ||
   cargo build -p stiction-firmware --profile device --features board --bins --locked "${boards[@]}"
 
 stage 'tests'
+# With debug assertions and overflow checks.
 cargo test --workspace --exclude stiction-bench --locked
 
 stage 'the live page'
@@ -103,6 +102,8 @@ else
 fi
 
 stage 'tests, release'
+# What computes is run as it is shipped, too; the program around it and the images of boards, which are the same whatever the
+# tests are built with, are not.
 cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
 
 stage 'ten million steps of the hand'

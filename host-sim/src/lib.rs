@@ -9,17 +9,21 @@
 //!
 //! Both are read by `stiction-scene`.
 //!
+//! [`run`] does all of this.
+//!
+//! [`replay`] runs a recording again and compares every answer bit for bit.
+//!
 //! [`check`] judges a trace by the laws alone.
 //!
-//! [`trade`] does so for every setting of the solver over many scenes: what each costs, and how exact it is.
+//! [`trade`] runs many scenes in every setting of the solver, and tells what each setting costs and how exact it is.
 //!
-//! [`sweep`] does so for many values of a scene's parameters, to one table.
+//! [`sweep`] runs scenes with many values of their parameters, to one table.
 //!
 //! [`board`] feeds a board with the hand's motion in real time, instead of the solver on this computer, or beside it.
 //!
-//! [`view`] shows it in real time, with the hand of whoever holds the mouse.
+//! [`view`] shows a scene in real time, with the hand of whoever holds the mouse.
 //!
-//! [`footprint`] builds the solver that a scene needs for two chips: how large it is there and what a frame costs.
+//! [`footprint`] builds the solver that a scene needs for two chips, and tells how large it is there and what a frame costs.
 
 mod balance;
 pub mod board;
