@@ -10,6 +10,7 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+#[path = "../../log.rs"]
 mod log;
 
 /// This machine is none.

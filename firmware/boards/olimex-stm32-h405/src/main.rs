@@ -12,6 +12,7 @@ mod board;
 #[cfg(all(target_os = "none", feature = "pantograph"))]
 mod device;
 #[cfg(target_os = "none")]
+#[path = "../../log.rs"]
 mod log;
 
 /// This machine is none.
