@@ -7,6 +7,7 @@ use crate::line::silence;
 use stiction_core::frame::NumberType;
 use stiction_core::{Evolution, Fixed};
 use stiction_tools::readme::Section;
+use stiction_tools::table::thousands;
 use stiction_tools::workspace;
 
 const COMMAND: &str = "cargo test -p stiction-host-sim --test firmware -- --ignored table";
@@ -64,7 +65,7 @@ impl Column {
 /// A figure of a column.
 type Row = (&'static str, fn(&Column) -> String);
 
-const ROWS: [Row; 13] = [
+const ROWS: [Row; 14] = [
     ("number type, room for vertices and surfaces", |c| {
         let [vertices, surfaces] = c.taken.about.room;
         format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
@@ -88,6 +89,9 @@ const ROWS: [Row; 13] = [
         c.of_tick(c.taken.step)
     }),
     ("the longest tick", |c| c.of_tick(c.taken.tick)),
+    ("the most ticks per second that are all in time", |c| {
+        thousands((c.cycles / c.taken.tick).into())
+    }),
     ("the longest tick with a command", |c| {
         c.of_tick(c.taken.command)
     }),
@@ -117,18 +121,6 @@ fn table(f405: &Column, microbit: &Column) -> String {
          whirls the box: instructions, not cycles, those of the serial line's\ninterrupts among them.\n\n{}\n",
         lines.join("\n")
     )
-}
-
-/// Digits in threes.
-fn thousands(number: u64) -> String {
-    let digits = number.to_string();
-    let parts: Vec<&str> = digits
-        .as_bytes()
-        .rchunks(3)
-        .rev()
-        .filter_map(|part| std::str::from_utf8(part).ok())
-        .collect();
-    parts.join(" ")
 }
 
 #[test]

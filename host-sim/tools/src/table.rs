@@ -23,9 +23,29 @@ pub fn aligned(lines: &[Vec<String>], words: usize) -> Vec<Vec<String>> {
     lines.iter().map(line).collect()
 }
 
+/// Digits in threes.
+pub fn thousands(number: u64) -> String {
+    let digits = number.to_string();
+    let parts: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .filter_map(|part| std::str::from_utf8(part).ok())
+        .collect();
+    parts.join(" ")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::aligned;
+    use super::{aligned, thousands};
+
+    #[test]
+    fn digits_stand_in_threes() {
+        assert_eq!(
+            [0, 12, 123, 1_234_567].map(thousands),
+            ["0", "12", "123", "1 234 567"]
+        );
+    }
 
     #[test]
     fn words_begin_together_and_figures_end_together() {
