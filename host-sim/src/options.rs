@@ -2,15 +2,34 @@
 
 use std::path::PathBuf;
 
+use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use stiction_core::{Evolution, MAX_EVENT_LIMIT};
 
+use crate::number::Number;
 use crate::trace::Format;
 
 /// The evolution of a name.
-pub(crate) fn evolution_named(name: &str) -> Option<Evolution> {
+fn evolution_named(name: &str) -> Option<Evolution> {
     let mut all = Evolution::ALL.into_iter();
     all.find(|evolution| evolution.name() == name)
+}
+
+/// A number type by its name.
+pub(crate) fn parse_number(text: &str) -> Result<Number, String> {
+    let allowed = |_| format!("allowed: {}", Number::ALL.map(Number::name).join(", "));
+    Number::from_str(text, false).map_err(allowed)
+}
+
+/// An evolution by its name.
+pub(crate) fn parse_evolution(text: &str) -> Result<Evolution, String> {
+    let allowed = || {
+        format!(
+            "allowed: {}",
+            Evolution::ALL.map(Evolution::name).join(", ")
+        )
+    };
+    evolution_named(text).ok_or_else(allowed)
 }
 
 /// One of the evolutions.

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::Value;
-use stiction_core::{Evolution, Fixed, Full, Model, Parts, Real, SiFloat, Solver, narrow_hand};
+use stiction_core::{Fixed, Full, Model, Parts, Real, SiFloat, Solver, narrow_hand};
 use stiction_scene::{InputError, Sample, SceneFile, Source};
 
 use crate::files::{self, Files, WriteError};
 use crate::number::Number;
-use crate::options::{evolution_named, parse_trace};
+use crate::options::{parse_evolution, parse_number, parse_trace};
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
@@ -113,17 +113,13 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
 /// The scene of a recording and what is run.
 fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
     let head = &recording.head;
-    let number = Number::from_str(&head.number, false).map_err(|_| {
-        let allowed = Number::ALL.map(Number::name).join(", ");
-        recording.error(format!("`number` is {:?}, allowed: {allowed}", head.number))
-    })?;
-    let evolution = evolution_named(&head.evolution).ok_or_else(|| {
-        let allowed = Evolution::ALL.map(Evolution::name).join(", ");
-        recording.error(format!(
-            "`evolution` is {:?}, allowed: {allowed}",
-            head.evolution
-        ))
-    })?;
+    let refused = |key: &str, name: &str, allowed: String| {
+        recording.error(format!("`{key}` is {name:?}, {allowed}"))
+    };
+    let number =
+        parse_number(&head.number).map_err(|allowed| refused("number", &head.number, allowed))?;
+    let evolution = parse_evolution(&head.evolution)
+        .map_err(|allowed| refused("evolution", &head.evolution, allowed))?;
     let source = Source::new(recording.scene_name(), head.scene.as_str());
     let scene = SceneFile::parse(source, number.limit())?;
     let run = Run::of(&scene, number, evolution);

@@ -3,12 +3,9 @@
 
 use std::path::Path;
 
-use clap::ValueEnum;
-use stiction_core::Evolution;
 use toml::{Table, Value};
 
-use crate::number::Number;
-use crate::options::{evolution_named, parse_events, parse_rate, parse_tolerance};
+use crate::options::{parse_events, parse_evolution, parse_number, parse_rate, parse_tolerance};
 use crate::settings::Settings;
 
 /// What a key takes.
@@ -267,12 +264,10 @@ fn set_dial(
         Dial::Hand if value.is_str() => settings.hand = Some(folder.join(text)),
         Dial::Hand => return Err("texts, each the name of a file".to_owned()),
         Dial::Number => {
-            settings.number = Number::from_str(&text, false)
-                .map_err(|_| Number::ALL.map(Number::name).join(", "))?;
+            settings.number = parse_number(&text).map_err(bare)?;
         }
         Dial::Evolution => {
-            settings.evolution = evolution_named(&text)
-                .ok_or_else(|| Evolution::ALL.map(Evolution::name).join(", "))?;
+            settings.evolution = parse_evolution(&text).map_err(bare)?;
         }
         Dial::Rate => settings.rate = Some(parse_rate(&text).map_err(bare)?),
         Dial::Tolerance => settings.tolerance = parse_tolerance(&text).map_err(bare)?,

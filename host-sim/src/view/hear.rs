@@ -1,10 +1,12 @@
 //! What a client says: one JSON object in a text message, with a type and perhaps an id.
 
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Number as JsonNumber, Value};
 use stiction_core::Evolution;
 
 use crate::number::Number;
+use crate::options::{parse_evolution, parse_number};
 
 /// The longest message that is read.
 pub(super) const LONGEST: usize = 4096;
@@ -28,10 +30,12 @@ pub(super) enum Message {
         parameters: Parameters,
     },
     Number {
-        value: NumberName,
+        #[serde(deserialize_with = "number")]
+        value: Number,
     },
     Evolution {
-        value: EvolutionName,
+        #[serde(deserialize_with = "evolution")]
+        value: Evolution,
     },
     Pause {
         value: bool,
@@ -72,6 +76,24 @@ impl Message {
     }
 }
 
+fn number<'de, D: Deserializer<'de>>(value: D) -> Result<Number, D::Error> {
+    named(value, parse_number)
+}
+
+fn evolution<'de, D: Deserializer<'de>>(value: D) -> Result<Evolution, D::Error> {
+    named(value, parse_evolution)
+}
+
+/// What a name stands for; `parse` tells those that are allowed.
+fn named<'de, D: Deserializer<'de>, T>(
+    value: D,
+    parse: impl FnOnce(&str) -> Result<T, String>,
+) -> Result<T, D::Error> {
+    let value = Value::deserialize(value)?;
+    parse(value.as_str().unwrap_or_default())
+        .map_err(|allowed| D::Error::custom(format!("`value` is {value}, {allowed}")))
+}
+
 /// The parameters that are to change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -82,42 +104,6 @@ pub(super) struct Parameters {
     pub(super) friction_static: Option<f64>,
     #[serde(rename = "dynamic")]
     pub(super) friction_dynamic: Option<f64>,
-}
-
-/// A number type by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum NumberName {
-    F32,
-    F64,
-    Fixed,
-}
-
-impl From<NumberName> for Number {
-    fn from(name: NumberName) -> Self {
-        match name {
-            NumberName::F32 => Self::F32,
-            NumberName::F64 => Self::F64,
-            NumberName::Fixed => Self::Fixed,
-        }
-    }
-}
-
-/// An evolution by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum EvolutionName {
-    Path,
-    Frame,
-}
-
-impl From<EvolutionName> for Evolution {
-    fn from(name: EvolutionName) -> Self {
-        match name {
-            EvolutionName::Path => Self::Path,
-            EvolutionName::Frame => Self::Frame,
-        }
-    }
 }
 
 /// A path that can be replayed.
@@ -220,6 +206,26 @@ mod tests {
             r#"{"type": "rate", "value": 1000}"#,
         ] {
             assert!(message(text).is_ok(), "{text}: {:?}", message(text));
+        }
+    }
+
+    #[test]
+    fn a_name_that_stands_for_nothing_is_refused_with_those_that_are_allowed() {
+        for (text, problem) in [
+            (
+                r#"{"type": "number", "value": "f16"}"#,
+                "`value` is \"f16\", allowed: f64, f32, fixed",
+            ),
+            (
+                r#"{"type": "number", "value": 32}"#,
+                "`value` is 32, allowed: f64, f32, fixed",
+            ),
+            (
+                r#"{"type": "evolution", "value": "leap"}"#,
+                "`value` is \"leap\", allowed: path, frame",
+            ),
+        ] {
+            assert_eq!(message(text), Err(problem.to_owned()), "{text}");
         }
     }
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use serde_json::Number as JsonNumber;
+use stiction_core::Evolution;
 use stiction_scene::{HandPath, SceneFile};
 use tokio::sync::mpsc::Sender;
 
@@ -111,35 +112,14 @@ impl Engine {
             }
             Message::Scene { name } => return self.scene(&name).map(Some),
             Message::Set { parameters } => return Ok(Some(self.set(&parameters))),
-            Message::Number { value } => {
-                let number = Number::from(value);
-                let setting = self.pair.setting.clone();
-                if self.board.is_some() && number != setting.number {
-                    return Err(format!(
-                        "`value` is {}, allowed on this board: {}",
-                        number.name(),
-                        setting.number.name()
-                    ));
-                }
-                return Ok(Some(Change::Setting(Setting { number, ..setting })));
-            }
-            Message::Evolution { value } => {
-                return Ok(Some(Change::Setting(Setting {
-                    evolution: value.into(),
-                    ..self.pair.setting.clone()
-                })));
-            }
+            Message::Number { value } => return self.number(value).map(Some),
+            Message::Evolution { value } => return Ok(Some(self.evolution(value))),
             Message::Pause { value } => {
                 self.paused = value;
                 self.steps = 0;
                 self.changed = true;
             }
-            Message::Step { ticks } if self.paused => {
-                self.steps = self.steps.saturating_add(ticks).min(MOST_STEPS);
-            }
-            Message::Step { .. } => {
-                return Err("it is not paused, allowed: a step while paused".to_owned());
-            }
+            Message::Step { ticks } => self.step(ticks)?,
             Message::Speed { value } => {
                 self.speed = value;
                 self.changed = true;
@@ -206,6 +186,33 @@ impl Engine {
                 .map(|replay| (replay.what.clone(), replay.way.clone())),
             recording: None,
         }))
+    }
+
+    fn number(&self, number: Number) -> Result<Change, String> {
+        let setting = self.pair.setting.clone();
+        if self.board.is_some() && number != setting.number {
+            return Err(format!(
+                "`value` is {}, allowed on this board: {}",
+                number.name(),
+                setting.number.name()
+            ));
+        }
+        Ok(Change::Setting(Setting { number, ..setting }))
+    }
+
+    fn evolution(&self, evolution: Evolution) -> Change {
+        Change::Setting(Setting {
+            evolution,
+            ..self.pair.setting.clone()
+        })
+    }
+
+    fn step(&mut self, ticks: u32) -> Result<(), String> {
+        if !self.paused {
+            return Err("it is not paused, allowed: a step while paused".to_owned());
+        }
+        self.steps = self.steps.saturating_add(ticks).min(MOST_STEPS);
+        Ok(())
     }
 
     fn set(&self, parameters: &Parameters) -> Change {
