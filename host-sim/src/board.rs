@@ -53,7 +53,7 @@ pub use tracker::{HoldButton, TrackerArgs};
 use crate::files::{self, Files};
 use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_rate, parse_trace};
+use crate::options::{evolution_parser, parse_events, parse_rate, parse_trace};
 use crate::record::Run;
 use crate::recording::Head;
 use crate::settings::Settings;
@@ -93,7 +93,7 @@ pub struct BoardArgs {
     #[arg(long, value_name = "RAD", default_value_t = 0.0)]
     tolerance: f32,
     /// Events of a step that are told apart (1 to 128), instead of as many as the board tells
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=128))]
+    #[arg(long, value_name = "N", value_parser = parse_events)]
     events: Option<u8>,
     /// Ticks of the board per second, instead of those that it has
     #[arg(long, value_name = "HZ")]
@@ -129,16 +129,7 @@ pub struct InfoArgs {
 /// # Errors
 /// Input that cannot be used, a board that is not there, refuses something or goes away.
 pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
-    let scene = Arc::new(open_scene(&args.scene, Number::F32)?);
-    if !args.keep {
-        // Said with the key and the line, which the board does not know.
-        scene.scene::<f32>()?;
-    }
-    let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
-    files::check(
-        inputs,
-        files::written(args.out.as_ref(), args.record.as_ref()),
-    )?;
+    let scene = Arc::new(usable_scene(args)?);
     let rate = args.rate.map(|rate| ("--rate", rate));
     let path = match args.tracker.is_wanted() {
         true => None,
@@ -150,33 +141,69 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     };
     // What a board sends is f32, whatever its solver counts in.
     let run = Run::of(&scene, Number::F32, args.evolution);
-    let files = Files::trace(args.out.as_ref(), &run)?;
+    let console = Console {
+        screen: Screen::new(args.quiet),
+        files: Files::trace(args.out.as_ref(), &run)?,
+    };
     stop::listen();
-    let setup = Setup {
-        scene: Arc::clone(&scene),
+    let setup = setup(args, &scene);
+    let (mut stream, session) = Stream::connect(&args.connect, setup, feed, console)?;
+    if args.verify {
+        stream = compared(stream, args, &run)?;
+    }
+    let (placement, timeout) = (&scene.hand.placement, args.connect.timeout());
+    args.tracker
+        .start(placement, timeout, stream.mail.sender.clone())?;
+    let result = stream.run(session);
+    let is_good = end(stream, args)?;
+    result.map(|()| is_good)
+}
+
+/// The scene; no output would replace it, nor its path.
+fn usable_scene(args: &BoardArgs) -> Result<SceneFile, BoardError> {
+    let scene = open_scene(&args.scene, Number::F32)?;
+    if !args.keep {
+        // Said with the key and the line, which the board does not know.
+        scene.scene::<f32>()?;
+    }
+    let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
+    let written = files::written(args.out.as_ref(), args.record.as_ref());
+    files::check(inputs, written)?;
+    Ok(scene)
+}
+
+/// What the board is told at the beginning.
+fn setup(args: &BoardArgs, scene: &Arc<SceneFile>) -> Setup {
+    Setup {
+        scene: Arc::clone(scene),
         evolution: args.evolution,
         tolerance: args.tolerance,
         events: args.events,
         tick: args.tick,
         keep: args.keep,
         per_sample: args.verify,
-    };
-    let screen = Screen::new(args.quiet);
-    let (mut stream, session) =
-        Stream::connect(&args.connect, setup, feed, Console { screen, files })?;
-    let about = &stream.about;
-    let title = format!("{} on {} ({})", scene.title, about.name, stream.address);
-    if args.verify {
-        let mode = stream.setup.mode(about);
-        stream.twin = Some(verify::twin(about, &scene, &mode)?);
-        let (head, files) = (recording_head(about, &scene, &mode), stream.audience.files);
-        let files = files.with_recording(args.record.as_ref(), &head, &run)?;
-        stream.audience.files = files;
     }
-    let (placement, timeout) = (&scene.hand.placement, args.connect.timeout());
-    args.tracker
-        .start(placement, timeout, stream.mail.sender.clone())?;
-    let result = stream.run(session);
+}
+
+/// A stream whose answers are compared with those of this computer, and recorded where that is wanted.
+fn compared<'a>(
+    mut stream: Stream<'a, Console>,
+    args: &BoardArgs,
+    run: &Run,
+) -> Result<Stream<'a, Console>, BoardError> {
+    let (about, setup) = (&stream.about, &stream.setup);
+    let mode = setup.mode(about);
+    stream.twin = Some(verify::twin(about, &setup.scene, &mode)?);
+    let head = recording_head(about, &setup.scene, &mode);
+    let files = stream.audience.files;
+    stream.audience.files = files.with_recording(args.record.as_ref(), &head, run)?;
+    Ok(stream)
+}
+
+/// Puts the files in their places and tells how it went. False where a comparison found a difference.
+fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError> {
+    let (scene, name) = (&stream.setup.scene.title, &stream.about.name);
+    let title = format!("{scene} on {name} ({})", stream.address);
     let Stream {
         audience: Console { mut screen, files },
         counts,
@@ -193,7 +220,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
     if args.verify {
         report::print(&format!("{verdict}\n"));
     }
-    result.map(|()| !args.verify || verdict.is_good())
+    Ok(!args.verify || verdict.is_good())
 }
 
 /// What a recording says about a board.

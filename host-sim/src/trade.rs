@@ -15,6 +15,7 @@ mod files;
 mod front;
 mod hand;
 mod measure;
+mod place;
 mod random;
 mod readme;
 mod reference;
@@ -39,8 +40,8 @@ use crate::plot::{self, PlotError};
 use crate::progress::measuring;
 use emulated::Count;
 use files::Folder;
-use front::Place;
 use measure::measure;
+use place::Place;
 use readme::Readme;
 use report::Report;
 

@@ -36,6 +36,7 @@ mod replay;
 mod say;
 mod server;
 mod stage;
+mod step_times;
 mod urgent;
 
 use std::future::IntoFuture;

@@ -1,8 +1,9 @@
 //! The recommendation in words: for a chip and an error, the setting that reaches it at the least cost. The reference is not
 //! among them: its error is none by definition.
 
-use super::front::{self, Place};
+use super::front;
 use super::measure::Row;
+use super::place::Place;
 use super::table::figure;
 
 /// What is asked of 99 % of some frames.

@@ -40,14 +40,25 @@ impl Row {
 
     /// Name and value of every column, in the order of the files.
     pub(super) fn columns(&self) -> Vec<(String, Value)> {
-        let (setting, accuracy) = (&self.setting, &self.accuracy);
-        let mut columns: Vec<(String, Value)> = Vec::new();
+        let setting = &self.setting;
+        let named = |(name, value): (&str, Value)| (name.to_owned(), value);
+        let mut columns: Vec<(String, Value)> = [
+            ("number", setting.number.name().into()),
+            ("evolution", setting.evolution.name().into()),
+            ("dial", setting.dial.name.into()),
+            ("rate_hz", self.rate.into()),
+            ("scenes", self.group.map_or("all", Group::name).into()),
+        ]
+        .map(named)
+        .into();
+        self.add_accuracy(&mut columns);
+        self.add_cost(&mut columns);
+        columns
+    }
+
+    fn add_accuracy(&self, columns: &mut Vec<(String, Value)>) {
+        let accuracy = &self.accuracy;
         let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
-        add("number", setting.number.name().into());
-        add("evolution", setting.evolution.name().into());
-        add("dial", setting.dial.name.into());
-        add("rate_hz", self.rate.into());
-        add("scenes", self.group.map_or("all", Group::name).into());
         add("frames", accuracy.frames.into());
         for (name, unit, spread) in [
             ("position", "um", accuracy.position),
@@ -74,6 +85,10 @@ impl Row {
         add("slips_too_many", accuracy.slips_too_many.into());
         add("slips_too_few", accuracy.slips_too_few.into());
         add("not_ok", accuracy.not_ok.into());
+    }
+
+    fn add_cost(&self, columns: &mut Vec<(String, Value)>) {
+        let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
         add("host_ns", self.cost.host.into());
         for (chip, counted) in Chip::ALL.iter().zip(self.cost.emulated) {
             let key = chip.key();
@@ -98,7 +113,6 @@ impl Row {
                 counted.map(|c| c.stack).into(),
             );
         }
-        columns
     }
 }
 

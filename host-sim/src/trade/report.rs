@@ -6,8 +6,8 @@ use std::path::Path;
 use serde_json::{Map, Value, json};
 
 use super::cost::REPEATS;
-use super::front::Place;
 use super::measure::Row;
+use super::place::Place;
 use super::setting::FINEST;
 use super::table::Table;
 use crate::emulator::Chip;

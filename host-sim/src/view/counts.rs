@@ -1,6 +1,4 @@
-//! What a run counts since its reset: ticks, slips, transitions between states, events, and how long steps take.
-
-use std::time::Duration;
+//! What a run counts since its reset: ticks, slips, transitions between states, events.
 
 use serde::ser::{Serialize, SerializeMap, SerializeStruct, Serializer};
 use stiction_core::{Event, StateKind};
@@ -78,56 +76,5 @@ impl Serialize for Events<'_> {
             }
         }
         map.end()
-    }
-}
-
-/// So many steps are a second.
-const SECOND: usize = 1000;
-/// The median is found anew after so many steps.
-const EVERY: usize = 100;
-
-/// How long the steps of the last second took (s).
-#[derive(Clone, Debug)]
-pub(super) struct StepTimes {
-    times: Vec<f32>,
-    next: usize,
-    sorted: Vec<f32>,
-    median: f32,
-    worst: f32,
-}
-
-impl Default for StepTimes {
-    fn default() -> Self {
-        Self {
-            times: Vec::with_capacity(SECOND),
-            next: 0,
-            sorted: Vec::with_capacity(SECOND),
-            median: 0.0,
-            worst: 0.0,
-        }
-    }
-}
-
-impl StepTimes {
-    /// A step.
-    pub(super) fn add(&mut self, time: Duration) {
-        let time = time.as_secs_f32();
-        match self.times.get_mut(self.next) {
-            Some(old) => *old = time,
-            None => self.times.push(time),
-        }
-        self.next = (self.next + 1) % SECOND;
-        if self.next.is_multiple_of(EVERY) {
-            self.sorted.clone_from(&self.times);
-            let middle = self.sorted.len() / 2;
-            let (_, median, _) = self.sorted.select_nth_unstable_by(middle, f32::total_cmp);
-            self.median = *median;
-            self.worst = self.times.iter().fold(0.0, |worst, &time| worst.max(time));
-        }
-    }
-
-    /// The median and the worst.
-    pub(super) const fn summary(&self) -> [f32; 2] {
-        [self.median, self.worst]
     }
 }

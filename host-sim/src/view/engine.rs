@@ -11,7 +11,6 @@ use tokio::sync::mpsc::Receiver;
 
 use super::body::Setting;
 use super::change::Reply;
-use super::counts::StepTimes;
 use super::echo::Echoes;
 use super::feed::{Feed, Latest, Pending};
 use super::guide::{Guide, HandPose};
@@ -23,6 +22,7 @@ use super::remote::Remote;
 use super::replay::{Replay, Way};
 use super::say::{self, By, Recorded, Replayed, Status};
 use super::stage::Stage;
+use super::step_times::StepTimes;
 
 /// From one tick to the next.
 const PERIOD: Duration = Duration::from_millis(1);

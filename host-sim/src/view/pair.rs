@@ -8,8 +8,9 @@ use serde::Serialize;
 use stiction_core::Hand;
 
 use super::body::{Body, Setting};
-use super::counts::{Counts, StepTimes};
+use super::counts::Counts;
 use super::mirror::Mirror;
+use super::step_times::StepTimes;
 use crate::record::Frame;
 
 /// The newest slips that are kept.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use stiction_scene::{HandPath, Sample};
 
 use super::body::Setting;
-use super::counts::StepTimes;
 use super::pair::Pair;
 use super::recording::Recording;
+use super::step_times::StepTimes;
 
 /// Ticks from one snapshot to the next.
 const SNAPSHOT_EVERY: usize = 500;

@@ -1,0 +1,73 @@
+//! Where a cost is counted: this computer, in ns, and the emulated chips, in instructions.
+
+use super::cost::Cost;
+use super::measure::Row;
+use crate::emulator::Chip;
+
+/// Where a cost is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// On this computer, ns.
+    Host,
+    /// On an emulated chip (of [`Chip::ALL`]), instructions.
+    Chip(usize),
+}
+
+impl Place {
+    /// All places.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        let chips = (0..Chip::ALL.len()).map(Self::Chip);
+        std::iter::once(Self::Host).chain(chips)
+    }
+
+    /// All places for which rows have a cost.
+    pub(super) fn of(rows: &[Row]) -> Vec<Self> {
+        let counted = |place: &Self| rows.iter().any(|row| place.cost(&row.cost).is_some());
+        Self::all().filter(counted).collect()
+    }
+
+    /// The name for a reader.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Host => "this computer",
+            Self::Chip(k) => Chip::ALL[k].name(),
+        }
+    }
+
+    /// The stem of the picture's files.
+    pub(super) fn stem(self) -> &'static str {
+        match self {
+            Self::Host => "host",
+            Self::Chip(k) => Chip::ALL[k].key(),
+        }
+    }
+
+    /// The picture's files.
+    pub(super) fn pictures(self) -> [String; 2] {
+        ["svg", "png"].map(|extension| format!("{}.{extension}", self.stem()))
+    }
+
+    /// The unit of a cost.
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            Self::Host => "ns",
+            Self::Chip(_) => "instructions",
+        }
+    }
+
+    /// Per frame, mean.
+    pub(super) fn cost(self, cost: &Cost) -> Option<f64> {
+        match self {
+            Self::Host => Some(cost.host),
+            Self::Chip(k) => cost.emulated[k].map(|counted| counted.instructions),
+        }
+    }
+
+    /// Of the worst frame, where that is known.
+    pub(super) fn worst(self, cost: &Cost) -> Option<u32> {
+        match self {
+            Self::Host => None,
+            Self::Chip(k) => cost.emulated[k].map(|counted| counted.worst),
+        }
+    }
+}
