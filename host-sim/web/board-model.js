@@ -1,7 +1,8 @@
 // What a board says, put together: poses, forces, events and health become the frame and state messages that the page
 // shows.
 
-import { EVENTS, STATES, STATUS } from "./frame.js";
+import { EVENTS } from "./events.js";
+import { STATES, STATUS } from "./frame.js";
 
 const TURN = 2 * Math.PI;
 /** Slips that a frame message carries. */

@@ -8,8 +8,6 @@
 const VERSION = 1;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
-/** Events in the order of their codes. */
-export const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "grasp", "release"];
 /** What limited an answer, in the order of its codes. */
 export const STATUS = ["ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last"];
 /** Why a command is refused, in the order of its codes. */

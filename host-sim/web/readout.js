@@ -2,6 +2,7 @@
 // who holds the hand, and the connection.
 
 import { byId, digits, duration, fixed, quantile, setText, whole } from "./dom.js";
+import { EVENTS } from "./events.js";
 
 /** Pause between two updates of the texts, and of what is read aloud (ms). */
 const PAUSE = 100;
@@ -9,8 +10,6 @@ const ALOUD = 2000;
 /** Decades of the error bars: from 1e-4 to 1e5. */
 const LEAST = -4;
 const MOST = 5;
-/** Events in the order in which they are counted. */
-const EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "grasp", "release"];
 
 export class Readout {
   /** @param {Stage} stage */

@@ -22,6 +22,7 @@ const FILES: &[File] = files![
     "controls.js": SCRIPT,
     "diagram.js": SCRIPT,
     "dom.js": SCRIPT,
+    "events.js": SCRIPT,
     "forces.js": SCRIPT,
     "frame.js": SCRIPT,
     "grip.js": SCRIPT,
