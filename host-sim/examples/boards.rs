@@ -12,7 +12,7 @@ use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
-use stiction_scene::{BoardNumber, HostSolver, Motion, SceneFile, SceneModel, Source, rust_source};
+use stiction_scene::{HostSolver, Motion, NumberType, SceneFile, SceneModel, Source, rust_source};
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -20,7 +20,7 @@ type Outcome<T> = Result<T, Box<dyn Error>>;
 #[derive(Clone, Copy)]
 struct Build {
     board: Board,
-    number: BoardNumber,
+    number: NumberType,
     profile: Profile,
 }
 
@@ -71,13 +71,13 @@ const SIZES: [Size; 6] = [
 impl Build {
     /// The boards with their numbers, in both profiles.
     const ALL: [Self; 4] = [
-        Self::new(Board::Stm32F405, BoardNumber::F32, Profile::Device),
-        Self::new(Board::Stm32F405, BoardNumber::F32, Profile::DeviceSmall),
-        Self::new(Board::Nrf51822, BoardNumber::Fixed, Profile::Device),
-        Self::new(Board::Nrf51822, BoardNumber::Fixed, Profile::DeviceSmall),
+        Self::new(Board::Stm32F405, NumberType::F32, Profile::Device),
+        Self::new(Board::Stm32F405, NumberType::F32, Profile::DeviceSmall),
+        Self::new(Board::Nrf51822, NumberType::Fixed, Profile::Device),
+        Self::new(Board::Nrf51822, NumberType::Fixed, Profile::DeviceSmall),
     ];
 
-    const fn new(board: Board, number: BoardNumber, profile: Profile) -> Self {
+    const fn new(board: Board, number: NumberType, profile: Profile) -> Self {
         Self {
             board,
             number,
@@ -133,8 +133,8 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
     let worst = (1..).zip(steps).max_by_key(|(_, frame)| frame.instructions);
     let (i, worst) = worst.ok_or("a path of one frame")?;
     let events = match build.number {
-        BoardNumber::F32 => events::<f32>(&scene, evolution, &hands[..=i])?,
-        BoardNumber::Fixed => events::<Fixed>(&scene, evolution, &hands[..=i])?,
+        NumberType::F32 => events::<f32>(&scene, evolution, &hands[..=i])?,
+        NumberType::Fixed => events::<Fixed>(&scene, evolution, &hands[..=i])?,
     };
     let Counted { frames, totals } = &counted;
     Ok(format!(

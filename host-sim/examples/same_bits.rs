@@ -7,7 +7,7 @@
 use std::process::ExitCode;
 use std::time::Instant;
 
-use stiction_scene::BoardNumber;
+use stiction_scene::NumberType;
 
 use stiction_host_sim::emulator::Machine;
 
@@ -22,8 +22,8 @@ fn main() -> ExitCode {
         return ExitCode::from(2);
     };
     println!("| number | machine | hash of {frames} frames | s |\n|---|---|---|---|");
-    let same = BoardNumber::ALL.map(|number| is_same(number, frames));
-    if same == [true; BoardNumber::ALL.len()] {
+    let same = NumberType::ALL.map(|number| is_same(number, frames));
+    if same == [true; NumberType::ALL.len()] {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
@@ -31,7 +31,7 @@ fn main() -> ExitCode {
 }
 
 /// Every machine comes to the same hash.
-fn is_same(number: BoardNumber, frames: u32) -> bool {
+fn is_same(number: NumberType, frames: u32) -> bool {
     let mut hashes = Vec::new();
     for machine in Machine::ALL {
         // A run of no length: the image is built, its time is not that of the walk.

@@ -18,7 +18,7 @@ use std::process::Command;
 
 use stiction_core::Hand;
 use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
-use stiction_scene::{BoardNumber, SceneFile};
+use stiction_scene::{NumberType, SceneFile};
 use stiction_tools::process::{EmulatorError, output_of};
 
 use image::Image;
@@ -120,7 +120,7 @@ impl Counter {
     ///
     /// # Errors
     /// Cargo or the target is missing, or the image cannot be built.
-    pub fn new(board: Board, number: BoardNumber, profile: Profile) -> Result<Self, EmulatorError> {
+    pub fn new(board: Board, number: NumberType, profile: Profile) -> Result<Self, EmulatorError> {
         let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
         Ok(Self { board, image })
     }

@@ -7,7 +7,7 @@ use stiction_firmware::job::{Frame, Setting};
 use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
-use stiction_scene::{BoardNumber, HostSolver, Motion, SceneFile, SceneModel, rust_source};
+use stiction_scene::{HostSolver, Motion, NumberType, SceneFile, SceneModel, rust_source};
 use stiction_tools::process::{EmulatorError, if_installed};
 
 fn scene() -> SceneFile {
@@ -33,7 +33,7 @@ fn outputs<R: Real<Si: SiFloat>>(
     std::iter::once(first).chain(rest).collect()
 }
 
-fn counts<R: Real<Si = f32>>(number: BoardNumber) {
+fn counts<R: Real<Si = f32>>(number: NumberType) {
     let scene = scene();
     let mut walk = Walk::new();
     let hands: Vec<Hand<f64>> = (0..500).map(|_| walk.sample()).collect();
@@ -67,17 +67,17 @@ fn counts<R: Real<Si = f32>>(number: BoardNumber) {
 
 #[test]
 fn a_board_gives_the_answers_of_this_machine_and_its_count() {
-    counts::<f32>(BoardNumber::F32);
-    counts::<Fixed>(BoardNumber::Fixed);
+    counts::<f32>(NumberType::F32);
+    counts::<Fixed>(NumberType::Fixed);
 }
 
 #[test]
 fn every_machine_gives_the_same_bits() {
     const FRAMES: u32 = 20_000;
-    for number in BoardNumber::ALL {
+    for number in NumberType::ALL {
         let here = match number {
-            BoardNumber::F32 => of_walk::<f32>(FRAMES),
-            BoardNumber::Fixed => of_walk::<Fixed>(FRAMES),
+            NumberType::F32 => of_walk::<f32>(FRAMES),
+            NumberType::Fixed => of_walk::<Fixed>(FRAMES),
         };
         for machine in Machine::ALL {
             if let Some(hash) = if_installed(machine.bits(number, FRAMES)) {
@@ -90,8 +90,8 @@ fn every_machine_gives_the_same_bits() {
 #[test]
 fn the_solver_fits_into_the_flash() {
     for (board, number) in [
-        (Board::Stm32F405, BoardNumber::F32),
-        (Board::Nrf51822, BoardNumber::Fixed),
+        (Board::Stm32F405, NumberType::F32),
+        (Board::Nrf51822, NumberType::Fixed),
     ] {
         let (scene, path) = (scene(), Evolution::Path);
         let code = rust_source(&scene, SceneModel::smallest(&scene), number, path);
@@ -105,7 +105,7 @@ fn the_solver_fits_into_the_flash() {
 
 /// A scene along its own hand's path, at 100 Hz, in a model: what is counted, and the flash.
 fn of_model(
-    (board, number, evolution): (Board, BoardNumber, Evolution),
+    (board, number, evolution): (Board, NumberType, Evolution),
     scene: &SceneFile,
     model: SceneModel,
 ) -> Result<(Counted, u64), EmulatorError> {
@@ -144,13 +144,13 @@ fn the_smallest_model_gives_the_answers_of_the_full_one_in_less_flash() {
     for (board, number, evolution, name) in [
         (
             Board::Stm32F405,
-            BoardNumber::F32,
+            NumberType::F32,
             Evolution::Path,
             "point-frictionless",
         ),
         (
             Board::Nrf51822,
-            BoardNumber::Fixed,
+            NumberType::Fixed,
             Evolution::Frame,
             "rod-on-floor",
         ),

@@ -5,7 +5,7 @@ mod common;
 use std::fs;
 
 use common::{Folder, SCENE, scene_with_path, text};
-use stiction_scene::BoardNumber;
+use stiction_scene::NumberType;
 
 /// A scene file with one mistake: its name, the text that is replaced, by what, and what the message must hold.
 type Mistake = (
@@ -179,7 +179,7 @@ fn mistakes_in_scene_files_are_refused_with_the_same_words_in_the_build_of_a_boa
     for &(name, from, to, _) in IN_SCENES {
         let folder = Folder::new();
         folder.write("scene.toml", SCENE.replacen(from, to, 1));
-        let code = stiction_scene::code(&folder.file("scene.toml"), BoardNumber::F32, None);
+        let code = stiction_scene::code(&folder.file("scene.toml"), NumberType::F32, None);
         match code {
             Ok(_) => assert!(SCENE.find(from) > Some(hand), "{name}"),
             Err(error) => {

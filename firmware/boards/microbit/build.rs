@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, BoardNumber, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv6m-none-eabi",
-        number: BoardNumber::Fixed,
+        number: NumberType::Fixed,
         room: SceneModel {
             vertices: 8,
             surfaces: 2,

@@ -2,12 +2,12 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, BoardNumber, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv7em-none-eabihf",
-        number: BoardNumber::F32,
+        number: NumberType::F32,
         room: SceneModel {
             vertices: 8,
             surfaces: 4,

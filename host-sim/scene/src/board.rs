@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use crate::code::BoardNumber;
+use stiction_core::frame::NumberType;
+
 use crate::compile::{OwnScene, compile};
 use crate::model::SceneModel;
 use crate::source::InputError;
@@ -16,7 +17,7 @@ pub struct BoardBuild {
     /// For another target there is nothing to do.
     pub target: &'static str,
     /// What its solver computes with.
-    pub number: BoardNumber,
+    pub number: NumberType,
     /// What the solver of the board's own scene has, as any scene may come over the wire. That of a scene file which is named by
     /// STICTION_SCENE has what this scene needs.
     pub room: SceneModel,

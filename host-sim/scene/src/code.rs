@@ -1,37 +1,17 @@
 //! A scene as the Rust code that is compiled into an image: the number type, room for its vertices and surfaces, and the
 //! parts of the solver.
 
+use stiction_core::frame::NumberType;
 use stiction_core::{Description, Evolution, SurfaceDescription};
 
 use crate::model::SceneModel;
 use crate::written::WrittenScene;
 
-/// A number type of the images. A double float makes no sense on these boards.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BoardNumber {
-    /// Single precision.
-    F32,
-    /// Fixed point.
-    Fixed,
-}
-
-impl BoardNumber {
-    /// All of them.
-    pub const ALL: [Self; 2] = [Self::F32, Self::Fixed];
-
-    /// The name, also in those of the images.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Fixed => "fixed",
-        }
-    }
-
-    const fn path(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Fixed => "stiction_core::Fixed",
-        }
+/// The type of the solver's numbers in the code of an image.
+const fn path(number: NumberType) -> &'static str {
+    match number {
+        NumberType::F32 => "f32",
+        NumberType::Fixed => "stiction_core::Fixed",
     }
 }
 
@@ -40,7 +20,7 @@ impl BoardNumber {
 pub fn rust_source(
     scene: &WrittenScene,
     model: SceneModel,
-    number: BoardNumber,
+    number: NumberType,
     evolution: Evolution,
 ) -> String {
     let scene = scene_code(scene, model, number);
@@ -50,14 +30,14 @@ pub fn rust_source(
 }
 
 /// The code of a scene alone: `CompiledScene` and `SCENE`.
-pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: BoardNumber) -> String {
+pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: NumberType) -> String {
     let SceneModel {
         vertices,
         surfaces,
         friction,
         weight,
     } = model;
-    let number = number.path();
+    let number = path(number);
     let description = scene.described(description);
     format!(
         "pub(crate) type CompiledScene =

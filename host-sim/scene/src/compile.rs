@@ -3,9 +3,10 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
+use stiction_core::frame::NumberType;
 use stiction_core::{Fixed, Full, Real};
 
-use crate::code::{BoardNumber, scene_code};
+use crate::code::scene_code;
 use crate::model::SceneModel;
 use crate::source::InputError;
 use crate::written::{SURFACES, VERTICES, WrittenScene};
@@ -26,11 +27,7 @@ pub(crate) struct OwnScene {
 ///
 /// # Errors
 /// The scene cannot be used, or the code not be written.
-pub(crate) fn compile(
-    own: &OwnScene,
-    number: BoardNumber,
-    folder: &Path,
-) -> Result<(), InputError> {
+pub(crate) fn compile(own: &OwnScene, number: NumberType, folder: &Path) -> Result<(), InputError> {
     println!("cargo::rerun-if-env-changed={SCENE}");
     let named = env::var_os(SCENE).filter(|name| !name.is_empty());
     let (file, room) = match &named {
@@ -50,13 +47,13 @@ pub(crate) fn compile(
 /// The messages of a scene that is run on a computer.
 pub fn code(
     file: &Path,
-    number: BoardNumber,
+    number: NumberType,
     room: Option<SceneModel>,
 ) -> Result<String, InputError> {
     let scene = WrittenScene::read(file, f64::from(f32::MAX))?;
     match number {
-        BoardNumber::F32 => check::<f32>(&scene)?,
-        BoardNumber::Fixed => check::<Fixed>(&scene)?,
+        NumberType::F32 => check::<f32>(&scene)?,
+        NumberType::Fixed => check::<Fixed>(&scene)?,
     }
     let smallest = SceneModel::smallest(&scene);
     let model = room.map_or(smallest, |room| room.with(smallest));

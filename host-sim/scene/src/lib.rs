@@ -26,12 +26,13 @@ mod surface;
 mod written;
 
 pub use board::BoardBuild;
-pub use code::{BoardNumber, rust_source};
+pub use code::rust_source;
 pub use compile::code;
 pub use hand_path::{HandPath, LivePlacement, Placement, Sample};
 pub use hand_section::{HandSection, Motion};
 pub use model::SceneModel;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
 pub use source::{InputError, Source};
+pub use stiction_core::frame::NumberType;
 pub use surface::SurfaceInfo;
 pub use written::{SURFACES, VERTICES, WrittenScene};

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiction_scene::{BoardNumber, SceneModel, code};
+use stiction_scene::{NumberType, SceneModel, code};
 use tempfile::TempDir;
 
 const ROD: &str = r#"[body]
@@ -35,7 +35,7 @@ fn changed(from: &str, to: &str) -> (TempDir, PathBuf) {
 
 fn code_with(from: &str, to: &str) -> String {
     let (_folder, file) = changed(from, to);
-    code(&file, BoardNumber::F32, None).unwrap()
+    code(&file, NumberType::F32, None).unwrap()
 }
 
 #[test]
@@ -71,7 +71,7 @@ fn a_solver_for_other_scenes_too_has_at_least_what_it_is_given() {
             friction: false,
             weight: false,
         };
-        let code = code(&file, BoardNumber::Fixed, Some(room)).unwrap();
+        let code = code(&file, NumberType::Fixed, Some(room)).unwrap();
         let expected = format!("{expected}, stiction_core::Parts<true, true>>");
         assert!(code.contains(&expected), "{expected}: {code}");
     }
@@ -113,11 +113,11 @@ fn what_cannot_be_used_is_told_with_file_line_and_key() {
         ),
     ] {
         let (_folder, file) = changed(from, to);
-        let message = code(&file, BoardNumber::F32, None).unwrap_err().to_string();
+        let message = code(&file, NumberType::F32, None).unwrap_err().to_string();
         let expected = format!("{}{expected}", file.display());
         assert!(message.starts_with(&expected), "{expected}\n{message}");
     }
-    let message = code(Path::new("absent.toml"), BoardNumber::F32, None).unwrap_err();
+    let message = code(Path::new("absent.toml"), NumberType::F32, None).unwrap_err();
     assert!(
         message
             .to_string()
@@ -128,8 +128,8 @@ fn what_cannot_be_used_is_told_with_file_line_and_key() {
 #[test]
 fn a_scene_beyond_the_number_type_of_the_board_is_refused() {
     let (_folder, file) = changed("rotation = 0.5", "rotation = 500000.0");
-    assert!(code(&file, BoardNumber::F32, None).is_ok());
-    let message = code(&file, BoardNumber::Fixed, None)
+    assert!(code(&file, NumberType::F32, None).is_ok());
+    let message = code(&file, NumberType::Fixed, None)
         .unwrap_err()
         .to_string();
     assert!(message.contains("line 8: `spring.rotation`"), "{message}");

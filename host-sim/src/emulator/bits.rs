@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use stiction_scene::BoardNumber;
+use stiction_scene::NumberType;
 use stiction_tools::process::{EmulatorError, output_of};
 
 use super::image::{Image, Profile};
@@ -46,7 +46,7 @@ impl Machine {
     ///
     /// # Errors
     /// A program is missing, the image cannot be built, or its run ends with an error.
-    pub fn bits(self, number: BoardNumber, frames: u32) -> Result<u64, EmulatorError> {
+    pub fn bits(self, number: NumberType, frames: u32) -> Result<u64, EmulatorError> {
         let (name, frames) = (number.name(), frames.to_string());
         let text = match self {
             Self::Debug => on_this_computer(Profile::Dev, [name, &frames])?,

@@ -1,6 +1,6 @@
 //! The chips that figures are given for: their names, their emulated boards, the number type that suits them.
 
-use stiction_scene::BoardNumber;
+use stiction_scene::NumberType;
 
 use super::Board;
 
@@ -42,10 +42,10 @@ impl Chip {
     }
 
     /// The number type that suits it: fixed point where there is no floating point unit.
-    pub(crate) const fn number(self) -> BoardNumber {
+    pub(crate) const fn number(self) -> NumberType {
         match self {
-            Self::CortexM4F => BoardNumber::F32,
-            Self::CortexM0 => BoardNumber::Fixed,
+            Self::CortexM4F => NumberType::F32,
+            Self::CortexM0 => NumberType::Fixed,
         }
     }
 }

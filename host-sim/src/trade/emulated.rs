@@ -3,7 +3,7 @@
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job;
-use stiction_scene::{BoardNumber, SceneModel, rust_source};
+use stiction_scene::{NumberType, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
 
 use super::cost::Emulated;
@@ -41,35 +41,28 @@ impl Count {
 /// What a chip computes with.
 struct Build {
     chip: Chip,
-    number: BoardNumber,
+    number: NumberType,
 }
 
 /// Fixed point is for the chip that has no unit for single precision.
 const BUILDS: [Build; 3] = [
     Build {
         chip: Chip::CortexM4F,
-        number: BoardNumber::F32,
+        number: NumberType::F32,
     },
     Build {
         chip: Chip::CortexM0,
-        number: BoardNumber::F32,
+        number: NumberType::F32,
     },
     Build {
         chip: Chip::CortexM0,
-        number: BoardNumber::Fixed,
+        number: NumberType::Fixed,
     },
 ];
 
 impl Build {
-    const fn number(&self) -> Number {
-        match self.number {
-            BoardNumber::F32 => Number::F32,
-            BoardNumber::Fixed => Number::Fixed,
-        }
-    }
-
     fn settings(&self) -> impl Iterator<Item = Setting> {
-        let number = self.number();
+        let number = Number::from(self.number);
         Setting::all().filter(move |setting| setting.number == number)
     }
 
@@ -153,7 +146,7 @@ pub(super) fn count(
             let its_own = counts.iter_mut().filter(|count| {
                 let setting = &count.setting;
                 (count.chip, setting.number, setting.evolution)
-                    == (build.chip, build.number(), evolution)
+                    == (build.chip, Number::from(build.number), evolution)
             });
             its_own.for_each(|count| count.cost.flash = flash);
         }
