@@ -187,19 +187,23 @@ pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
     size
 }
 
-/// Every vertex lies to the left of every side, but for the two that the side joins.
+/// Every vertex lies to the left of every side, but for the two that the side joins, and so far off it that no more than two can
+/// touch one surface: a body that is thinner is a rod.
 fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
     let at = |[x, y]: [F; 2]| Vec2::new(x / length, y / length);
+    let least = F::from_int(3) / F::from_int(100_000);
     let ends = vertices.iter().skip(1).chain(vertices.first());
     for (&from, &to) in vertices.iter().zip(ends) {
         let side = at(to) - at(from);
         for (k, &v) in vertices.iter().enumerate() {
             let joined = v == from || v == to;
+            let area = side.cross(at(v) - at(from));
+            let is_inside = area > F::ZERO && area * area > side.dot(side) * (least * least);
             require(
-                joined || side.cross(at(v) - at(from)) > F::ZERO,
+                joined || is_inside,
                 Parameter::Vertex(k),
                 larger(v),
-                "a corner of a strictly convex polygon, counter-clockwise, not on or beyond another side",
+                "a corner of a strictly convex polygon, counter-clockwise, inside every side but its own two by more than 3e-5 body sizes",
             )?;
         }
     }

@@ -2,8 +2,8 @@
 //! hand; the tilted one turns while it slips. The counts and lengths for a depth of 9.5 mm were computed beforehand by other
 //! means than this solver.
 
-use stiction_core::{Evolution, Fixed};
-use stiction_tests::run::{Frame, run};
+use stiction_core::{Evolution, Fixed, Full, StateKind, Status};
+use stiction_tests::run::{Frame, RunOf, run};
 use stiction_tests::{Number, Scenario, close, scenes};
 
 /// The scene with the hand at another depth (m), 1 kHz.
@@ -68,6 +68,46 @@ fn fixed_point_follows_f64_to_10_um() {
             assert!(worst <= 10e-6, "{name} {evolution:?}: {worst:e} m");
             assert!(slips[0].abs_diff(slips[1]) <= 1, "{slips:?}");
             assert!(shifted <= slips[1], "{shifted} frames");
+        }
+    }
+}
+
+/// A vertex in a side as little out of line as may be: the box lies on either part of its side and goes from one to the other,
+/// with room for a single surface, too.
+#[test]
+fn flat_on_a_side_with_a_vertex_hardly_out_of_line() {
+    hardly_out_of_line::<f64>();
+    hardly_out_of_line::<f32>();
+    hardly_out_of_line::<Fixed>();
+}
+
+fn hardly_out_of_line<R: Number>() {
+    let scenario = scenes::box_flat();
+    let [from, to] = [0, 1].map(|i| scenario.keyframes[i]);
+    let above = [from[0], from[1] + 0.03, 0.1];
+    let leaning = |phi: f64| [to[0], to[1], phi];
+    let way = [from, to, above, from, leaning(0.5), leaning(-0.5), to];
+    for evolution in Evolution::ALL {
+        for along in [-0.04, 0.0, 0.03] {
+            for out in [4.0e-6, 1e-5, 1e-4] {
+                let mut setup = scenario.setup.clone();
+                setup.vertices.insert(1, [along, -0.03 - out]);
+                setup.start[1] += out;
+                let mut run = RunOf::<R, 5, 1, Full>::start(&setup, evolution, above);
+                let mut edges = Vec::new();
+                for frame in way.iter().flat_map(|&hand| run.lead(hand, 40)) {
+                    let what = format!("{} {evolution:?} {along} {out}", R::NAME);
+                    assert_eq!(frame.status, Status::Ok, "{what}: {frame:?}");
+                    if frame.state == StateKind::Edge {
+                        let vertices = frame.contacts.iter().map(|c| c.vertex);
+                        edges.push(vertices.collect::<Vec<_>>());
+                    }
+                }
+                edges.iter_mut().for_each(|edge| edge.sort_unstable());
+                edges.sort_unstable();
+                edges.dedup();
+                assert_eq!(edges, [[0, 1], [1, 2]], "{} {along} {out}", R::NAME);
+            }
         }
     }
 }

@@ -73,7 +73,7 @@ mod cases {
             ("scene away from the origin (L)", 0.0, 1.0),
             ("angle between two floors (rad)", 1e-7, 1.0),
             ("angle between floor and ceiling (rad)", 0.0, 0.1),
-            ("height of a triangle (L)", 1e-7, 0.5),
+            ("height of a triangle (L)", 1e-4, 0.5),
             ("vertices of a regular polygon", 1.0, 64.0),
             ("normal force left before a drag, N / (k_h L)", 0.0, 0.01),
             ("holding point from the contact (L)", 0.0, 1.0),

@@ -82,6 +82,27 @@ fn vertex() {
     }
 }
 
+/// In a side or in the opposite one: three vertices touch no surface together.
+#[test]
+fn vertex_hardly_out_of_line() {
+    for out in [-1e-3, 0.0, 1e-9, 1e-7, 1e-6, 1.4e-5] {
+        refused_by_all(Parameter::Vertex(2), 1.0, |s| {
+            s.vertices = vec![[-1.0, 0.0], [0.1, -2.0 * out], [1.0, 0.0], [0.0, 1.0]];
+        });
+        refused_by_all(Parameter::Vertex(2), 1.0, |s| {
+            s.vertices = vec![[-1.0, 0.0], [1.0, 0.0], [1.0, 2.0 * out], [-1.0, 2.0 * out]];
+        });
+    }
+    for out in [4e-5, 1e-3] {
+        let bent = changed(|s| {
+            s.vertices = vec![[-1.0, 0.0], [0.1, -2.0 * out], [1.0, 0.0], [0.0, 1.0]];
+            s.start = [0.0, 1.0, 0.0];
+        });
+        assert!(bent.scene::<f64>().is_ok() && bent.scene::<f32>().is_ok());
+        assert!(bent.scene::<Fixed>().is_ok());
+    }
+}
+
 #[test]
 fn start_pose() {
     for k in 0..3 {
