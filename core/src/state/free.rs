@@ -85,7 +85,11 @@ impl<R: Real> Free<R> {
     ) -> Moved<R> {
         let stance = self.stance(scene, from);
         let way = from.way_to(to);
-        let moment = stance.pinned::<B>();
+        let mut moment = stance.pinned::<B>();
+        if Self::turns_with_hand(scene) {
+            // As the hand does, however little of the moment the number type sees.
+            moment.stiffness = R::ONE;
+        }
         let turns = Way::turn(way.turn);
         let leg = Leg::balanced(&moment, (stance.lever, &turns), Trigger::Balanced);
         let moved = self.sweep(scene, &stance.placed, leg, way.hand);

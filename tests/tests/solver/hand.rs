@@ -16,6 +16,7 @@ test_each!(
     cases::start_with_a_bad_sample_is_finite,
     cases::hand_out_of_range_is_held,
     cases::depth_passes_through,
+    cases::soft_grip_turns_a_free_body_up_to_the_floor,
 );
 
 mod cases {
@@ -31,6 +32,25 @@ mod cases {
 
     fn open<R: Number>(hand: [f64; 3]) -> Hand<R::Si> {
         planar::<R>(hand).released()
+    }
+
+    /// A rod turns with the hand, by so little in a frame and so softly that its moment is below the digits, until its end is on the
+    /// floor.
+    pub(super) fn soft_grip_turns_a_free_body_up_to_the_floor<R: Number>(evolution: Evolution) {
+        for stiffness in [1e-6, 1e-5, 1e-3] {
+            let setup = Setup::rod(1.0)
+                .at([0.0, 0.5, 0.0])
+                .springs(1.0, stiffness)
+                .floor([0.5, 0.3]);
+            let mut run = Run::<R>::start(&setup, evolution, [0.0, 0.5, -0.52]);
+            for frame in run.lead([0.0, 0.5, -0.53], 200) {
+                let end = setup.world(frame.pose, [1.0, 0.0]);
+                assert!(end[1] > -R::GAP, "{stiffness}: {end:?}");
+                assert_eq!(frame.contacts.is_empty(), end[1] > R::GAP, "{frame:?}");
+                assert_eq!(frame.status, Status::Ok);
+            }
+            assert_eq!(run.frame.state, StateKind::SingleVertex);
+        }
     }
 
     pub(super) fn hand_takes_hold_where_it_is<R: Number>(evolution: Evolution) {
