@@ -105,6 +105,11 @@ fn stays<R: Real>(log: &mut Log<R>) {
     log.ambiguous = true;
 }
 
+/// From where a search gave up, up to which nothing has happened.
+fn on<R: Real>(sliding: R) -> Next<R> {
+    Next::Relax((sliding != R::ZERO).then_some(sliding))
+}
+
 /// The table: the state after a verb, which slid along sliding·t, and what it does next.
 fn apply<R: Real, W: World<R>>(
     scene: &W,
@@ -134,7 +139,6 @@ fn apply<R: Real, W: World<R>>(
             Next::Snap(direction)
         }
         Trigger::Touch(pair) => {
-            // Up to where a search gave up nothing has happened.
             let reached = if moved.unsure {
                 another(scene, state)
             } else {
@@ -144,12 +148,13 @@ fn apply<R: Real, W: World<R>>(
                 touch(scene, state, pair, log);
                 Next::Relax(None)
             } else {
-                Next::Relax((sliding != R::ZERO).then_some(sliding))
+                on(sliding)
             }
         }
         Trigger::Keep { contacts, sliding } if W::SEVERAL => {
             keep(scene, state, contacts, sliding, log)
         }
+        Trigger::Clear if moved.unsure => on(sliding),
         Trigger::Clear => {
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);

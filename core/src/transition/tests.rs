@@ -124,6 +124,32 @@ fn point_keeps_its_contact() {
     assert!(log.events.is_empty());
 }
 
+/// Neither a touch nor a lift where the search for it gave up before: on as it was.
+#[test]
+fn nothing_happens_where_a_search_gave_up() {
+    let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
+    let begin = ContactState::SingleVertex(SingleVertex::new(fixtures::pivot(0.3)));
+    let other = Pair {
+        vertex: 1,
+        surface: 0,
+    };
+    for trigger in [Trigger::Clear, Trigger::Touch(other)] {
+        for (sliding, on) in [(0.0, None), (1.0, Some(1.0)), (-1.0, Some(-1.0))] {
+            let moved = Moved {
+                unsure: true,
+                ..Moved::by(trigger)
+            };
+            let (mut state, mut log) = (begin.clone(), Log::default());
+            let next = apply(&scene, &mut state, &moved, sliding, &mut log);
+            assert_eq!((next, &state), (Next::Relax(on), &begin));
+            assert!(log.events.is_empty());
+        }
+        let (mut state, mut log) = (begin.clone(), Log::default());
+        apply(&scene, &mut state, &Moved::by(trigger), 0.0, &mut log);
+        assert!(state != begin && log.events.len() == 1);
+    }
+}
+
 /// Who lasts keeps its place to the bit; another contact gets the place that it has in the pose.
 #[test]
 fn pivot_that_lasts_stays_to_the_bit() {
