@@ -89,7 +89,7 @@ impl<R: Real> Placed<R> {
             for vertex in scene.vertex_indices() {
                 let gap = height + normal.dot(scene.vertex(vertex) - self.body_point);
                 if gap <= tolerance {
-                    // Contacts beyond the capacity are redundant in the plane.
+                    // No more than two of a surface; of more than four surfaces the first ones count.
                     let _ = list.push(Pair { vertex, surface });
                 }
             }

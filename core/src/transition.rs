@@ -212,7 +212,7 @@ fn touch<R: Real, W: World<R>>(
     let old = state.contacts();
     for &contact in old.iter().chain(&[pair]).chain(&touching) {
         if !all.contains(&contact) {
-            // Contacts beyond the capacity are redundant in the plane.
+            // Of more than four surfaces the first ones count.
             let _ = all.push(contact);
         }
     }

@@ -74,9 +74,9 @@ impl<R: Real> SingleVertex<R> {
         leg.stop_at(&stance.reaction(surface.normal, &way), Trigger::Clear);
         let moved = leg.moved();
         self.pivot = self.pivot.moved(R::ZERO, leg.turn());
-        if moved.trigger != Trigger::Balanced {
+        if moved.unsure || moved.trigger != Trigger::Balanced {
             self.pivot.glide(scene, &from.lerp(to, moved.part));
-        } else if moved.unsure || !self.rest(scene, to) {
+        } else if !self.rest(scene, to) {
             // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
             return Moved {
                 part: R::ONE,
