@@ -94,6 +94,11 @@ impl<R: Real> Calm<R> {
         None
     }
 
+    /// A bound of [`Self::bow`] where the hand only turns: |ϑ'| <= step = reach / 2 there.
+    pub(crate) fn swing(&self) -> R {
+        self.reach * (self.reach + self.bend * self.reach.halved().halved())
+    }
+
     /// By half of this times its lever a point strays at most from the straight line between the ends of its way: a bound
     /// of ϑ'² + |ϑ''| in tau.
     pub(crate) fn bow(&self, stance: &Stance<R>, way: &Way<R>) -> R {

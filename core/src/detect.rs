@@ -97,10 +97,10 @@ impl<R: Real> Placed<R> {
         list
     }
 
-    /// True if no vertex can have come to a surface on a way that ended here: it turned the body by at most `reach`, and no
-    /// gap was negative at its beginning. A gap lies above its chord but for the sagitta.
-    pub(crate) fn is_clear(&self, scene: &impl World<R>, reach: R) -> bool {
-        self.room(scene, None) > (self.radius(scene, None) * reach * reach).halved()
+    /// True if no vertex can have come to a surface on a way of the point that ended here, and no gap was negative at its beginning:
+    /// a gap lies above its chord but for a sagitta. `bow`: a bound of ϑ'² + |ϑ''| in tau.
+    pub(crate) fn is_clear(&self, scene: &impl World<R>, bow: R) -> bool {
+        self.room(scene, None) > (self.radius(scene, None) * bow).halved()
     }
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all

@@ -168,6 +168,9 @@ fn balance_bends_no_more_than_promised() {
             most = most.max(rate * rate + change.abs());
         }
         assert!(most <= bow * (1.0 + 1e-6) + 1e-9, "{case:?}: {most} {bow}");
+        if case.drive == Vec2::ZERO {
+            assert!(most <= calm.swing() * (1.0 + 1e-6) + 1e-9, "{case:?}");
+        }
         let least = case.stiffness + case.hold.x - case.drive.x.max(0.0);
         let (pull, hold) = (case.drive, case.hold);
         let p = libm::hypot(pull.x, pull.y) / least;

@@ -41,21 +41,21 @@ impl<R: Real> Free<R> {
         tolerance: R,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
-        let (orientation, reach) = if Self::turns_with_hand(scene) {
-            (Orientation::new(to.angle), turn.abs())
+        let (orientation, bow) = if Self::turns_with_hand(scene) {
+            (Orientation::new(to.angle), turn * turn)
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
             let mut stance = Self { pose }.stance(scene, to);
             stance.tolerance = tolerance;
             match Calm::pinned::<B>(scene, &stance, to, &Way::turn(turn)) {
-                Some(calm) => (calm.orientation, calm.reach),
+                Some(calm) => (calm.orientation, calm.swing()),
                 None => return false,
             }
         };
         let after = Self {
             pose: Self::hanging(scene, to, orientation),
         };
-        let follows = after.placed(to).is_clear(scene, reach);
+        let follows = after.placed(to).is_clear(scene, bow);
         if follows {
             *self = after;
         }
