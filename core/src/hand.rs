@@ -52,7 +52,8 @@ pub struct Hand<F> {
     pub angle: Angle<F>,
     /// Depth coordinate (m), across the plane; passes through to the output.
     pub depth: F,
-    /// The hold switch: on, it holds the body, or takes hold as soon as it is within reach.
+    /// The hold switch: on, it holds the body, or takes hold as soon as it is within reach. Of a hand that is not finite or out of range
+    /// it is not looked at.
     pub held: bool,
 }
 

@@ -164,7 +164,8 @@ pub struct Contact<F> {
     pub point: [F; 2],
     /// Reaction N >= 0 on the body along the surface's normal n (N).
     pub normal: F,
-    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N. Of an edge, where only
+    /// Friction T on the body along the tangent t = (n_y, -n_x), which is +x on a floor (N); |T| <= mu_s N, unless the status says that
+    /// the pose is out of balance. Of an edge, where only
     /// the sum counts, in proportion to N.
     pub friction: F,
 }

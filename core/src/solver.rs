@@ -118,7 +118,8 @@ pub struct State<R: Real> {
 }
 
 impl<R: Real> State<R> {
-    /// The last sample of the hand that could be used, as it was given: the one that the state belongs to.
+    /// The last sample of the hand that could be used, as it was given: the one that the state belongs to. Before there was one:
+    /// x = y = phi = 0, not holding.
     pub fn hand(&self) -> &Hand<R::Si> {
         &self.hand
     }
@@ -141,7 +142,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// Less accurate and faster: angles of balance are found to within `radians`, the ends of slips to within that part
+    /// Less accurate, and on the mean faster, by some tenth; a single frame of path evolution may take longer, where what is left of one
+    /// slip soon begins the next. Angles of balance are found to within `radians`, the ends of slips to within that part
     /// of the body size, in every frame anew: nothing adds up. From 0 (the default: as far as the digits of the number
     /// type go) to 0.01; what is beyond is taken as the nearer end, what is not a number as 0. Contacts are not touched by
     /// it: feet stick and surfaces are met to the last digit.

@@ -44,8 +44,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// The contacts of a state with their reactions, which are zero while the body is not held. With the wrench and the weight they
-    /// add up to nothing. Where several contacts bear more than balance determines, one way to share the load is given
+    /// The contacts of a state with their reactions, which are zero while the body is not held. Of a held body they add up to nothing
+    /// with the wrench and the weight, unless the status says that the pose is out of balance. Where several contacts bear more than balance determines, one way to share the load is given
     /// (STATICS 4, 5).
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;

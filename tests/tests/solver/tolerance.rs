@@ -127,6 +127,13 @@ mod cases {
                 });
                 println!("{tolerance}: {slips:?} {length:?}");
                 assert!(slips[0].abs_diff(slips[1]) <= 1, "{tolerance}: {slips:?}");
+                let [rough, precise] = [0, 1].map(|k| length[k] / f64::from(slips[k]));
+                // Both ends of a slip are found to the tolerance.
+                let allowed = 2.0 * (tolerance + R::RESIDUAL) * scenario.setup.size();
+                assert!(
+                    (rough - precise).abs() <= allowed,
+                    "{tolerance}: {rough} for {precise}"
+                );
             }
         }
     }
