@@ -124,6 +124,24 @@ fn point_keeps_its_contact() {
     assert!(log.events.is_empty());
 }
 
+/// Where no motion of its contact is consistent, a vertex beside it that was let go is taken back; where there is none, the body stays.
+#[test]
+fn contact_that_was_let_go_is_taken_back() {
+    let scene = fixtures::scene::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0]);
+    for (angle, next, event) in [
+        (0.0, Next::Relax(None), Some(Event::Land)),
+        (0.3, Next::Rest, None),
+    ] {
+        let mut state = ContactState::SingleVertex(SingleVertex::new(fixtures::pivot(angle)));
+        let mut log = Log::default();
+        let moved = Moved::by(Trigger::Undriven);
+        assert_eq!(apply(&scene, &mut state, &moved, 0.0, &mut log), next);
+        assert_eq!(log.events.first().copied(), event);
+        assert_eq!(log.ambiguous, event.is_none());
+        assert_eq!(state.contacts().len(), 1 + usize::from(event.is_some()));
+    }
+}
+
 /// Neither a touch nor a lift where the search for it gave up before: on as it was.
 #[test]
 fn nothing_happens_where_a_search_gave_up() {
