@@ -49,8 +49,7 @@ pub struct Info<'a> {
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
-    /// The greatest k_h (N/m) and k_theta (N·m/rad) for which its haptic device is passive at its tick rate; infinite
-    /// without actuators.
+    /// Below these k_h (N/m) and k_theta (N·m/rad) its haptic device is passive at its tick rate; infinite without actuators.
     pub stiffest: [f32; 2],
     /// k_h (N/m) and k_theta (N·m/rad) now.
     pub stiffness: [f32; 2],

@@ -100,7 +100,8 @@ pub struct Reply<'a> {
     pub subject: Subject,
     /// The value that is refused, in the unit of the subject; otherwise 0.
     pub value: f32,
-    /// The nearest value that is allowed, where the board knows it; otherwise NaN.
+    /// The nearest value that is allowed, or, of [`Reason::NotPassive`], the bound that it must stay below, where the board knows it;
+    /// otherwise NaN.
     pub limit: f32,
     /// What is allowed, in words; may be empty.
     pub allowed: Text<'a>,
