@@ -195,12 +195,11 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
     let ends = vertices.iter().skip(1).chain(vertices.first());
     for (&from, &to) in vertices.iter().zip(ends) {
         let side = at(to) - at(from);
+        let too_little = side.length() * least;
         for (k, &v) in vertices.iter().enumerate() {
             let joined = v == from || v == to;
-            let area = side.cross(at(v) - at(from));
-            let is_inside = area > F::ZERO && area * area > side.dot(side) * (least * least);
             require(
-                joined || is_inside,
+                joined || side.cross(at(v) - at(from)) > too_little,
                 Parameter::Vertex(k),
                 larger(v),
                 "a corner of a strictly convex polygon, counter-clockwise, inside every side but its own two by more than 3e-5 body sizes",
