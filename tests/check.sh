@@ -79,6 +79,12 @@ stage 'tests'
 # With debug assertions and overflow checks.
 cargo test --workspace --exclude stiction-bench --locked
 
+# Takes minutes to compile: beside what does not need all cores.
+deny=target/cargo-deny.log
+mkdir -p target
+(cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked) >"$deny" 2>&1 &
+installs_deny=$!
+
 stage 'the live page'
 # In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
 has_node() { command -v npm && [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ]; } >/dev/null 2>&1
@@ -148,7 +154,7 @@ else
 fi
 
 stage 'dependencies: licences, sources, duplicates'
-if cargo deny --version 2>/dev/null || cargo install cargo-deny --locked; then
+if wait "$installs_deny"; then
   cargo deny --locked check licenses bans sources
 
   stage 'dependencies: known vulnerabilities'
@@ -158,6 +164,7 @@ if cargo deny --version 2>/dev/null || cargo install cargo-deny --locked; then
     echo 'skipped: the advisory database cannot be fetched from here'
   fi
 else
+  tail -n 20 "$deny"
   missing cargo-deny 'cargo install cargo-deny --locked'
 fi
 

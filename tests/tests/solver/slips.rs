@@ -3,7 +3,7 @@
 use stiction_core::{Event, Evolution, Fixed};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
-use stiction_tests::{Frame, Number, budget, scenes};
+use stiction_tests::{Frame, Number, Run, Setup, budget, scenes};
 
 /// How far the first contact went in a frame that it lasted, and the first contact alone slides.
 fn way(before: &Frame, after: &Frame) -> Option<f64> {
@@ -64,4 +64,37 @@ fn longest_slip_is_how_far_the_first_contact_went() {
     longest_slip_is_the_way_of_the_foot::<f64>();
     longest_slip_is_the_way_of_the_foot::<f32>();
     longest_slip_is_the_way_of_the_foot::<Fixed>();
+}
+
+/// A hand that rises obliquely makes slips that crowd where the box lifts; what comes after that in the same frame, here slips along a
+/// wall, is on the hand's way as in many frames.
+fn way_goes_on_after_slips_that_crowd<R: Number>() {
+    let setup = Setup::bench_box()
+        .standing(0, [0.0, 0.0], 0.0)
+        .floor([0.5, 0.3])
+        .wall(0.13, [0.5, 0.3]);
+    let [x, y] = setup.grip();
+    let (pressed, raised) = ([x, y - 0.01, 0.0], [x + 0.1, y + 0.05, 0.0]);
+    let ends = [1, 7, 100].map(|frames| {
+        let mut run = Run::<R>::start(&setup, Evolution::Path, [x, y, 0.0]);
+        run.lead(pressed, 10);
+        let frames = run.lead(raised, frames);
+        let slips = frames.iter().map(|frame| frame.slips).sum::<u32>();
+        (slips, frames.into_iter().last().expect("frames"))
+    });
+    for (slips, end) in &ends {
+        assert!(*slips > 20, "{slips}");
+        let (_, many) = &ends[2];
+        assert_eq!(end.state, many.state);
+        for (a, b) in end.pose.iter().zip(many.pose) {
+            assert!((a - b).abs() < 2e-5, "{}: {end:?} for {many:?}", R::NAME);
+        }
+    }
+}
+
+#[test]
+fn way_goes_on_after_slips_that_crowd_in_every_number_type() {
+    way_goes_on_after_slips_that_crowd::<f64>();
+    way_goes_on_after_slips_that_crowd::<f32>();
+    way_goes_on_after_slips_that_crowd::<Fixed>();
 }
