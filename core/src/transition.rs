@@ -144,12 +144,11 @@ fn apply<R: Real, W: World<R>>(
             } else {
                 Some(pair)
             };
-            if let Some(pair) = reached {
-                touch(scene, state, pair, log);
-                Next::Relax(None)
-            } else {
-                on(sliding)
-            }
+            let Some(pair) = reached else {
+                return on(sliding);
+            };
+            touch(scene, state, pair, log);
+            Next::Relax(None)
         }
         Trigger::Keep { contacts, sliding } if W::SEVERAL => {
             keep(scene, state, contacts, sliding, log)

@@ -3,7 +3,7 @@
 use stiction_core::{Event, Evolution, Fixed};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
-use stiction_tests::{Frame, Number, Run, Setup, budget, scenes};
+use stiction_tests::{Frame, Number, Run, budget, scenes};
 
 /// How far the first contact went in a frame that it lasted, and the first contact alone slides.
 fn way(before: &Frame, after: &Frame) -> Option<f64> {
@@ -69,10 +69,7 @@ fn longest_slip_is_how_far_the_first_contact_went() {
 /// A hand that rises obliquely makes slips that crowd where the box lifts; what comes after that in the same frame, here slips along a
 /// wall, is on the hand's way as in many frames.
 fn way_goes_on_after_slips_that_crowd<R: Number>() {
-    let setup = Setup::bench_box()
-        .standing(0, [0.0, 0.0], 0.0)
-        .floor([0.5, 0.3])
-        .wall(0.13, [0.5, 0.3]);
+    let setup = scenes::box_flat().setup.wall(0.13, [0.5, 0.3]);
     let [x, y] = setup.grip();
     let (pressed, raised) = ([x, y - 0.01, 0.0], [x + 0.1, y + 0.05, 0.0]);
     let ends = [1, 7, 100].map(|frames| {
