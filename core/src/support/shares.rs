@@ -134,7 +134,7 @@ impl<R: Real> Support<R> {
         (0..n).flat_map(move |i| (i.saturating_add(1)..n).map(move |k| [i, k]))
     }
 
-    fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
+    pub(super) fn triples(&self) -> impl Iterator<Item = [usize; 3]> + use<R> {
         let n = self.edges.len();
         let pairs = self.pairs();
         pairs.flat_map(move |[i, j]| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
@@ -147,7 +147,12 @@ impl<R: Real> Support<R> {
     /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: what they leave is
     /// shared out once more, and little may be left then. Once in an image.
     #[inline(never)]
-    fn bearing(&self, edges: [usize; 3], load: Screw<R>, little: R) -> Option<[(usize, R); 3]> {
+    pub(super) fn bearing(
+        &self,
+        edges: [usize; 3],
+        load: Screw<R>,
+        little: R,
+    ) -> Option<[(usize, R); 3]> {
         let (way, volume) = self.on_three(edges, load)?;
         let presses = |way: &[(usize, R); 3]| {
             way.iter()

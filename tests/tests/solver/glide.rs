@@ -115,6 +115,7 @@ mod cases {
         close("lands", run.frame.pose[2], lands, R::ANALYTIC);
         let foot = run.frame.hand[0] + LEVER * lands.sin();
         close("foot", run.frame.pose[0], foot, R::ANALYTIC);
+        assert_eq!(run.frame.events, [Event::Snap]);
         assert_eq!(run.frame.state, StateKind::SingleVertex);
     }
 }

@@ -105,3 +105,35 @@ fn slide_in_mid_frame_is_not_left_out() {
     slides_in_mid_frame::<f64>();
     slides_in_mid_frame::<f32>();
 }
+
+/// Where a tip ends that is held 0.3 m from it, pressed down, as the hand goes 0.5 m along the floor and turns three times: the pull
+/// along the floor grows and falls with every turn, and the tip goes on whenever it is greater than ever before.
+fn tip_after_turns<R: Number>(frames: usize) -> f64 {
+    let setup = Setup::point()
+        .held_at([0.3, 0.0])
+        .springs(1.0, 1000.0)
+        .floor([MU, MU]);
+    let mut run = Run::<R>::start(&setup, Evolution::Path, [0.3, -1.0, 0.0]);
+    run.lead([0.8, -1.0, 3.0 * std::f64::consts::TAU], frames);
+    run.frame.contacts[0].point[0]
+}
+
+fn slides_again_and_again<R: Number>() {
+    let way = tip_after_turns::<R>(10_000);
+    assert!(way > 0.2, "{way}");
+    for frames in [1, 2, 3, 4, 5, 7, 10, 30, 100] {
+        let same = tip_after_turns::<R>(frames);
+        assert!(
+            (same - way).abs() < 1e-5,
+            "{} {frames}: {same} {way}",
+            R::NAME
+        );
+    }
+}
+
+/// Slides that begin and end several times within one frame come out as in many.
+#[test]
+fn slides_that_alternate_in_mid_frame_are_not_left_out() {
+    slides_again_and_again::<f64>();
+    slides_again_and_again::<f32>();
+}

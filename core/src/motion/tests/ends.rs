@@ -2,6 +2,34 @@
 //! that gives up.
 
 use super::*;
+use crate::fixtures::number;
+use crate::real::Fixed;
+
+/// A turn by an angle ends at that angle to the bit, also where x has units of several radians.
+fn turn_ends_at_its_angle<R: Real>()
+where
+    R::Si: From<f32>,
+{
+    for seed in sampled(0..400, 97) {
+        let most = [0.5, 5.0, 60.0][seed as usize % 3];
+        let angle = number::<R>(most * Random(seed).next()) / R::from_int(3);
+        let (motion, course) = Motion::<R, Unbent>::turning(angle);
+        assert!(course.end.turn == angle, "{angle:?}: {course:?}");
+        assert!((course.end.part() - R::ONE).abs() <= R::EPSILON * R::from_int(4));
+        let half = motion.at(course.end.x.halved());
+        assert!(
+            (half.turn.doubled() - angle).abs()
+                <= R::rounding(angle.abs().max(R::ONE)) * R::from_int(4)
+        );
+    }
+}
+
+#[test]
+fn turns_end_at_their_angles() {
+    turn_ends_at_its_angle::<f64>();
+    turn_ends_at_its_angle::<f32>();
+    turn_ends_at_its_angle::<Fixed>();
+}
 
 fn margin(start: f64, along: f64) -> Margin<f64> {
     Margin {
