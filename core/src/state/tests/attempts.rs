@@ -14,7 +14,7 @@ fn every_motion_is_tried_once() {
     let quarter = core::f64::consts::FRAC_PI_2;
     let wall = scene(&[(quarter, [0.8, 0.0])]);
     let slot = scene(&[(2.0 * quarter, [0.0, 0.6 + 2e-6])]);
-    let mut most = 0;
+    let (mut most, mut pulled) = (0, [0; 2]);
     for seed in sampled(0..600, 29) {
         let mut random = Random(seed);
         let (room, contacts) = if seed % 2 == 0 {
@@ -57,7 +57,15 @@ fn every_motion_is_tried_once() {
             "{seed}"
         );
         assert!(motions.is_empty() || first != Trigger::Undriven);
+        // It leaves them all where, and only where, all of them are pulled.
+        let pull = grip.hand - middle;
+        let mut normals = contacts.iter().map(|c| room.surface(c.surface).normal);
+        let is_pulled = normals.all(|normal| normal.dot(pull) > 0.0);
+        let leaves = motions.contains(&Trigger::Clear) || first == Trigger::Clear;
+        assert_eq!(leaves, is_pulled, "{seed}");
+        pulled[usize::from(is_pulled)] += 1;
         most = most.max(motions.len());
     }
     assert!(most > 1, "{most}");
+    assert!(pulled.iter().all(|count| *count > 0), "{pulled:?}");
 }
