@@ -152,7 +152,7 @@ fn clamp(seed: u64) -> Clamp {
         support.add(&contact(lever, angle));
     }
     // A large one is borne by reactions that differ by as much.
-    let size = if seed % 2 == 0 { 2.0 } else { 12.0 };
+    let size = if seed.is_multiple_of(2) { 2.0 } else { 12.0 };
     let [x, y, moment] = [size, size, 8.0].map(|most| (most * random.next()) as f32);
     let load = Screw {
         force: Vec2::new(number(x.into()), number(y.into())),
