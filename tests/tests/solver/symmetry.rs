@@ -2,6 +2,7 @@
 //! have few events, so rounding stays rounding: 1e-9 L over the whole run, in f64.
 
 use stiction_core::{Evolution, StateKind};
+use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
 use stiction_tests::{Scenario, Setup, close, scenes};
 
@@ -155,6 +156,32 @@ fn path_evolution_ends_alike_at_every_frame_rate() {
                 got.pose[2],
                 want.pose[2],
                 BOUND,
+            );
+        }
+    }
+}
+
+/// Contacts can give way at a place at which no motion is driven; in these random scenes they do. The hand's way goes on from there:
+/// it ends alike in one frame and in many.
+#[test]
+fn way_goes_on_where_nothing_is_driven() {
+    let chosen = [104, 558, 922, 1050, 1365];
+    for (index, scenario) in scenarios(1366, 4).enumerate() {
+        if !chosen.contains(&index) {
+            continue;
+        }
+        let end = |frames: usize| {
+            run::<f64>(&scenario.setup, Evolution::Path, &scenario.hands(frames)).pop()
+        };
+        let [one, many] = [1, 30].map(|frames| end(frames).expect("a path has frames"));
+        assert_eq!(one.state, many.state, "{index}");
+        let l = scenario.setup.size();
+        for (i, size) in [l, l, 1.0].into_iter().enumerate() {
+            close(
+                &format!("{index} {i}"),
+                one.pose[i],
+                many.pose[i],
+                BOUND * size,
             );
         }
     }
