@@ -38,6 +38,12 @@ impl<R: Real> Grip<R> {
         }
     }
 
+    /// On the straight way of the hand to another grip, as far as there but at most so far.
+    pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
+        let way = self.way_to(to).size();
+        self.lerp(to, if way > most { most / way } else { R::ONE })
+    }
+
     /// The way of the hand to another grip: displacement and turn.
     pub(crate) fn way_to(&self, to: &Self) -> Way<R> {
         Way {

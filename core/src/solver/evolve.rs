@@ -258,13 +258,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if log.slips >= UNLIMITED_SLIPS {
             log.limit(Status::EventLimit);
         }
-        let way = state.grip.way_to(to).size();
         let mut step = R::MICRO;
         for _ in 1..idle.min(40) {
             step = step * R::TWO;
         }
-        let part = if way > step { step / way } else { R::ONE };
-        let at = state.grip.lerp(to, part);
+        let at = state.grip.toward(to, step);
         self.by_jump(state, &at, log);
         state.grip = at;
     }

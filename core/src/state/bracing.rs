@@ -95,10 +95,15 @@ impl<R: Real> Bracing<R> {
         match (self.support).first_yield(before.load(), after.load(), rounding) {
             // Facets may be told apart less well than reactions.
             None => Moved::by(self.test(scene, to, 0)),
-            Some(part) => Moved {
-                part,
-                ..Moved::by(self.give_way(scene, (&from.lerp(to, part), to), 0))
-            },
+            Some(part) => {
+                let at = from.lerp(to, part);
+                // A short way ahead: farther on the load might drive other motions.
+                let ahead = at.toward(to, R::ONE / R::from_int(128));
+                Moved {
+                    part,
+                    ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
+                }
+            }
         }
     }
 

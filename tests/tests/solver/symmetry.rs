@@ -1,7 +1,7 @@
 //! The laws know no place, no direction, no side and no unit; and the path evolution knows no frame rate. Named scenes
 //! have few events, so rounding stays rounding: 1e-9 L over the whole run, in f64.
 
-use stiction_core::{Evolution, StateKind};
+use stiction_core::{Evolution, StateKind, Status};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::{Frame, run};
 use stiction_tests::{Scenario, Setup, close, scenes};
@@ -161,28 +161,37 @@ fn path_evolution_ends_alike_at_every_frame_rate() {
     }
 }
 
-/// Contacts can give way at a place at which no motion is driven; in these random scenes they do. The hand's way goes on from there:
-/// it ends alike in one frame and in many.
+/// However the hand's way is cut into frames: contacts give way to the motion that is driven there, whatever the end of a long frame
+/// would drive; where none is driven yet, the way goes on.
 #[test]
-fn way_goes_on_where_nothing_is_driven() {
-    let chosen = [104, 558, 922, 1050, 1365];
-    for (index, scenario) in scenarios(1366, 4).enumerate() {
-        if !chosen.contains(&index) {
+fn random_path_ends_alike_in_one_frame_and_in_many() {
+    let mut count = 0;
+    for (index, scenario) in scenarios(1000, 4).enumerate() {
+        let frames =
+            |per_leg| run::<f64>(&scenario.setup, Evolution::Path, &scenario.hands(per_leg));
+        let [one, many] = [1, 7].map(frames);
+        if one
+            .iter()
+            .chain(&many)
+            .any(|frame| frame.status != Status::Ok)
+        {
             continue;
         }
-        let end = |frames: usize| {
-            run::<f64>(&scenario.setup, Evolution::Path, &scenario.hands(frames)).pop()
+        let (Some(one), Some(many)) = (one.last(), many.last()) else {
+            panic!("a path has frames");
         };
-        let [one, many] = [1, 30].map(|frames| end(frames).expect("a path has frames"));
         assert_eq!(one.state, many.state, "{index}");
         let l = scenario.setup.size();
         for (i, size) in [l, l, 1.0].into_iter().enumerate() {
+            // Slips, up to hundreds, make differences grow.
             close(
                 &format!("{index} {i}"),
                 one.pose[i],
                 many.pose[i],
-                BOUND * size,
+                1e-6 * size,
             );
         }
+        count += 1;
     }
+    assert!(count > 500, "{count}");
 }
