@@ -130,6 +130,20 @@ fn inches_and_pounds_evolve_as_metres_and_newtons() {
     }
 }
 
+/// The same state, and the same pose to a bound (of the body size `l`, or rad).
+fn ends_alike(name: &str, got: &Frame, want: &Frame, [bound, l]: [f64; 2]) {
+    assert_eq!(got.state, want.state, "{name}");
+    for (i, size) in [l, l, 1.0].into_iter().enumerate() {
+        let what = ["x", "y", "theta"][i];
+        close(
+            &format!("{name}: {what}"),
+            got.pose[i],
+            want.pose[i],
+            bound * size,
+        );
+    }
+}
+
 #[test]
 fn path_evolution_ends_alike_at_every_frame_rate() {
     for (name, scenario) in scenes::all() {
@@ -138,25 +152,7 @@ fn path_evolution_ends_alike_at_every_frame_rate() {
         let want: Frame = end(1000).expect("a path has frames");
         for rate in [31, 100] {
             let got = end(rate).expect("a path has frames");
-            assert_eq!(got.state, want.state, "{name} at {rate} Hz");
-            close(
-                &format!("{name} at {rate} Hz: x"),
-                got.pose[0],
-                want.pose[0],
-                BOUND * l,
-            );
-            close(
-                &format!("{name} at {rate} Hz: y"),
-                got.pose[1],
-                want.pose[1],
-                BOUND * l,
-            );
-            close(
-                &format!("{name} at {rate} Hz: theta"),
-                got.pose[2],
-                want.pose[2],
-                BOUND,
-            );
+            ends_alike(&format!("{name} at {rate} Hz"), &got, &want, [BOUND, l]);
         }
     }
 }
@@ -180,17 +176,9 @@ fn random_path_ends_alike_in_one_frame_and_in_many() {
         let (Some(one), Some(many)) = (one.last(), many.last()) else {
             panic!("a path has frames");
         };
-        assert_eq!(one.state, many.state, "{index}");
-        let l = scenario.setup.size();
-        for (i, size) in [l, l, 1.0].into_iter().enumerate() {
-            // Slips, up to hundreds, make differences grow.
-            close(
-                &format!("{index} {i}"),
-                one.pose[i],
-                many.pose[i],
-                1e-6 * size,
-            );
-        }
+        // Slips, up to hundreds, make differences grow.
+        let bound = [1e-6, scenario.setup.size()];
+        ends_alike(&format!("scene {index}"), one, many, bound);
         count += 1;
     }
     assert!(count > 500, "{count}");
