@@ -50,17 +50,6 @@ impl<R: Real> Log<R> {
     pub(crate) fn is_one_slip(&self) -> bool {
         self.slips == 1 && self.events.len() == 1 && self.final_status() == Status::Ok
     }
-    /// Adds what happened later.
-    pub(crate) fn merge(&mut self, later: &Self) {
-        for &event in &later.events {
-            self.event(event);
-        }
-        self.slips = self.slips.saturating_add(later.slips);
-        self.longest_slip = self.longest_slip.max(later.longest_slip);
-        self.limit(later.status);
-        self.ambiguous = later.ambiguous;
-        self.transitions = self.transitions.union(later.transitions);
-    }
     /// Keeps the gravest status.
     pub(crate) fn limit(&mut self, status: Status) {
         self.status = self.status.max(status);

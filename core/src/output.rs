@@ -306,7 +306,7 @@ pub struct Output<F> {
     pub depth: F,
     /// The contact state.
     pub state: StateKind,
-    /// Slips that ended at mu_d N in this frame.
+    /// Slips that ended at mu_d N in this frame. Where mu_s = mu_d, a slide up to the next event counts as one, or a few.
     pub slips: u32,
     /// The longest of them (m) >= 0: the way of the (first) sliding vertex along its surface; 0 without a slip.
     pub longest_slip: F,

@@ -67,8 +67,8 @@ impl Evolution {
     }
 }
 
-/// Events in a slide without jumps are located to this many halvings of the rest of the frame.
-const FINEST_HALF: u32 = 24;
+/// A slide without jumps goes in strides of the hand of at most 1/16 of the body size, or rad, but in at most so many.
+const MOST_STRIDES: i32 = 32;
 /// This many slips fit into a frame before a limit is reported.
 const UNLIMITED_SLIPS: u32 = 100;
 
@@ -193,28 +193,43 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             .all(|pair| self.scene.surface(pair.surface).friction.is_continuous())
     }
 
-    /// A slide without jumps follows the hand exactly as long as nothing else happens, in one step or in many. The hand
-    /// goes on to where something does, which is found by halves, and jumps over it.
+    /// A slide without jumps follows the hand exactly as long as nothing else happens, in one stride or in many: in strides short
+    /// enough that the balance next to the last one is found, and not one beyond. The hand goes on to where something else
+    /// happens, which is found by halves to 2^-23 of the way, and jumps over it. All of it counts as one slip.
     fn slide_on(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let from = state.grip;
-        let (mut done, mut next) = (R::ZERO, R::ONE);
-        for _ in 0..FINEST_HALF {
-            let half = next.halved();
-            let places = [half, next, next + half].map(|step| from.lerp(to, done + step));
-            if let Some((contact, slid)) = self.slid(&state.contact, &places) {
+        let [sixteenth, least] = [16, MOST_STRIDES].map(|n| R::ONE / R::from_int(n));
+        let way = from.way_to(to).size();
+        let mut stride = R::ONE;
+        while way * stride > sixteenth && stride > least {
+            stride = stride.halved();
+        }
+        let (mut done, mut length) = (R::ZERO, R::ZERO);
+        let mut strides = true;
+        while done < R::ONE && stride >= R::MICRO * sixteenth {
+            let half = stride.halved();
+            let places = [half, stride, stride + half].map(|step| from.lerp(to, done + step));
+            if let Some((contact, piece)) = self.slid(&state.contact, &places) {
                 state.contact = contact;
                 state.grip = places[1];
-                log.merge(&slid);
-                done = done + next;
-                if done == R::ONE {
-                    return;
-                }
+                done = done + stride;
+                length = length + piece.longest_slip;
+                log.transitions = log.transitions.union(piece.transitions);
+            } else {
+                strides = false;
             }
-            next = next.halved();
+            if !strides {
+                stride = half;
+            }
         }
-        let at = from.lerp(to, done + next.doubled());
-        self.by_jump(state, &at, log);
-        state.grip = at;
+        if done > R::ZERO {
+            log.slip(length);
+        }
+        if done < R::ONE {
+            let at = from.lerp(to, done + stride.doubled());
+            self.by_jump(state, &at, log);
+            state.grip = at;
+        }
     }
 
     /// A slip to the second of three places of the hand and nothing else. Where the pull falls again the body stays at its farthest
@@ -253,9 +268,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be
-    /// told apart so become a slide at mu_d.
+    /// told apart so become a slide at mu_d, which is what continuous friction is anyway.
     fn nudge(&self, state: &mut State<R>, to: &Grip<R>, idle: i32, log: &mut Log<R>) {
-        if log.slips >= UNLIMITED_SLIPS {
+        if log.slips >= UNLIMITED_SLIPS && !self.slides_continuously(&state.contact) {
             log.limit(Status::EventLimit);
         }
         let mut step = R::MICRO;

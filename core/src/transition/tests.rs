@@ -270,8 +270,4 @@ fn log_tells_one_slip_from_more() {
     assert!(!with(|log| log.event(Event::Tip)).is_one_slip());
     assert!(!with(|log| log.limit(Status::IterationLimit)).is_one_slip());
     assert!(!with(|log| log.ambiguous = true).is_one_slip());
-    let mut merged = with(|log| log.slip(-3.0));
-    merged.merge(&log);
-    assert_eq!((merged.slips, merged.longest_slip), (3, 3.0));
-    assert_eq!(merged.events, [Event::Slip]);
 }

@@ -1,6 +1,6 @@
 //! What is told of slips: how many, and how far the first contact went in the longest.
 
-use stiction_core::{Event, Evolution, Fixed};
+use stiction_core::{Event, Evolution, Fixed, StateKind, Status};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::run;
 use stiction_tests::{Frame, Number, Run, budget, scenes};
@@ -94,4 +94,31 @@ fn way_goes_on_after_slips_that_crowd_in_every_number_type() {
     way_goes_on_after_slips_that_crowd::<f64>();
     way_goes_on_after_slips_that_crowd::<f32>();
     way_goes_on_after_slips_that_crowd::<Fixed>();
+}
+
+/// Where mu_s = mu_d the box slides on as the hand drags it, until it meets the wall 30 mm ahead. The pieces in which the place of the
+/// wall is searched for are no slips: almost all of the way is one.
+fn slide_up_to_a_wall_is_told_in_one<R: Number>() {
+    let mut setup = scenes::box_flat().setup.wall(0.13, [0.3, 0.3]);
+    (
+        setup.surfaces[0].friction_static,
+        setup.surfaces[0].friction_dynamic,
+    ) = (0.3, 0.3);
+    let [x, y] = setup.grip();
+    let mut run = Run::<R>::start(&setup, Evolution::Path, [x, y, 0.0]);
+    run.lead([x, y - 0.01, 0.0], 10);
+    let end = run.step([x + 0.1, y - 0.01, 0.0]);
+    assert_eq!((end.status, end.state), (Status::Ok, StateKind::Locked));
+    assert!(
+        end.slips <= 5 && (0.0299..0.030_001).contains(&end.longest_slip),
+        "{}: {end:?}",
+        R::NAME
+    );
+}
+
+#[test]
+fn slide_up_to_a_wall_is_told_in_one_in_every_number_type() {
+    slide_up_to_a_wall_is_told_in_one::<f64>();
+    slide_up_to_a_wall_is_told_in_one::<f32>();
+    slide_up_to_a_wall_is_told_in_one::<Fixed>();
 }
