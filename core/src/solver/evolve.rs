@@ -152,16 +152,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 // Up to where a search gave up nothing has happened: on from there.
                 _ if moved.unsure => {}
                 Trigger::Undriven => {}
-                Trigger::Slide(_) if self.slides_continuously(&state.contact) => {
-                    self.slide_on(state, to, log);
-                }
-                trigger => settle(
-                    &self.scene,
-                    &state.grip,
-                    &mut state.contact,
-                    Some(trigger),
-                    log,
-                ),
+                trigger => self.happens(state, to, trigger, log),
             }
             let travel = begin.way_to(&state.grip).size();
             idle = if travel <= R::MICRO {
@@ -175,6 +166,26 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
         log.limit(Status::EventLimit);
         self.by_jump(state, to, log);
+    }
+
+    /// What an event leads to while the hand stays. Where a slip leads nowhere so, for want of a jump in the friction, the body slides
+    /// on with the hand. A slip of two contacts may lead away all the same: they bear more loads than the one that drives them.
+    fn happens(&self, state: &mut State<R>, to: &Grip<R>, trigger: Trigger<R>, log: &mut Log<R>) {
+        let before = (state.contact.clone(), log.slips);
+        settle(
+            &self.scene,
+            &state.grip,
+            &mut state.contact,
+            Some(trigger),
+            log,
+        );
+        if matches!(trigger, Trigger::Slide(_)) && self.slides_continuously(&before.0) {
+            let [from, at] = [&before.0, &state.contact].map(|contact| contact.placed(&self.scene));
+            if at.is_near(&from, R::MICRO * R::from_int(16)) {
+                (state.contact, log.slips) = before;
+                self.slide_on(state, to, log);
+            }
+        }
     }
 
     /// Contacts glide.

@@ -201,3 +201,23 @@ fn random_path_without_friction_ends_alike_in_one_frame_and_in_many() {
     let count = ends_at_every_rate(smooth, [1, 30]);
     assert!(count > 1960, "{count}");
 }
+
+/// Where mu_s = mu_d the body slides with the hand, or two contacts jump: in a few frames it is at every one where it is in many. What ends
+/// a slide is found to 2^-23.
+#[test]
+fn named_slides_without_jumps_are_alike_at_every_frame_rate() {
+    for (name, mut scenario) in scenes::all() {
+        for surface in &mut scenario.setup.surfaces {
+            surface.friction_dynamic = surface.friction_static;
+        }
+        let frames = |rate| run::<f64>(&scenario.setup, Evolution::Path, &scenario.hands(rate));
+        let l = scenario.setup.size();
+        for (i, (got, want)) in frames(7)
+            .iter()
+            .zip(frames(210).iter().step_by(30))
+            .enumerate()
+        {
+            ends_alike(&format!("{name}, frame {i}"), got, want, [1e-7, l]);
+        }
+    }
+}
