@@ -158,9 +158,16 @@ impl<R: Real> Trammel<R> {
             // Wedged straight across parallel surfaces: slides without a turn.
             return Motion::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
+        // Across surfaces almost in line the way bends sharply: in longer units, by what the number type carries.
+        let across = second.normal.dot(arm);
+        let size = if by_slide == R::ZERO {
+            size
+        } else {
+            size.max(across.abs() / R::LOAD.doubled())
+        };
         Motion::kinematic(
             sense * by_slide / size,
-            Vec2::new(-by_turn, second.normal.dot(arm)).over(size) * sense,
+            Vec2::new(-by_turn, across).over(size) * sense,
         )
     }
 
