@@ -132,7 +132,7 @@ impl<R: Real> Bracing<R> {
     /// What reactions may leave of a load: a `part` of its size and what is as small as a gap that counts as closed. At the
     /// edge of a cone nothing is driven yet.
     fn little(stance: &Stance<R>, part: R) -> R {
-        stance.rounding() * R::from_int(16) + stance.size() * (R::TOUCH + part)
+        stance.rounding() * R::from_int(4) + stance.size() * (R::TOUCH + part)
     }
 
     /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
