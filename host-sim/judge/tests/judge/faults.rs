@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use stiction_judge::{Event, Evolution, Frame, Scene, State, Status, law};
 
 use crate::drag::{Drag, LAWFUL, drag, drag_scene, first_slip};
@@ -311,7 +312,11 @@ fn number(frame: &mut Frame, which: usize) -> (&mut f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
+    #![proptest_config(ProptestConfig {
+        rng_seed: RngSeed::Fixed(1),
+        failure_persistence: None,
+        ..ProptestConfig::with_cases(200)
+    })]
 
     /// Any number of any frame that the hand holds, off by a part in 10⁴ and more.
     #[test]
