@@ -312,46 +312,4 @@ impl<R: Real> Stance<R> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fixtures::{Random, loads, unloaded};
-
-    /// The pull on the lever and the couple together, each of either sign, up to what the number type carries.
-    #[test]
-    fn load_is_carried_together_with_the_couple() {
-        let most = <f64 as Real>::LOAD;
-        for (load, couple) in loads() {
-            let stance = Stance {
-                couple: couple * most,
-                hold: Vec2::new(0.0, load * most),
-                ..unloaded()
-            };
-            let carries = load.abs() + couple.abs() <= 1.0;
-            assert_eq!(stance.is_carried(), carries, "{load} {couple}");
-        }
-    }
-
-    /// No point within one body size of the hold goes farther than the hand goes and turns; the bound is larger by an eighth at most.
-    #[test]
-    fn sizes_are_those_of_all_parts_together() {
-        let mut random = Random(9);
-        for _ in 0..1000 {
-            let (hand, lever, force) = (random.vector(), random.vector(), random.vector());
-            let (turn, couple) = (random.next(), random.next());
-            let size = Way { hand, turn }.size();
-            let all = hand.length() + turn.abs();
-            assert!(size >= all && size <= 1.125 * all, "{size} {all}");
-            let stance = Stance {
-                force,
-                lever,
-                couple,
-                ..unloaded()
-            };
-            let (size, all) = (
-                stance.size(),
-                force.length() + lever.length() + couple.abs(),
-            );
-            assert!(size >= all && size <= 1.125 * all, "{size} {all}");
-        }
-    }
-}
+mod tests;
