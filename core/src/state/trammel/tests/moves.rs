@@ -1,6 +1,7 @@
 //! How far a slip goes: what is driven moves, and what leads nowhere leaves the body where it was.
 
 use super::*;
+use crate::real::Fixed;
 
 /// However near to where it stops: what drives it is not nothing to the search.
 #[test]
@@ -45,4 +46,50 @@ fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
         }
     });
     assert!(cfg!(miri) || count > 10, "{count}");
+}
+
+/// Across surfaces almost in line the way bends by more than the number type carries; both contacts stay on their surfaces.
+#[test]
+fn contacts_stay_on_surfaces_that_are_almost_in_line() {
+    let number = |x: f64| Fixed::from_si(x as f32, 1.0);
+    let real = |x: Fixed| f64::from(x.to_si(1.0));
+    let vector = |v: Vec2<Fixed>| Vec2::new(real(v.x), real(v.y));
+    let surface = |normal| SurfaceDescription {
+        normal,
+        offset: -1.0,
+        friction_static: 0.5,
+        friction_dynamic: 0.3,
+    };
+    for exponent in 5..20 {
+        let (sin, cos) = libm::sincos(libm::ldexp(1.0, -exponent));
+        let scene = Scene::<Fixed, 4, 2>::new(&Description {
+            vertices: &[[0.5, 0.0], [0.0, 0.5], [-0.5, 0.0], [0.0, -0.5]],
+            start: [0.0; 3],
+            weight: 0.0,
+            holding_point: None,
+            reach: 1.0,
+            stiffness_translation: 1.0,
+            stiffness_rotation: 0.0,
+            surfaces: &[surface([0.0, 1.0]), surface([-sin as f32, -cos as f32])],
+        });
+        let scene = scene.expect("a lawful scene");
+        let surfaces = [0, 1].map(|surface| scene.surface(surface));
+        for along in [0.0, 0.25, -1.0 / 1024.0] {
+            let arm = Vec2::new(number(along), number(0.0625));
+            for sense in [Fixed::ONE, -Fixed::ONE] {
+                let motion = Trammel::<Fixed>::motion(&surfaces, arm, sense);
+                for k in 0..20 {
+                    let place = motion.at(number(libm::ldexp(1.0, -k)));
+                    let (slide, turn) = (real(place.part()), real(place.turn));
+                    let (sin, cos) = libm::sincos(turn);
+                    let r = vector(arm);
+                    let turned = Vec2::new(cos * r.x - sin * r.y, sin * r.x + cos * r.y);
+                    let way = vector(surfaces[0].tangent) * slide + turned - r;
+                    let left = vector(surfaces[1].normal).dot(way);
+                    let is_far = slide.abs() > 1.0;
+                    assert!(is_far || left.abs() < 1e-7, "{exponent} {along} {k} {left}");
+                }
+            }
+        }
+    }
 }
