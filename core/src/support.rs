@@ -62,6 +62,11 @@ impl<R: Real> Support<R> {
         let _ = self.levers.push(bearing.lever);
     }
 
+    /// Directions whose sine is not above this are parallel.
+    pub(crate) fn parallel() -> R {
+        R::from_int(4) * R::EPSILON
+    }
+
     /// How far from a facet an edge may lie and still count as in it.
     fn tolerance() -> R {
         R::from_int(64) * R::EPSILON

@@ -11,6 +11,7 @@ use crate::motion::Unbent;
 use crate::real::Real;
 use crate::roots::Downhill;
 use crate::scene::World;
+use crate::support::Support;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,11 +35,6 @@ impl<R: Real> Corner<R> {
             surface: self.surface,
         };
         gather([first, second])
-    }
-
-    /// Directions whose sine is below this are parallel.
-    fn parallel() -> R {
-        R::from_int(4) * R::EPSILON
     }
 
     /// The edges of the two cones: contact and direction.
@@ -69,7 +65,7 @@ impl<R: Real> Corner<R> {
                 let inner = direction.turned() * turn;
                 edges
                     .iter()
-                    .all(|(_, other)| inner.dot(*other) >= -Self::parallel())
+                    .all(|(_, other)| inner.dot(*other) >= -Support::<R>::parallel())
             });
             // The edge with friction along +t is the clockwise one of its cone.
             outer.map(|&(contact, direction)| OuterEdge {
@@ -91,7 +87,7 @@ impl<R: Real> Corner<R> {
             (second, first)
         };
         let way = along.tangent * outer.sign;
-        let climbs = other.normal.dot(way) < -Self::parallel();
+        let climbs = other.normal.dot(way) < -Support::<R>::parallel();
         let (contact, sign) = if climbs {
             let beside = if outer.contact == 0 { 1 } else { 0 };
             (beside, other.tangent.dot(way).sign())
@@ -178,6 +174,7 @@ impl<R: Real> Corner<R> {
 mod tests {
     use super::*;
     use crate::geometry::{Angle, Orientation};
+    use crate::real::Fixed;
     use crate::scene::{Description, Scene, SurfaceDescription};
 
     /// A point on a floor and on a plane whose normal is turned from the floor's by an angle, with their mu_s.
@@ -257,5 +254,69 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// What is pushed into a narrow wedge of smooth surfaces stays only where their reactions bear the push.
+    fn wedge_bears_what_it_holds<R: Real>(si: impl Fn(f64) -> R::Si) -> usize {
+        let mut held = 0;
+        for (exponent, tilt) in (0..24).flat_map(|k| [0.0, 0.4, 2.0].map(|tilt| (k, tilt))) {
+            let narrow = libm::ldexp(1.3, -exponent);
+            let normals = [tilt, tilt + core::f64::consts::PI - narrow];
+            let surfaces = normals.map(|angle| SurfaceDescription {
+                normal: [-libm::sin(angle), libm::cos(angle)].map(&si),
+                offset: si(0.0),
+                friction_static: si(0.0),
+                friction_dynamic: si(0.0),
+            });
+            let scene = Scene::<R, 1, 2>::new(&Description {
+                vertices: &[[0.0; 2].map(&si)],
+                start: [0.0; 3].map(&si),
+                weight: si(0.0),
+                holding_point: Some([0.0; 2].map(&si)),
+                reach: si(0.0),
+                stiffness_translation: si(1.0),
+                stiffness_rotation: si(1.0),
+                surfaces: &surfaces,
+            });
+            let scene = scene.expect("a sound scene");
+            let corner = Corner {
+                pivot: Pivot {
+                    contact: Pair::default(),
+                    foot: R::ZERO,
+                    orientation: Orientation::new(Angle::default()),
+                },
+                surface: 1,
+            };
+            // Into the wedge, and by a part onto its first surface.
+            let [first, second] = [0, 1].map(|surface| scene.surface(surface));
+            let into = first.tangent * -second.normal.dot(first.tangent).sign();
+            let grip = Grip {
+                holding_point: Vec2::ZERO,
+                hand: (into - first.normal).over(R::from_int(64)),
+                angle: Angle::default(),
+            };
+            if corner.test(&scene, &grip) != Trigger::Balanced {
+                continue;
+            }
+            let force = corner.pivot.stance(&scene, &grip).force;
+            let reactions = corner.reactions(&scene, &corner.pivot.stance(&scene, &grip));
+            let (mut left, mut most) = (force, force.reach());
+            for ([normal, _], surface) in reactions.into_iter().zip([first, second]) {
+                left = left + surface.normal * normal;
+                most = most.max(normal);
+            }
+            // Beyond what the number type carries they need not be told.
+            let is_borne = left.reach() <= most / R::from_int(1000);
+            assert!(is_borne || most >= R::RANGE, "{narrow} {tilt}");
+            held += 1;
+        }
+        held
+    }
+
+    #[test]
+    fn wedge_bears_what_it_holds_in_every_number_type() {
+        assert_eq!(wedge_bears_what_it_holds::<f64>(|x| x), 72);
+        assert!(wedge_bears_what_it_holds::<f32>(|x| x as f32) > 60);
+        assert!(wedge_bears_what_it_holds::<Fixed>(|x| x as f32) > 60);
     }
 }

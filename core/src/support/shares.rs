@@ -180,9 +180,10 @@ impl<R: Real> Support<R> {
         is_borne.then_some(refined)
     }
 
-    /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings.
+    /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings. No factor is beyond the
+    /// numbers of any type.
     pub(super) fn sharp() -> R {
-        R::MICRO * R::from_int(2048)
+        R::MICRO * R::from_int(64) * R::from_int(32)
     }
 
     /// The parts of three edges that balance a load, and the volume of the edges.
@@ -205,7 +206,7 @@ impl<R: Real> Support<R> {
         let area = normal.size();
         let unit = normal.over(area);
         let part = |face: Screw<R>| -face.dot(unit) / area;
-        let usable = area > Self::tolerance();
+        let usable = area > Self::parallel();
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
     }
 

@@ -87,6 +87,45 @@ fn flat_cones_bear_to_the_rounding() {
     flat_cones_bear::<Fixed>();
 }
 
+/// What edges that are not flat are said to bear of a small load they bear to the parts of their rounding.
+fn sharp_cones_bear_to_parts_of_a_rounding<R: Real>()
+where
+    R::Si: From<f32>,
+{
+    let little = little();
+    let mut count = 0;
+    for seed in sampled(0..4000, 97) {
+        let mut random = Random(seed);
+        let mut support = Support::<R>::default();
+        support.add(&contact(Vec2::ZERO, 3.0 * random.next()));
+        let lever = random.vector() * (1.0 / 64.0);
+        support.add(&contact(lever, 3.0 * random.next()));
+        let load = Screw {
+            force: Vec2::new(number(random.next() * 1e-3), number(random.next() * 1e-3)),
+            moment: number(random.next() * 1e-5),
+        };
+        for edges in support.triples() {
+            let Some(way) = support.bearing(edges, load, little) else {
+                continue;
+            };
+            let edge = |k: usize| support.edges[k].screw;
+            let rest = rest(load, way.iter().map(|&(k, part)| (edge(k), part)));
+            // Three parts, each to 2^8 roundings.
+            let bound = R::EPSILON * R::from_int(64) * R::from_int(12);
+            assert!(rest.size() <= bound, "{seed}: {way:?} {rest:?}");
+            count += 1;
+        }
+    }
+    assert!(cfg!(miri) || count > 300, "{count}");
+}
+
+#[test]
+fn sharp_cones_bear_small_loads() {
+    sharp_cones_bear_to_parts_of_a_rounding::<f64>();
+    sharp_cones_bear_to_parts_of_a_rounding::<f32>();
+    sharp_cones_bear_to_parts_of_a_rounding::<Fixed>();
+}
+
 /// What flat cones are said to bear they bear, whatever the load: parts that press and leave little of it.
 fn flat_cones_bear_nothing_else<R: Real>()
 where
