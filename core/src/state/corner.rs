@@ -177,27 +177,31 @@ mod tests {
     use crate::real::Fixed;
     use crate::scene::{Description, Scene, SurfaceDescription};
 
-    /// A point on a floor and on a plane whose normal is turned from the floor's by an angle, with their mu_s.
-    fn corner(angle: f64, mu: [f64; 2]) -> (Scene<f64, 1, 2>, Corner<f64>) {
-        let surface = |angle: f64, mu: f64| SurfaceDescription {
-            normal: [-libm::sin(angle), libm::cos(angle)],
-            offset: 0.0,
-            friction_static: mu,
-            friction_dynamic: mu / 2.0,
+    /// A point on two surfaces whose normals are turned from the upright by these angles, with their mu_s.
+    fn corner<R: Real>(
+        si: impl Fn(f64) -> R::Si,
+        angles: [f64; 2],
+        mu: [f64; 2],
+    ) -> (Scene<R, 1, 2>, Corner<R>) {
+        let surface = |i: usize| SurfaceDescription {
+            normal: [-libm::sin(angles[i]), libm::cos(angles[i])].map(&si),
+            offset: si(0.0),
+            friction_static: si(mu[i]),
+            friction_dynamic: si(mu[i] / 2.0),
         };
         let scene = Scene::new(&Description {
-            vertices: &[[0.0, 0.0]],
-            start: [0.0; 3],
-            weight: 0.0,
-            holding_point: Some([0.0, 0.0]),
-            reach: 0.0,
-            stiffness_translation: 1.0,
-            stiffness_rotation: 1.0,
-            surfaces: &[surface(0.0, mu[0]), surface(angle, mu[1])],
+            vertices: &[[0.0; 2].map(&si)],
+            start: [0.0; 3].map(&si),
+            weight: si(0.0),
+            holding_point: Some([0.0; 2].map(&si)),
+            reach: si(0.0),
+            stiffness_translation: si(1.0),
+            stiffness_rotation: si(1.0),
+            surfaces: &[surface(0), surface(1)],
         });
         let pivot = Pivot {
             contact: Pair::default(),
-            foot: 0.0,
+            foot: R::ZERO,
             orientation: Orientation::new(Angle::default()),
         };
         (scene.expect("a sound scene"), Corner { pivot, surface: 1 })
@@ -215,7 +219,7 @@ mod tests {
             (-0.4, [2.0, 0.2]),
         ];
         for (angle, mu) in even.into_iter().chain(rough) {
-            let (scene, corner) = corner(angle, mu);
+            let (scene, corner) = corner::<f64>(|x| x, [0.0, angle], mu);
             let [floor, plane] = mu.map(libm::atan);
             let (first, last) = (f64::min(-floor, angle - plane), floor.max(angle + plane));
             for i in -300..=300 {
@@ -261,32 +265,8 @@ mod tests {
         let mut held = 0;
         for (exponent, tilt) in (0..24).flat_map(|k| [0.0, 0.4, 2.0].map(|tilt| (k, tilt))) {
             let narrow = libm::ldexp(1.3, -exponent);
-            let normals = [tilt, tilt + core::f64::consts::PI - narrow];
-            let surfaces = normals.map(|angle| SurfaceDescription {
-                normal: [-libm::sin(angle), libm::cos(angle)].map(&si),
-                offset: si(0.0),
-                friction_static: si(0.0),
-                friction_dynamic: si(0.0),
-            });
-            let scene = Scene::<R, 1, 2>::new(&Description {
-                vertices: &[[0.0; 2].map(&si)],
-                start: [0.0; 3].map(&si),
-                weight: si(0.0),
-                holding_point: Some([0.0; 2].map(&si)),
-                reach: si(0.0),
-                stiffness_translation: si(1.0),
-                stiffness_rotation: si(1.0),
-                surfaces: &surfaces,
-            });
-            let scene = scene.expect("a sound scene");
-            let corner = Corner {
-                pivot: Pivot {
-                    contact: Pair::default(),
-                    foot: R::ZERO,
-                    orientation: Orientation::new(Angle::default()),
-                },
-                surface: 1,
-            };
+            let angles = [tilt, tilt + core::f64::consts::PI - narrow];
+            let (scene, corner) = corner::<R>(&si, angles, [0.0; 2]);
             // Into the wedge, and by a part onto its first surface.
             let [first, second] = [0, 1].map(|surface| scene.surface(surface));
             let into = first.tangent * -second.normal.dot(first.tangent).sign();
@@ -298,9 +278,9 @@ mod tests {
             if corner.test(&scene, &grip) != Trigger::Balanced {
                 continue;
             }
-            let force = corner.pivot.stance(&scene, &grip).force;
-            let reactions = corner.reactions(&scene, &corner.pivot.stance(&scene, &grip));
-            let (mut left, mut most) = (force, force.reach());
+            let stance = corner.pivot.stance(&scene, &grip);
+            let reactions = corner.reactions(&scene, &stance);
+            let (mut left, mut most) = (stance.force, stance.force.reach());
             for ([normal, _], surface) in reactions.into_iter().zip([first, second]) {
                 left = left + surface.normal * normal;
                 most = most.max(normal);

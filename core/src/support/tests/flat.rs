@@ -36,6 +36,18 @@ fn rest<R: Real>(load: Screw<R>, parts: impl Iterator<Item = (Screw<R>, R)>) -> 
     })
 }
 
+/// Two contacts up to a distance apart, on surfaces of any angles.
+fn two_contacts<R: Real>(random: &mut Random, distance: f64) -> Support<R>
+where
+    R::Si: From<f32>,
+{
+    let mut support = Support::default();
+    support.add(&contact(Vec2::ZERO, 3.0 * random.next()));
+    let lever = random.vector() * distance;
+    support.add(&contact(lever, 3.0 * random.next()));
+    support
+}
+
 /// Two contacts close together: what three edges of theirs add up to is borne on these and shared out.
 fn flat_cones_bear<R: Real>()
 where
@@ -45,10 +57,7 @@ where
     let mut count = 0;
     for seed in sampled(0..600, 97) {
         let mut random = Random(seed);
-        let mut support = Support::<R>::default();
-        support.add(&contact(Vec2::ZERO, 3.0 * random.next()));
-        let lever = random.vector() * (1.0 / 256.0);
-        support.add(&contact(lever, 3.0 * random.next()));
+        let support = two_contacts::<R>(&mut random, 1.0 / 256.0);
         let edges = [0, 1, 2].map(|i: usize| support.edges[i].screw);
         let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
         if volume <= Support::<R>::tolerance() || volume > Support::<R>::sharp() {
@@ -96,10 +105,7 @@ where
     let mut count = 0;
     for seed in sampled(0..4000, 97) {
         let mut random = Random(seed);
-        let mut support = Support::<R>::default();
-        support.add(&contact(Vec2::ZERO, 3.0 * random.next()));
-        let lever = random.vector() * (1.0 / 64.0);
-        support.add(&contact(lever, 3.0 * random.next()));
+        let support = two_contacts::<R>(&mut random, 1.0 / 64.0);
         let load = Screw {
             force: Vec2::new(number(random.next() * 1e-3), number(random.next() * 1e-3)),
             moment: number(random.next() * 1e-5),
