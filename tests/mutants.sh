@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Changes the code of core in one place after the other (cargo-mutants) and lists the changes that no test notices: first
 # with the quick tests, then, what these let live, with all. Takes hours. Arguments go to cargo mutants, as `--jobs 2` or
-# `--file core/src/roots.rs`; what is found is in target/mutants/mutants.out.
+# `--file core/src/search.rs`; what is found is in target/mutants/mutants.out.
 # Needs: cargo install cargo-mutants cargo-nextest --locked
 set -euo pipefail
 cd "$(dirname "$0")/.."

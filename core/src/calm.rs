@@ -2,12 +2,12 @@
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
-use crate::coupling::{Grip, Stance, Way};
 use crate::geometry::{Orientation, Vec2};
-use crate::motion::Bend;
+use crate::grip::{Grip, Way};
+use crate::load::Stance;
+use crate::moment::{Bend, Moment};
 use crate::real::Real;
-use crate::roots::Moment;
-use crate::scene::World;
+use crate::world::World;
 
 /// A turn that keeps the balance all the way, and how much anything can stray on it.
 #[derive(Clone, Copy, Debug)]

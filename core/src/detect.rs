@@ -1,10 +1,11 @@
 //! 2: gaps between the body's vertices and the surfaces, and the first of them to close on a motion.
 
+use crate::contact::{Pair, Pairs};
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::{Bend, Course, Margin, Motion};
+use crate::moment::Bend;
+use crate::motion::{Course, Margin, Motion};
 use crate::real::Real;
-use crate::scene::World;
-use crate::state::{Pair, Pairs};
+use crate::world::World;
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]

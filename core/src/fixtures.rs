@@ -1,12 +1,13 @@
 //! What the tests of single functions share: random numbers, loads about as large as what is carried, a pivot without a load,
 //! bodies among planes, searches that are counted.
 
-use crate::coupling::{Pivot, Stance};
+use crate::contact::Pair;
 use crate::detect::Placed;
 use crate::geometry::{Angle, Orientation, Vec2};
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::{Description, Scene, SurfaceDescription};
-use crate::state::Pair;
 
 /// Random numbers from a seed, the same in every run.
 pub(crate) struct Random(pub(crate) u64);

@@ -3,7 +3,7 @@
 
 use crate::geometry::Vec2;
 use crate::real::{Real, along};
-use crate::roots::Slope;
+use crate::search::Slope;
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Value and slope at a place; suprema of |f|, |f'|, |f''| over the motion.

@@ -89,35 +89,47 @@ struct Readme;
 
 mod body;
 mod calm;
-mod coupling;
+mod contact;
 mod detect;
+mod event;
 #[cfg(test)]
 mod fixtures;
+mod forces;
 pub mod frame;
 mod friction;
 mod geometry;
+mod grip;
 mod hand;
 mod jet;
 mod list;
+mod load;
 mod log;
 mod model;
+mod moment;
 mod motion;
 mod output;
+mod pivot;
 mod real;
-mod roots;
 mod scene;
+mod search;
+mod settle;
 mod si;
 mod solver;
 mod state;
 mod support;
 mod transition;
+mod units;
+mod verb;
+mod world;
+mod wrench2;
 
+pub use contact::MAX_CONTACTS;
+pub use event::{Event, MAX_EVENTS, StateKind, Status};
+pub use forces::{Contact, Contacts, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
 pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
-pub use output::{
-    Contact, Contacts, Event, MAX_CONTACTS, MAX_EVENTS, Output, StateKind, Status, Wrench,
-};
+pub use output::Output;
 #[cfg(feature = "comparison")]
 pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};

@@ -1,6 +1,6 @@
 //! The events, slips, status and transitions of a step on their way to the output.
 
-use crate::output::{Event, MAX_EVENTS, Status};
+use crate::event::{Event, MAX_EVENTS, Status};
 use crate::real::Real;
 use crate::transition::Transitions;
 use heapless::Vec;

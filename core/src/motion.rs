@@ -12,14 +12,13 @@
 //! Everything that can end the motion is a [`Margin`].
 
 use crate::geometry::Vec2;
+use crate::moment::{Bend, Moment, Unbent};
 use crate::real::Real;
-use crate::roots::{Found, Look, Moment, Slope, first_zero};
+use crate::search::{Found, Look, Slope, first_zero};
 
-mod bend;
 mod jets;
 mod margin;
 
-pub(crate) use bend::{Bend, Gliding, Unbent};
 pub(crate) use margin::Margin;
 
 /// The curve x -> (tau, ϑ), x >= 0, in units of D(0) / rate.

@@ -1,16 +1,19 @@
 //! 5: one step: hand -> contacts -> state -> transition -> output.
 
-use crate::coupling::{Grip, Pivot};
 use crate::detect::Placed;
+use crate::event::{Event, Status};
 use crate::geometry::{Angle, Vec2};
+use crate::grip::Grip;
 use crate::hand::Hand;
 use crate::log::Log;
 use crate::model::{Full, Model};
-use crate::output::{Event, Output, Status};
+use crate::output::Output;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::{Scene, World};
+use crate::scene::Scene;
+use crate::settle::settle;
 use crate::state::{ContactState, Free};
-use crate::transition::settle;
+use crate::world::World;
 
 mod answer;
 mod evolve;

@@ -11,14 +11,17 @@
 //!
 //! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
 
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::{Pair, Pairs, Reactions};
 use crate::detect::Placed;
+use crate::event::StateKind;
 use crate::geometry::Pose;
-use crate::motion::{Gliding, Unbent};
-use crate::output::{MAX_CONTACTS, StateKind};
+use crate::grip::Grip;
+use crate::load::Stance;
+use crate::moment::{Gliding, Unbent};
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::World;
-use heapless::Vec;
+use crate::verb::{Moved, Relax, Terms, Trigger, seat};
+use crate::world::World;
 
 mod bracing;
 mod corner;
@@ -39,18 +42,6 @@ pub(crate) use locked::Locked;
 pub(crate) use single_vertex::SingleVertex;
 pub(crate) use two_vertex::TwoVertex;
 
-/// A contact: a feature of the body on a feature of the surroundings; here a vertex on a half-plane.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Pair {
-    pub(crate) vertex: u8,
-    pub(crate) surface: u8,
-}
-
-pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
-
-/// Reactions as (N, T), in the order of the contacts.
-pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;
-
 /// The contact state with its memory.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ContactState<R: Real> {
@@ -60,78 +51,6 @@ pub(crate) enum ContactState<R: Real> {
     TwoVertex(TwoVertex<R>),
     Corner(Corner<R>),
     Locked(Locked<R>),
-}
-
-/// Why a verb ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Trigger<R> {
-    /// At rest within all friction cones; for `advance`: the hand has arrived.
-    Balanced,
-    /// The rotation branch ends here; it goes on in the direction of the sign.
-    Fold(R),
-    /// A vertex reached a surface.
-    Touch(Pair),
-    /// Friction gives way along sign·t of the (first) surface.
-    Slide(R),
-    /// The slip ended at mu_d N.
-    Stopped,
-    /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
-    /// along sign·t.
-    Keep {
-        contacts: [usize; 2],
-        sliding: Option<R>,
-    },
-    /// All contacts open.
-    Clear,
-    /// No motion is driven although friction gives way.
-    Undriven,
-}
-
-/// How a state comes to balance.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Relax<R> {
-    /// The direction in which the first contact is already in motion.
-    pub(crate) sliding: Option<R>,
-    /// How many motions were begun in vain from this very pose.
-    pub(crate) attempt: usize,
-}
-
-/// On what terms a calm frame is followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Terms<R> {
-    /// The hand jumps: what is on its way does not count.
-    pub(crate) jumps: bool,
-    /// The balance is found to within this angle (rad); 0: as far as the digits go.
-    pub(crate) tolerance: R,
-}
-
-/// The outcome of a verb, which has moved the state.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Moved<R> {
-    pub(crate) trigger: Trigger<R>,
-    /// The part of the hand's way that was gone (`advance`).
-    pub(crate) part: R,
-    /// How far a contact slid (`slide`).
-    pub(crate) slip: R,
-    /// The body turned over a fold (`relax`).
-    pub(crate) snapped: bool,
-    /// A search hit its bound.
-    pub(crate) unsure: bool,
-    /// A slip ended elsewhere than in balance: one that began out of balance, when another contact opened, or was blocked.
-    pub(crate) unbalanced: bool,
-}
-
-impl<R: Real> Moved<R> {
-    pub(crate) fn by(trigger: Trigger<R>) -> Self {
-        Self {
-            trigger,
-            part: R::ONE,
-            slip: R::ZERO,
-            snapped: false,
-            unsure: false,
-            unbalanced: false,
-        }
-    }
 }
 
 impl<R: Real> ContactState<R> {
@@ -304,47 +223,6 @@ impl<R: Real> ContactState<R> {
 /// The verb of a state that the scene does not have, or that has no such verb.
 fn absent<R: Real>() -> Moved<R> {
     Moved::by(Trigger::Undriven)
-}
-
-/// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
-/// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
-/// no choice.
-pub(crate) fn seat<R: Real>(
-    scene: &impl World<R>,
-    mut pivot: Pivot<R>,
-    others: &[Pair],
-) -> Pivot<R> {
-    const SWEEPS: usize = 16;
-    let least = R::ONE / R::from_int(64);
-    let tangent = pivot.surface(scene).tangent;
-    for _ in 0..SWEEPS {
-        let mut is_seated = true;
-        for &other in others {
-            let placed = pivot.placed(scene);
-            let gap = placed.gap(scene, other);
-            if gap.abs() <= R::EPSILON {
-                continue;
-            }
-            is_seated = false;
-            let normal = scene.surface(other.surface).normal;
-            let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
-            let by_shift = normal.dot(tangent);
-            pivot = if others.len() == 1 && by_turn.abs() > least {
-                pivot.moved(R::ZERO, -gap / by_turn)
-            } else {
-                let size = by_turn * by_turn + by_shift * by_shift;
-                if size > least * least {
-                    pivot.moved(-gap * by_shift / size, -gap * by_turn / size)
-                } else {
-                    pivot
-                }
-            };
-        }
-        if is_seated {
-            break;
-        }
-    }
-    pivot
 }
 
 #[cfg(test)]

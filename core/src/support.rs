@@ -3,16 +3,15 @@
 //! in the load; the facet that yields first names the incipient motion.
 
 mod facets;
-mod screw;
 mod shares;
 
 use heapless::Vec;
 
+use crate::contact::MAX_CONTACTS;
 use crate::geometry::Vec2;
-use crate::output::MAX_CONTACTS;
 use crate::real::Real;
+use crate::wrench2::Screw;
 pub(crate) use facets::Yield;
-pub(crate) use screw::Screw;
 
 const MAX_EDGES: usize = 2 * MAX_CONTACTS;
 

@@ -1,272 +1,144 @@
-//! 4: the transition table (STATICS 8): (state, trigger) -> (state, what to do next), and the bounded loop that applies it
-//! at a frozen hand until the body rests.
+//! The transition table (STATICS 8): its arms, each with its two states and its physics in a sentence; sets of arms; and which
+//! arm, with which event, a change of the state is.
 
-use crate::coupling::{Grip, Pivot};
-use crate::detect::Placed;
-use crate::log::Log;
-use crate::output::{Event, StateKind, Status};
+use crate::event::{Event, StateKind};
 use crate::real::Real;
-use crate::scene::World;
-use crate::state::{ContactState, Free, Moved, Pair, Pairs, Relax, Trigger};
+use crate::state::ContactState;
 
-mod arms;
-
-pub use arms::{Transition, Transitions};
-
-/// What is to be done in a state at a frozen hand.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Next<R> {
-    /// It rests.
-    Rest,
-    /// Come to balance; with a sign, while sliding.
-    Relax(Option<R>),
-    /// Turn on over the fold.
-    Snap(R),
-    /// Slide along sign·t.
-    Slide(R),
-}
-
-/// After this many transitions at one hand pose no consistent mode is left to try.
-const MAX_TRANSITIONS: usize = 256;
-
-/// Brings the body to rest at a frozen hand, beginning with a trigger, or without one with the test of the state.
-pub(crate) fn settle<R: Real>(
-    scene: &impl World<R>,
-    grip: &Grip<R>,
-    state: &mut ContactState<R>,
-    trigger: Option<Trigger<R>>,
-    log: &mut Log<R>,
-) {
-    log.ambiguous = false;
-    let mut attempts = Attempts::default();
-    let mut next = match trigger {
-        Some(trigger) => apply(scene, state, &Moved::by(trigger), R::ZERO, log),
-        None => Next::Relax(None),
-    };
-    for _ in 0..MAX_TRANSITIONS {
-        let moved = match next {
-            Next::Rest => return,
-            Next::Relax(sliding) => {
-                let attempt = attempts.count(&state.placed(scene), state.kind());
-                state.relax(scene, grip, Relax { sliding, attempt })
-            }
-            Next::Slide(sign) => state.slide(scene, grip, sign),
-            Next::Snap(direction) => state.snap(scene, grip, direction),
-        };
-        record(state, &moved, &next, log);
-        let sliding = match next {
-            Next::Slide(sign) => sign,
-            _ => R::ZERO,
-        };
-        next = apply(scene, state, &moved, sliding, log);
-    }
-    stays(log);
-}
-
-/// Counts how often a state of several contacts gives way at one and the same pose.
-#[derive(Default)]
-struct Attempts<R: Real> {
-    two_vertex: Option<(Placed<R>, usize)>,
-    locked: Option<(Placed<R>, usize)>,
-}
-
-impl<R: Real> Attempts<R> {
-    fn count(&mut self, placed: &Placed<R>, kind: StateKind) -> usize {
-        let record = match kind {
-            StateKind::TwoVertex => &mut self.two_vertex,
-            StateKind::Locked => &mut self.locked,
-            _ => return 0,
-        };
-        // Contacts on surfaces almost in line are seated anew a little aside.
-        let aside = R::MICRO * R::from_int(16);
-        let count = match record {
-            Some((last, count)) if placed.is_near(last, aside) => count.saturating_add(1),
-            _ => 0,
-        };
-        *record = Some((*placed, count));
-        count
-    }
-}
-
-/// What a verb has done besides its trigger.
-fn record<R: Real>(state: &ContactState<R>, moved: &Moved<R>, next: &Next<R>, log: &mut Log<R>) {
-    if moved.unsure {
-        log.limit(Status::IterationLimit);
-    }
-    if moved.snapped && !matches!(next, Next::Snap(_)) {
-        log.event(Event::Snap);
-        log.transitions.add(fold_arm(state));
-    }
-}
-
-/// No motion is left to try.
-fn stays<R: Real>(log: &mut Log<R>) {
-    log.transitions.add(Transition::Stays);
-    log.ambiguous = true;
-}
-
-/// From where a search gave up, up to which nothing has happened.
-fn on<R: Real>(sliding: R) -> Next<R> {
-    Next::Relax((sliding != R::ZERO).then_some(sliding))
-}
-
-/// The table: the state after a verb, which slid along sliding·t, and what it does next.
-fn apply<R: Real, W: World<R>>(
-    scene: &W,
-    state: &mut ContactState<R>,
-    moved: &Moved<R>,
-    sliding: R,
-    log: &mut Log<R>,
-) -> Next<R> {
-    match moved.trigger {
-        Trigger::Balanced => {
-            rests(state, log);
-            Next::Rest
+macro_rules! transitions {
+    ($($name:ident $(($before:ident -> $after:ident))?: $text:literal),+ $(,)?) => {
+        /// An arm of the transition table (STATICS 8): from which contact state to which, and why.
+        ///
+        /// ```
+        /// use stiction_core::{StateKind, Transition};
+        ///
+        /// assert_eq!(Transition::EdgeTips.before(), Some(StateKind::Edge));
+        /// assert_eq!(Transition::EdgeTips.after(), Some(StateKind::SingleVertex));
+        /// assert_eq!(
+        ///     Transition::EdgeTips.describe(),
+        ///     "N_i falls to zero: the body tips about the other vertex."
+        /// );
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[repr(u8)]
+        pub enum Transition {
+            $(#[doc = $text] $name),+
         }
-        Trigger::Stopped => {
-            log.transitions.add(slip_arm(state));
-            log.slip(moved.slip);
-            if moved.unsure || moved.unbalanced {
-                Next::Relax(Some(sliding))
-            } else {
-                Next::Rest
+
+        impl Transition {
+            /// All arms, in the order of the table.
+            pub const ALL: &'static [Self] = &[$(Self::$name),+];
+
+            /// The physics of the arm in a sentence: the condition, a colon, what follows from it.
+            pub const fn describe(self) -> &'static str {
+                match self {
+                    $(Self::$name => $text),+
+                }
+            }
+
+            /// The state that the arm leaves. `None` for [`Self::Stays`] alone, which every state has.
+            pub const fn before(self) -> Option<StateKind> {
+                match self {
+                    $(Self::$name => transitions!(@state $($before)?)),+
+                }
+            }
+
+            /// The state that the arm leads to; that of [`Self::before`] where it stays the same.
+            pub const fn after(self) -> Option<StateKind> {
+                match self {
+                    $(Self::$name => transitions!(@state $($after)?)),+
+                }
             }
         }
-        Trigger::Slide(sign) => Next::Slide(sign),
-        Trigger::Fold(direction) => {
-            log.transitions.add(fold_arm(state));
-            log.event(Event::Snap);
-            Next::Snap(direction)
-        }
-        Trigger::Touch(pair) => {
-            let reached = if moved.unsure {
-                another(scene, state)
-            } else {
-                Some(pair)
-            };
-            let Some(pair) = reached else {
-                return on(sliding);
-            };
-            touch(scene, state, pair, log);
-            Next::Relax(None)
-        }
-        Trigger::Keep { contacts, sliding } if W::SEVERAL => {
-            keep(scene, state, contacts, sliding, log)
-        }
-        Trigger::Clear if moved.unsure => on(sliding),
-        Trigger::Clear => {
-            log.transitions.add(clear_arm(state));
-            log.event(Event::Lift);
-            let pose = state.pose(scene);
-            *state = ContactState::Free(Free { pose });
-            Next::Relax(None)
-        }
-        Trigger::Keep { .. } | Trigger::Undriven => undriven(scene, state, log),
-    }
-}
-
-/// No motion of these contacts is consistent: others that were let go are taken back, to try the next one.
-fn undriven<R: Real>(
-    scene: &impl World<R>,
-    state: &mut ContactState<R>,
-    log: &mut Log<R>,
-) -> Next<R> {
-    if let Some(pair) = another(scene, state) {
-        touch(scene, state, pair, log);
-        return Next::Relax(None);
-    }
-    stays(log);
-    Next::Rest
-}
-
-/// A vertex at a surface that is no contact yet.
-fn another<R: Real>(scene: &impl World<R>, state: &ContactState<R>) -> Option<Pair> {
-    let contacts = state.contacts();
-    let touching = state.placed(scene).touching(scene, R::TOUCH);
-    let mut others = touching.iter().filter(|pair| !contacts.contains(pair));
-    others.next().copied()
-}
-
-/// A vertex reaches a surface; all that close together are taken together.
-fn touch<R: Real, W: World<R>>(
-    scene: &W,
-    state: &mut ContactState<R>,
-    pair: Pair,
-    log: &mut Log<R>,
-) {
-    let before = state.kind();
-    let pivot = pivot_of(
-        scene,
-        state,
-        state.contacts().first().copied().unwrap_or(pair),
-    );
-    if !W::SEVERAL {
-        *state = ContactState::seated(scene, pivot, &[]);
-        log.transitions.add(Transition::FreeTouches);
-        log.event(Event::Touch);
-        return;
-    }
-    let touching = pivot.placed(scene).touching(scene, R::TOUCH);
-    let mut all = Pairs::new();
-    let old = state.contacts();
-    for &contact in old.iter().chain(&[pair]).chain(&touching) {
-        if !all.contains(&contact) {
-            // Of more than four surfaces the first ones count.
-            let _ = all.push(contact);
-        }
-    }
-    let others = all.get(1..).unwrap_or_default();
-    *state = ContactState::seated(scene, pivot, others);
-    let (arm, event) = touch_arm(before, state.kind());
-    log.transitions.add(arm);
-    log.event(event);
-}
-
-/// Only one or two contacts last.
-fn keep<R: Real>(
-    scene: &impl World<R>,
-    state: &mut ContactState<R>,
-    lasting: [usize; 2],
-    sliding: Option<R>,
-    log: &mut Log<R>,
-) -> Next<R> {
-    let contacts = state.contacts();
-    let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
-    let pivot = pivot_of(scene, state, first);
-    let before = state.kind();
-    *state = if first == second {
-        ContactState::seated(scene, pivot, &[])
-    } else {
-        ContactState::seated(scene, pivot, &[second])
     };
-    let (arm, event) = keep_arm(before, state.kind(), sliding.is_some());
-    log.transitions.add(arm);
-    log.event(event);
-    Next::Relax(sliding)
+    (@state) => { None };
+    (@state $kind:ident) => { Some(StateKind::$kind) };
 }
 
-/// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
-fn pivot_of<R: Real>(scene: &impl World<R>, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
-    match state.carrier() {
-        Ok(pivot) if pivot.contact == pair => *pivot,
-        _ => Pivot::at(scene, &state.pose(scene), pair),
+transitions! {
+    FreeMoves(NonContact -> NonContact): "No surface is reached: the body follows the hand.",
+    FreeFolds(NonContact -> NonContact): "The balance of the weight folds: the body turns over to the next one.",
+    FreeTouches(NonContact -> SingleVertex): "A vertex reaches a surface: single-vertex.",
+    FreeLands(NonContact -> Edge): "Two vertices reach one surface together: edge.",
+    FreeTouchesTwo(NonContact -> TwoVertex): "Two vertices reach two surfaces together: two-vertex.",
+    FreeCorners(NonContact -> Corner): "A vertex reaches two surfaces together: corner.",
+    FreeJams(NonContact -> Locked): "Three contacts or more close together: locked.",
+    VertexSticks(SingleVertex -> SingleVertex): "The reaction lies in the friction cone: the vertex stays.",
+    VertexSnaps(SingleVertex -> SingleVertex): "The angle's branch folds: the body turns about the vertex to the next balance.",
+    VertexSlips(SingleVertex -> SingleVertex): "Friction gives way: the vertex slips until |T| = mu_d N.",
+    VertexLifts(SingleVertex -> NonContact): "N falls to zero: the vertex leaves the surface.",
+    VertexLands(SingleVertex -> Edge): "A second vertex reaches the same surface: edge.",
+    VertexTouchesTwo(SingleVertex -> TwoVertex): "A second vertex reaches another surface: two-vertex.",
+    VertexCorners(SingleVertex -> Corner): "The vertex itself reaches another surface: corner.",
+    VertexJams(SingleVertex -> Locked): "Two more contacts close together: locked.",
+    EdgeSticks(Edge -> Edge): "The total reaction lies in the friction cone: the edge stays.",
+    EdgeTips(Edge -> SingleVertex): "N_i falls to zero: the body tips about the other vertex.",
+    EdgeTipsSliding(Edge -> SingleVertex): "N_i falls to zero in mid-slip: the other vertex slides on.",
+    EdgeSlips(Edge -> Edge): "Friction gives way: the edge slips until |T| = mu_d N.",
+    EdgeLifts(Edge -> NonContact): "Both N_i are negative: the edge leaves the surface.",
+    EdgeJams(Edge -> Locked): "A vertex reaches another surface: locked.",
+    TwoSticks(TwoVertex -> TwoVertex): "Some internal force keeps both reactions in their cones: the pose stays.",
+    TwoOpens(TwoVertex -> SingleVertex): "One reaction vanishes, or no slip is driven: the other vertex remains.",
+    TwoLifts(TwoVertex -> NonContact): "Both reactions are negative: the body leaves both surfaces.",
+    TwoSlips(TwoVertex -> TwoVertex): "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
+    TwoOpensSliding(TwoVertex -> SingleVertex): "One reaction vanishes in mid-slip: the other vertex slides on.",
+    TwoJams(TwoVertex -> Locked): "A further vertex reaches a surface: locked.",
+    CornerSticks(Corner -> Corner): "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
+    CornerSnaps(Corner -> Corner): "The angle's branch folds: the body turns about the corner to the next balance.",
+    CornerSlides(Corner -> SingleVertex): "The reaction leaves the sum of the cones: the vertex slides along one surface.",
+    CornerLifts(Corner -> NonContact): "Both reactions are negative: the vertex leaves the corner.",
+    CornerJams(Corner -> Locked): "A further vertex reaches a surface: locked.",
+    LockedHolds(Locked -> Locked): "The contacts together bear the load: the pose stays.",
+    LockedTips(Locked -> SingleVertex): "All reactions but one vanish: the body turns about one vertex, or slides on it.",
+    LockedSlidesEdge(Locked -> Edge): "Two contacts of one surface remain and slide: edge.",
+    LockedSlidesTwo(Locked -> TwoVertex): "Two contacts of two surfaces remain and slide: two-vertex.",
+    LockedCorners(Locked -> Corner): "The two contacts of one vertex remain: corner.",
+    LockedLifts(Locked -> NonContact): "All reactions are negative: the body leaves all surfaces.",
+    Stays: "No mode of motion is consistent with friction: the body stays.",
+}
+
+/// A set of arms of the transition table: those taken in a frame ([`Output::transitions`](crate::Output::transitions)). Says
+/// which, not how often or in which order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Transitions(u64);
+
+impl Transitions {
+    /// True if the arm was taken.
+    pub const fn contains(self, arm: Transition) -> bool {
+        self.0 & Self::bit(arm) != 0
+    }
+    /// The arms in the set, in the order of the table.
+    pub fn iter(self) -> impl Iterator<Item = Transition> {
+        let arms = Transition::ALL.iter().copied();
+        arms.filter(move |&arm| self.contains(arm))
+    }
+    /// The union with another set.
+    #[must_use]
+    pub const fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+    pub(crate) fn add(&mut self, arm: Transition) {
+        self.0 |= Self::bit(arm);
+    }
+    const fn bit(arm: Transition) -> u64 {
+        1_u64.wrapping_shl(arm as u32)
     }
 }
 
-/// At rest in a state.
-pub(crate) fn rests<R: Real>(state: &ContactState<R>, log: &mut Log<R>) {
-    log.ambiguous = false;
-    log.transitions.add(match state {
+/// Of a state that rests.
+pub(crate) fn rest_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
         ContactState::Free(_) => Transition::FreeMoves,
         ContactState::SingleVertex(_) => Transition::VertexSticks,
         ContactState::Edge(_) => Transition::EdgeSticks,
         ContactState::TwoVertex(_) => Transition::TwoSticks,
         ContactState::Corner(_) => Transition::CornerSticks,
         ContactState::Locked(_) => Transition::LockedHolds,
-    });
+    }
 }
 
-fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
+/// Of a slip that ended at mu_d N.
+pub(crate) fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeSlips,
         ContactState::TwoVertex(_) => Transition::TwoSlips,
@@ -274,7 +146,8 @@ fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
+/// Of a balance that folds.
+pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Free(_) => Transition::FreeFolds,
         ContactState::Corner(_) => Transition::CornerSnaps,
@@ -282,7 +155,8 @@ fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
+/// Of a body that leaves all surfaces.
+pub(crate) fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Edge(_) => Transition::EdgeLifts,
         ContactState::TwoVertex(_) => Transition::TwoLifts,
@@ -292,7 +166,8 @@ fn clear_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
-fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
+/// Of a contact more.
+pub(crate) fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
     use StateKind as Kind;
     match (before, after) {
         (Kind::NonContact, Kind::Edge) => (Transition::FreeLands, Event::Land),
@@ -310,7 +185,8 @@ fn touch_arm(before: StateKind, after: StateKind) -> (Transition, Event) {
     }
 }
 
-fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, Event) {
+/// Of contacts that open, with or without a slide of those that last.
+pub(crate) fn keep_arm(before: StateKind, after: StateKind, sliding: bool) -> (Transition, Event) {
     match (before, after) {
         (StateKind::Edge, _) if sliding => (Transition::EdgeTipsSliding, Event::Tip),
         (StateKind::Edge, _) => (Transition::EdgeTips, Event::Tip),

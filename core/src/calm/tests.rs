@@ -3,7 +3,7 @@
 use super::*;
 use crate::fixtures::{sampled, unloaded};
 use crate::geometry::Angle;
-use crate::motion::Unbent;
+use crate::moment::Unbent;
 
 /// A balance at the end of the hand's way, and what the way added to z.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use super::*;
 use crate::fixtures::sampled;
 use crate::geometry::Angle;
-use crate::motion::Unbent;
+use crate::moment::Unbent;
 use crate::real::Fixed;
 use crate::scene::{Description, Scene, SurfaceDescription};
 

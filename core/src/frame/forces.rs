@@ -3,7 +3,9 @@
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, at, index_of, require};
 use super::list::{Item, List};
-use crate::output::{Contact, Event, MAX_CONTACTS, MAX_EVENTS, Wrench};
+use crate::contact::MAX_CONTACTS;
+use crate::event::{Event, MAX_EVENTS};
+use crate::forces::{Contact, Wrench};
 
 /// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,9 @@
 
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, at, index_of};
+use crate::event::{Event, StateKind, Status};
 use crate::geometry::Angle;
-use crate::output::{Event, Output, StateKind, Status};
+use crate::output::Output;
 
 /// A set of events. Grasp and release are one entry of it; which one it was, is told by [`Pose::held`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,7 +1,8 @@
 //! A motion's turn and slide as quantities with their bounds, for the events of a trammel.
 
-use super::{Bend, Motion, Place};
+use super::{Motion, Place};
 use crate::jet::Jet;
+use crate::moment::Bend;
 use crate::real::Real;
 
 impl<R: Real, B: Bend<R>> Motion<R, B> {

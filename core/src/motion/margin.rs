@@ -1,10 +1,11 @@
 //! What can end a motion: a margin, linear in tau and of first order in cos ϑ, sin ϑ, and its first zero on the course
 //! (STATICS 3.2, 3.3).
 
-use super::{Bend, Course, Motion, Place};
+use super::{Course, Motion, Place};
 use crate::geometry::Vec2;
+use crate::moment::Bend;
 use crate::real::Real;
-use crate::roots::{Found, Look, Slope, first_zero};
+use crate::search::{Found, Look, Slope, first_zero};
 
 /// A quantity that is positive while the motion is allowed: E = start + along·tau - u (1 - cos ϑ) + v sin ϑ.
 #[derive(Clone, Copy, Debug)]

@@ -4,6 +4,7 @@
 use super::*;
 use crate::fixtures::{Random, sampled, searches};
 use crate::jet::Jet;
+use crate::moment::Gliding;
 
 mod cases;
 mod ends;

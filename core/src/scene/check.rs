@@ -1,10 +1,12 @@
 //! The checks of a description that need nothing but its numbers. The first fault ends them.
 
-use super::{Description, Parameter, SceneError, Surface, SurfaceDescription, Units};
+use super::{Description, Parameter, SceneError, SurfaceDescription};
 use crate::friction::Coulomb;
 use crate::geometry::{Vec2, unit};
 use crate::model::Model;
 use crate::real::Real;
+use crate::units::Units;
+use crate::world::Surface;
 use heapless::Vec;
 
 type Checked<F> = Result<(), SceneError<F>>;

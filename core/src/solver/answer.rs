@@ -1,11 +1,12 @@
 //! The answer of a step in SI units: the pose and what happened with every step, the forces when they are asked for.
 
 use super::{Solver, State};
-use crate::coupling::Stance;
+use crate::forces::{Contact, Contacts, Wrench};
 use crate::geometry::Angle;
+use crate::load::Stance;
 use crate::log::Log;
 use crate::model::Model;
-use crate::output::{Contact, Contacts, Output, Wrench};
+use crate::output::Output;
 use crate::real::Real;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {

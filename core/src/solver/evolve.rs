@@ -2,15 +2,17 @@
 //! jump.
 
 use super::{Solver, State};
-use crate::coupling::Grip;
+use crate::event::Status;
 use crate::geometry::{Angle, Vec2};
+use crate::grip::Grip;
 use crate::log::Log;
 use crate::model::Model;
-use crate::output::Status;
 use crate::real::Real;
-use crate::scene::{Scene, World};
-use crate::state::{ContactState, Terms, Trigger};
-use crate::transition::{rests, settle};
+use crate::scene::Scene;
+use crate::settle::{rests, settle};
+use crate::state::ContactState;
+use crate::verb::{Terms, Trigger};
+use crate::world::World;
 
 /// How a frame is evolved (STATICS 7).
 ///

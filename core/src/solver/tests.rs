@@ -1,9 +1,9 @@
 //! A frame of which a search gives up says so, or ends where it should all the same.
 
 use super::*;
+use crate::contact::Pair;
 use crate::fixtures::{sampled, scene, searches};
 use crate::hand::Hand;
-use crate::state::Pair;
 use core::f64::consts::FRAC_PI_2;
 
 /// Boxes and rods that are dragged, turned and pushed into a corner, with searches that give up after one step, two steps and so on.

@@ -5,12 +5,15 @@
 mod twist;
 
 use super::trammel::Demand;
-use super::{Moved, Pair, Pairs, Reactions, Trigger};
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::{Pair, Pairs, Reactions};
+use crate::grip::Grip;
 use crate::list::gather;
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::World;
 use crate::support::{Bearing, Support, Yield};
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
 
 /// The contacts, placed by a pivot that is the first of them.
 pub(super) struct Bracing<R: Real> {

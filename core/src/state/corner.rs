@@ -3,15 +3,17 @@
 
 use super::bracing::Bracing;
 use super::leg::Leg;
-use super::{Moved, Pair, Pairs, Reactions, Trigger};
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::{Pair, Pairs, Reactions};
 use crate::geometry::Vec2;
+use crate::grip::Grip;
 use crate::list::gather;
-use crate::motion::Unbent;
+use crate::load::Stance;
+use crate::moment::{Downhill, Unbent};
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::roots::Downhill;
-use crate::scene::World;
 use crate::support::Support;
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
 #[derive(Clone, Debug, PartialEq)]

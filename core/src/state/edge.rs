@@ -2,14 +2,18 @@
 //! and in the slip, so every event is closed form.
 
 use super::leg::Leg;
-use super::{Moved, Pair, Pairs, Reactions, Trigger};
-use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::contact::{Pair, Pairs, Reactions};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
+use crate::grip::{Grip, Way};
 use crate::list::gather;
-use crate::motion::{Gliding, Margin};
+use crate::load::Stance;
+use crate::moment::Gliding;
+use crate::motion::Margin;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::{Surface, World};
+use crate::verb::{Moved, Trigger};
+use crate::world::{Surface, World};
 
 /// The memory: where the first vertex is held, the locked angle, and the other vertex.
 #[derive(Clone, Debug, PartialEq)]

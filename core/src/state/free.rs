@@ -1,15 +1,15 @@
 //! No contact (STATICS 2): the holding point hangs at the hand, the body turns with it.
 
 use super::leg::Leg;
-use super::{Moved, Trigger};
 use crate::calm::Calm;
-use crate::coupling::{Grip, Stance, Way};
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::motion::Bend;
+use crate::grip::{Grip, Way};
+use crate::load::Stance;
+use crate::moment::{Bend, Downhill};
 use crate::real::Real;
-use crate::roots::Downhill;
-use crate::scene::World;
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
 
 /// The memory: the pose itself.
 #[derive(Clone, Debug, PartialEq)]

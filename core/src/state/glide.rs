@@ -2,15 +2,16 @@
 //! that the angle alone moves as if free, with a second harmonic in its moment; there is no stick, no slip and no test of
 //! friction.
 
+use super::SingleVertex;
 use super::leg::Leg;
-use super::{Moved, SingleVertex, Trigger};
 use crate::calm::Calm;
-use crate::coupling::{Grip, Stance, Way};
 use crate::geometry::Vec2;
-use crate::motion::Gliding;
+use crate::grip::{Grip, Way};
+use crate::load::Stance;
+use crate::moment::{Downhill, Gliding, Moment};
 use crate::real::Real;
-use crate::roots::{Downhill, Moment};
-use crate::scene::World;
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
 
 impl<R: Real> SingleVertex<R> {
     /// A calm frame: it glides and turns.

@@ -1,14 +1,16 @@
 //! One leg of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a leg and
 //! shortens it to the first event.
 
-use super::{Moved, Pair, Trigger};
-use crate::coupling::{Grip, Pivot, Way};
+use crate::contact::Pair;
 use crate::detect::{Moving, Placed};
 use crate::geometry::Vec2;
-use crate::motion::{Bend, Course, Margin, Motion, Unbent};
+use crate::grip::{Grip, Way};
+use crate::moment::{Bend, Downhill, Moment, Unbent};
+use crate::motion::{Course, Margin, Motion};
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::roots::{Downhill, Moment};
-use crate::scene::World;
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
 
 /// The curve, its course so far, the trigger at its end.
 #[derive(Clone, Copy, Debug)]

@@ -2,12 +2,14 @@
 //! none does, the facet of their common cone that yields first tells which contacts last and how they move.
 
 use super::bracing::Bracing;
-use super::{Moved, Pair, Pairs, Reactions};
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::{MAX_CONTACTS, Pair, Pairs, Reactions};
+use crate::grip::Grip;
 use crate::list::gather;
-use crate::output::MAX_CONTACTS;
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::World;
+use crate::verb::Moved;
+use crate::world::World;
 use heapless::Vec;
 
 /// The memory: where the first contact is held, the fixed angle, the other contacts.

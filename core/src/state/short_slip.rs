@@ -1,10 +1,12 @@
 //! The short slip (STATICS 3.5): the vertex slides a little way and the body turns a little with it, in balance all the way,
 //! to (E3). That nothing else ends it is certain from its beginning alone, which is why an ordinary slip needs no search.
 
-use crate::coupling::{Grip, Pivot, Stance};
 use crate::geometry::Vec2;
+use crate::grip::Grip;
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::World;
+use crate::world::World;
 
 /// A slip to (E3) on which nothing else happens.
 #[derive(Clone, Copy, Debug)]

@@ -3,16 +3,19 @@
 
 use super::leg::Leg;
 use super::short_slip::ShortSlip;
-use super::{Moved, Pairs, Reactions, Terms, Trigger};
 use crate::calm::Calm;
-use crate::coupling::{Grip, Pivot, Stance, Way};
+use crate::contact::{Pairs, Reactions};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
+use crate::grip::{Grip, Way};
 use crate::list::gather;
-use crate::motion::{Margin, Unbent};
+use crate::load::Stance;
+use crate::moment::{Downhill, Unbent};
+use crate::motion::Margin;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::roots::Downhill;
-use crate::scene::{Surface, World};
+use crate::verb::{Moved, Terms, Trigger};
+use crate::world::{Surface, World};
 
 /// The memory: where the vertex is held, and the angle, which is the branch.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,15 +1,17 @@
 //! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
-use super::{Pair, TwoVertex};
-use crate::coupling::{Grip, Stance};
+use crate::contact::Pair;
 use crate::detect::Moving;
 use crate::geometry::Vec2;
+use crate::grip::Grip;
 use crate::jet::{Jet, JetVec};
+use crate::load::Stance;
 use crate::motion::{Motion, Place};
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::roots::{Found, Look, first_zero};
-use crate::scene::{Surface, World};
+use crate::search::{Found, Look, first_zero};
+use crate::world::{Surface, World};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -99,20 +101,19 @@ impl<R: Real> Sense<R> {
 }
 
 impl<R: Real> Trammel<R> {
-    /// The direction that the hand drives at a place, if any.
+    /// The direction that the hand drives, if any, of a body with a pivot and another contact.
     pub(crate) fn driven(
         scene: &impl World<R>,
-        state: &TwoVertex<R>,
+        (pivot, other): (&Pivot<R>, Pair),
         grip: &Grip<R>,
         demand: Demand,
     ) -> Option<Self> {
-        let pivot = &state.pivot;
         let placed = pivot.placed(scene);
         let mut stance = Stance::new(scene, placed, grip);
-        let arm = placed.arm(scene, state.other.vertex);
+        let arm = placed.arm(scene, other.vertex);
         let size = stance.force.reach() + stance.lever.reach() + scene.weight().reach();
         let per_load = R::ONE / (size + stance.couple.abs() + stance.stiffness);
-        let surfaces = [pivot.surface(scene), scene.surface(state.other.surface)];
+        let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
         if surfaces
             .iter()
             .all(|surface| surface.friction.is_continuous())
@@ -271,11 +272,11 @@ impl<R: Real> Trammel<R> {
         }
     }
 
-    /// Runs to the first ending.
+    /// Runs to the first ending; `keeps`: the two contacts.
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
-        state: &TwoVertex<R>,
+        keeps: &[Pair],
         demand: Demand,
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
@@ -311,11 +312,10 @@ impl<R: Real> Trammel<R> {
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
         let mut course = self.sense.motion.course_to(x);
-        let keeps = state.contacts();
         let moving = Moving {
             motion: &self.sense.motion,
             shift: self.surfaces[0].tangent,
-            keeps: &keeps,
+            keeps,
         };
         if let Some(pair) = self.stance.placed.first_touch(scene, &mut course, &moving) {
             ending = Ending::Touches(pair);

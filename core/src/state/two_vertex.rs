@@ -3,11 +3,14 @@
 
 use super::bracing::Bracing;
 use super::trammel::{Demand, Ending, Trammel};
-use super::{Moved, Pair, Pairs, Reactions, Relax, Trigger, seat};
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::{Pair, Pairs, Reactions};
+use crate::grip::Grip;
 use crate::list::gather;
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::World;
+use crate::verb::{Moved, Relax, Trigger, seat};
+use crate::world::World;
 
 /// The memory: where the first contact is held, the fixed angle, the other contact.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +58,8 @@ impl<R: Real> TwoVertex<R> {
 
     /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
-        let driven = || Trammel::driven(scene, self, grip, Demand::Pressed).is_some();
+        let driven =
+            || Trammel::driven(scene, (&self.pivot, self.other), grip, Demand::Pressed).is_some();
         Moved::by(match how.sliding {
             Some(sign) if driven() => Trigger::Slide(sign),
             _ => slides(self.bracing(scene).test(scene, grip, how.attempt)),
@@ -68,11 +72,11 @@ impl<R: Real> TwoVertex<R> {
         let (begin, mut turn) = (self.pivot, R::ZERO);
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
-            let any = |demand| Trammel::driven(scene, self, grip, demand);
+            let any = |demand| Trammel::driven(scene, (&self.pivot, self.other), grip, demand);
             let Some(trammel) = any(demand).or_else(|| any(Demand::AtTheEnd)) else {
                 break;
             };
-            let (run, ending) = trammel.run(scene, self, demand);
+            let (run, ending) = trammel.run(scene, &self.contacts(), demand);
             self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
             turn = turn + run.turn;

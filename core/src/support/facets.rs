@@ -1,8 +1,9 @@
 //! The facets of the cone: where a load leaves it, and which motion then begins. A contact none of whose edges lie in the
 //! facet opens, one with both edges in it sticks, one with a single edge in it slides.
 
-use super::{Edge, Screw, Support};
+use super::{Edge, Support};
 use crate::real::Real;
+use crate::wrench2::Screw;
 
 /// The incipient motion at a facet.
 #[derive(Clone, Copy, Debug, PartialEq)]

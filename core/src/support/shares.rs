@@ -2,10 +2,11 @@
 
 use heapless::Vec;
 
-use super::{MAX_EDGES, Screw, Support};
+use super::{MAX_EDGES, Support};
+use crate::contact::MAX_CONTACTS;
 use crate::list::gather;
-use crate::output::MAX_CONTACTS;
 use crate::real::Real;
+use crate::wrench2::Screw;
 
 impl<R: Real> Support<R> {
     /// True if three edges alone bear a load but for a little.

@@ -2,12 +2,14 @@
 //! whether every contact that does not last opens.
 
 use super::{Bracing, Mode};
-use crate::coupling::{Grip, Pivot, Stance};
+use crate::contact::Pair;
 use crate::geometry::Vec2;
+use crate::grip::Grip;
+use crate::load::Stance;
+use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::scene::{Surface, World};
 use crate::state::trammel::{Demand, Trammel};
-use crate::state::{Pair, TwoVertex};
+use crate::world::{Surface, World};
 
 /// The instantaneous velocity of the body: of the pivot, and the turn.
 #[derive(Clone, Copy)]
@@ -97,8 +99,7 @@ impl<R: Real> Bracing<R> {
             Some(_) if a.vertex == b.vertex => None,
             Some(_) => {
                 let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let state = TwoVertex::new(pivot, b);
-                let (slide, turn) = Trammel::driven(scene, &state, grip, demand)?.twist();
+                let (slide, turn) = Trammel::driven(scene, (&pivot, b), grip, demand)?.twist();
                 let arm = stance.placed.arm(scene, a.vertex);
                 Some(Twist {
                     velocity: scene.surface(a.surface).tangent * slide - arm.turned() * turn,

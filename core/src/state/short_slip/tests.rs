@@ -1,10 +1,10 @@
 //! The short slip against small steps: its conditions, its end and its bounds.
 
 use super::*;
+use crate::contact::Pair;
 use crate::fixtures::sampled;
 use crate::geometry::{Angle, Orientation};
 use crate::scene::{Description, Scene, SurfaceDescription};
-use crate::state::Pair;
 
 mod random;
 

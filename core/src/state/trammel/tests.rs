@@ -2,11 +2,12 @@
 //! load at every place; their slopes are derivatives, and their bounds hold up to the window.
 
 use super::*;
-use crate::coupling::Pivot;
 use crate::fixtures::{Random, sampled, searches};
 use crate::geometry::{Angle, Orientation, Pose};
+use crate::pivot::Pivot;
 use crate::scene::{Description, Scene, SurfaceDescription};
-use crate::state::Trigger;
+use crate::state::TwoVertex;
+use crate::verb::Trigger;
 
 mod moves;
 
@@ -103,7 +104,12 @@ fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> us
         let Some(case) = case(&mut Random(seed)) else {
             continue;
         };
-        if let Some(trammel) = Trammel::driven(&case.scene, &case.state, &case.grip, demand) {
+        if let Some(trammel) = Trammel::driven(
+            &case.scene,
+            (&case.state.pivot, case.state.other),
+            &case.grip,
+            demand,
+        ) {
             look(&case, &trammel, seed);
             count += 1;
         }
@@ -214,7 +220,7 @@ fn slopes_are_derivatives_and_bounds_hold() {
 fn run_ends_at_what_comes_first() {
     let mut ends = [0; 4];
     driven(Demand::Pressed, |case, trammel, seed| {
-        let (run, ending) = trammel.run(&case.scene, &case.state, Demand::Pressed);
+        let (run, ending) = trammel.run(&case.scene, &case.state.contacts(), Demand::Pressed);
         let (_, begin, _) = quantities(trammel, 0.0);
         let left = |x: f64| {
             let (_, velocities, [n1, n2, delta]) = quantities(trammel, x);

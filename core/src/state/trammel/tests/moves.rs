@@ -8,7 +8,7 @@ use crate::real::Fixed;
 fn what_is_driven_moves() {
     let mut count = 0;
     driven(Demand::Pressed, |case, trammel, seed| {
-        let (run, ending) = trammel.run(&case.scene, &case.state, Demand::Pressed);
+        let (run, ending) = trammel.run(&case.scene, &case.state.contacts(), Demand::Pressed);
         if ending != Ending::Stopped {
             return;
         }
@@ -20,8 +20,13 @@ fn what_is_driven_moves() {
                 pivot,
                 ..case.state.clone()
             };
-            if let Some(near) = Trammel::driven(&case.scene, &state, &case.grip, Demand::Pressed) {
-                let (run, _) = near.run(&case.scene, &state, Demand::Pressed);
+            if let Some(near) = Trammel::driven(
+                &case.scene,
+                (&state.pivot, state.other),
+                &case.grip,
+                Demand::Pressed,
+            ) {
+                let (run, _) = near.run(&case.scene, &state.contacts(), Demand::Pressed);
                 assert!(run.slide != 0.0 || run.turn != 0.0, "{seed} {slide}");
                 count += 1;
             }

@@ -28,21 +28,21 @@ impl<R: Real> Screw<R> {
         }
     }
 
-    pub(super) fn scaled(self, k: R) -> Self {
+    pub(crate) fn scaled(self, k: R) -> Self {
         Self {
             force: self.force * k,
             moment: self.moment * k,
         }
     }
 
-    pub(super) fn over(self, k: R) -> Self {
+    pub(crate) fn over(self, k: R) -> Self {
         Self {
             force: self.force.over(k),
             moment: self.moment / k,
         }
     }
 
-    pub(super) fn size(self) -> R {
+    pub(crate) fn size(self) -> R {
         self.force.length().hypot(self.moment)
     }
 }

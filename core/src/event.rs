@@ -1,0 +1,145 @@
+//! What a frame is told by: the contact state, what happened, what limited the answer.
+
+/// At most this many events of one frame are reported; a run of equal events counts once.
+pub const MAX_EVENTS: usize = 16;
+
+/// The contact state (STATICS 8; the first four are the paper's).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum StateKind {
+    /// No contact.
+    #[default]
+    NonContact,
+    /// One vertex on one surface.
+    SingleVertex,
+    /// Two vertices on one surface.
+    Edge,
+    /// Two vertices on two surfaces.
+    TwoVertex,
+    /// One vertex on two surfaces.
+    Corner,
+    /// Three or more contacts.
+    Locked,
+}
+
+impl StateKind {
+    /// All states, in the order in which they are declared.
+    pub const ALL: [Self; 6] = [
+        Self::NonContact,
+        Self::SingleVertex,
+        Self::Edge,
+        Self::TwoVertex,
+        Self::Corner,
+        Self::Locked,
+    ];
+
+    /// The name in a trace: `single-vertex`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NonContact => "non-contact",
+            Self::SingleVertex => "single-vertex",
+            Self::Edge => "edge",
+            Self::TwoVertex => "two-vertex",
+            Self::Corner => "corner",
+            Self::Locked => "locked",
+        }
+    }
+}
+
+/// What happened in a frame. The arms of the transition table tell the same in more detail:
+/// [`Transition`](crate::Transition).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Event {
+    /// A vertex came to a surface.
+    Touch,
+    /// A contact opened without another one taking over its motion.
+    Lift,
+    /// A slip ended at |T| = mu_d N.
+    Slip,
+    /// The body left an edge and turns about one of its vertices.
+    Tip,
+    /// A second vertex came to the surface of the first: the body lies on an edge.
+    Land,
+    /// The balance of moments folded and the body snapped to the next one (STATICS 3.1).
+    Snap,
+    /// A contact more: three or more fix the body.
+    Jam,
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
+    Grasp,
+    /// The hand let go of the body.
+    Release,
+}
+
+impl Event {
+    /// All events.
+    pub const ALL: [Self; 9] = [
+        Self::Touch,
+        Self::Lift,
+        Self::Slip,
+        Self::Tip,
+        Self::Land,
+        Self::Snap,
+        Self::Jam,
+        Self::Grasp,
+        Self::Release,
+    ];
+
+    /// The name in a trace.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Touch => "touch",
+            Self::Lift => "lift",
+            Self::Slip => "slip",
+            Self::Tip => "tip",
+            Self::Land => "land",
+            Self::Snap => "snap",
+            Self::Jam => "jam",
+            Self::Grasp => "grasp",
+            Self::Release => "release",
+        }
+    }
+}
+
+/// What limited the answer. Ordered: the gravest of a frame is reported. Up to [`Self::EventLimit`] the pose is a balance within
+/// all friction cones.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Status {
+    /// Nothing.
+    #[default]
+    Ok,
+    /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) tells apart: the rest of the frame was one
+    /// jump of the hand. Or, after 100 slips in a frame, slips too short to be told apart became a slide at mu_d (STATICS 7).
+    EventLimit,
+    /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
+    IterationLimit,
+    /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Said in every frame until the
+    /// hand moves (STATICS 9, rule 8).
+    Ambiguous,
+    /// The hand, or its pull on the body, was beyond the range of the number type; the last pose is held.
+    Saturated,
+    /// The hand's sample was not finite or absent; the last pose is held.
+    HeldLast,
+}
+
+impl Status {
+    /// All statuses, the gravest last.
+    pub const ALL: [Self; 6] = [
+        Self::Ok,
+        Self::EventLimit,
+        Self::IterationLimit,
+        Self::Ambiguous,
+        Self::Saturated,
+        Self::HeldLast,
+    ];
+
+    /// The name in a trace.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::EventLimit => "event-limit",
+            Self::IterationLimit => "iteration-limit",
+            Self::Ambiguous => "ambiguous",
+            Self::Saturated => "saturated",
+            Self::HeldLast => "held-last",
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta); and the displacement of the hand,
+//! which is the other end of both. Lengths / L, forces / (k_h L): k_h is 1.
+
+use crate::geometry::{Angle, Pose, Vec2};
+use crate::real::Real;
+use crate::world::{Surface, World};
+
+/// The hand's hold on the body: the boundary condition of every equilibrium.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Grip<R> {
+    /// g, body frame.
+    pub(crate) holding_point: Vec2<R>,
+    /// p_h, world frame.
+    pub(crate) hand: Vec2<R>,
+    /// phi less its rest offset.
+    pub(crate) angle: Angle<R>,
+}
+
+impl<R: Real> Grip<R> {
+    /// F and k_theta (phi - theta) on a body in a pose.
+    pub(crate) fn springs(&self, scene: &impl World<R>, pose: &Pose<R>) -> (Vec2<R>, R) {
+        let held = pose.position + pose.orientation.rotation().apply(self.holding_point);
+        let turn = self.angle.minus(pose.orientation.angle());
+        (self.hand - held, scene.stiffness() * turn)
+    }
+
+    /// The straight way of the hand: `self` at 0, `to` at 1.
+    pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
+        Self {
+            holding_point: to.holding_point,
+            hand: self.hand.lerp(to.hand, part),
+            angle: self.angle.plus(to.angle.minus(self.angle) * part),
+        }
+    }
+
+    /// On the straight way of the hand to another grip, as far as there but at most so far.
+    pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
+        let way = self.way_to(to).size();
+        self.lerp(to, if way > most { most / way } else { R::ONE })
+    }
+
+    /// The way of the hand to another grip: displacement and turn.
+    pub(crate) fn way_to(&self, to: &Self) -> Way<R> {
+        Way {
+            hand: to.hand - self.hand,
+            turn: to.angle.minus(self.angle),
+        }
+    }
+}
+
+/// A way of the hand relative to the contact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way<R> {
+    pub(crate) hand: Vec2<R>,
+    pub(crate) turn: R,
+}
+
+impl<R: Real> Way<R> {
+    /// The contact slides by `shift` while the hand is frozen: relative to it the hand goes back.
+    pub(crate) fn slide(shift: Vec2<R>) -> Self {
+        Self {
+            hand: -shift,
+            turn: R::ZERO,
+        }
+    }
+
+    /// The hand turns only.
+    pub(crate) fn turn(turn: R) -> Self {
+        Self {
+            hand: Vec2::ZERO,
+            turn,
+        }
+    }
+
+    /// What of it a foot that glides along a surface without friction does not follow.
+    pub(crate) fn pressing(&self, surface: &Surface<R>) -> Self {
+        Self {
+            hand: surface.normal * surface.normal.dot(self.hand),
+            turn: self.turn,
+        }
+    }
+
+    /// How far the body can be moved by it: displacement and turn at a lever of one body size.
+    pub(crate) fn size(&self) -> R {
+        self.hand.reach() + self.turn.abs()
+    }
+}

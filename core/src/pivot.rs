@@ -1,0 +1,72 @@
+//! The contact that holds the pose: a vertex at a place of its surface and the angle of the body about it.
+
+use crate::contact::Pair;
+use crate::detect::Placed;
+use crate::geometry::{Orientation, Pose, Vec2};
+use crate::grip::Grip;
+use crate::load::Stance;
+use crate::real::Real;
+use crate::world::{Surface, World};
+
+/// A vertex that is held at a place of its surface, and the angle of the body about it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pivot<R> {
+    pub(crate) contact: Pair,
+    /// t·c: where along the surface. It changes by slips alone.
+    pub(crate) foot: R,
+    pub(crate) orientation: Orientation<R>,
+}
+
+impl<R: Real> Pivot<R> {
+    /// Of a body in a pose at which the vertex of `contact` is on the surface.
+    pub(crate) fn at(scene: &impl World<R>, pose: &Pose<R>, contact: Pair) -> Self {
+        let vertex = scene.vertex(contact.vertex);
+        let point = pose.position + pose.orientation.rotation().apply(vertex);
+        Self {
+            contact,
+            foot: scene.surface(contact.surface).tangent.dot(point),
+            orientation: pose.orientation,
+        }
+    }
+
+    pub(crate) fn surface(&self, scene: &impl World<R>) -> Surface<R> {
+        scene.surface(self.contact.surface)
+    }
+
+    /// c, exactly on the surface.
+    pub(crate) fn point(&self, scene: &impl World<R>) -> Vec2<R> {
+        let surface = self.surface(scene);
+        surface.origin + surface.tangent * self.foot
+    }
+
+    pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
+        Placed {
+            point: self.point(scene),
+            body_point: scene.vertex(self.contact.vertex),
+            orientation: self.orientation,
+            on: Some(self.contact.surface),
+        }
+    }
+
+    /// The load on the body about the pivot.
+    pub(crate) fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
+        Stance::new(scene, self.placed(scene), grip)
+    }
+
+    /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E10).
+    pub(crate) fn glide(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+        let arm = grip.holding_point - scene.vertex(self.contact.vertex);
+        let lever = self.orientation.rotation().apply(arm);
+        let balanced = grip.hand - lever + scene.weight();
+        self.foot = self.surface(scene).tangent.dot(balanced);
+    }
+
+    /// The same pivot after a slide along t and a turn.
+    pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
+        Self {
+            contact: self.contact,
+            foot: self.foot + slide,
+            orientation: self.orientation.plus(turn),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The first zero of functions that start positive, guaranteed (STATICS 3.2): from the value, the slope and a bound
+//! of the curvature follows a step that never passes a zero and converges quadratically at a simple one.
+
+use crate::real::Real;
+
+/// Every search ends after this many steps. A simple zero takes 3 to 9; past the place of a double root, which the
+/// search may not jump, the steps first halve and then double again.
+const MAX_STEPS: usize = 256;
+
+/// A function at one place: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slope<R> {
+    pub(crate) value: R,
+    pub(crate) slope: R,
+    pub(crate) curvature: R,
+    pub(crate) rounding: R,
+}
+
+impl<R: Real> Slope<R> {
+    /// This and less counts as zero: its rounding, or, where it falls, what its zero is away by a tolerance of x.
+    fn closed(&self, tolerance: R) -> R {
+        self.rounding.max(-(tolerance * self.slope))
+    }
+
+    /// The longest step that cannot pass a zero.
+    fn safe_step(&self) -> R {
+        let (e, d, k) = (self.value, self.slope, self.curvature);
+        if e <= R::ZERO || e <= self.rounding && d >= R::ZERO {
+            return R::ZERO;
+        }
+        let root = R::root_of_products(d, d, k.doubled(), e);
+        if d < R::ZERO {
+            e.doubled() / (root - d)
+        } else if k > R::ZERO {
+            (d + root) / k
+        } else {
+            R::HUGE
+        }
+    }
+
+    /// True if it has no zero within a step, as its lowest course, which is concave, is positive at both ends: cheaper
+    /// than to ask how far it has none.
+    fn is_clear_of(&self, step: R) -> bool {
+        let fall = (self.curvature * step).halved() - self.slope;
+        self.value > self.rounding && self.value - fall * step > self.rounding
+    }
+
+    /// After a certified step E is at most K step²; true if twice that, or E itself, counts as zero.
+    fn is_closed_by(&self, step: R, tolerance: R) -> bool {
+        let closed = self.closed(tolerance);
+        self.value <= closed || (self.curvature * step * step).doubled() <= closed
+    }
+
+    /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
+    fn first_step(&self) -> R {
+        if self.value > self.rounding {
+            self.safe_step()
+        } else if self.slope <= R::ZERO {
+            R::ZERO
+        } else if self.curvature > R::ZERO {
+            self.slope / self.curvature
+        } else {
+            R::HUGE
+        }
+    }
+}
+
+/// The outcome of a search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Found<R> {
+    /// No zero before the limit; `x` is the last place that was looked at.
+    Nothing { x: R },
+    /// Function number `which` is the first to become zero, at `x`.
+    Zero { x: R, which: usize },
+    /// The bound of steps was hit at `x`, up to which there is no zero; `which` is the nearest to one.
+    Unsure { x: R, which: usize },
+}
+
+/// What a search sees at one place.
+pub(crate) struct Look<R, const M: usize> {
+    /// One that is left out has no zero within the window.
+    pub(crate) functions: [Option<Slope<R>>; M],
+    /// The farthest that the next step may go: the curvatures need to hold up to there only.
+    pub(crate) window: R,
+}
+
+impl<R: Real, const M: usize> Look<R, M> {
+    /// With curvatures that hold everywhere.
+    pub(crate) fn far(functions: [Slope<R>; M]) -> Self {
+        Self {
+            functions: functions.map(Some),
+            window: R::HUGE,
+        }
+    }
+}
+
+/// The first x in [0, limit) at which one of M functions is zero, to within a tolerance of x. Of two zeros at one place the
+/// first listed counts.
+pub(crate) fn first_zero<R: Real, const M: usize>(
+    (limit, tolerance): (R, R),
+    mut look: impl FnMut(R) -> Look<R, M>,
+) -> Found<R> {
+    let mut x = R::ZERO;
+    let mut nearest = 0;
+    #[cfg(not(test))]
+    let steps = 0..MAX_STEPS;
+    #[cfg(test)]
+    let steps = crate::fixtures::searches::steps(MAX_STEPS);
+    for i in steps {
+        let Look { functions, window } = look(x);
+        let mut step = window;
+        let mut closest = None;
+        for (which, function) in functions.iter().enumerate() {
+            let Some(function) = function else { continue };
+            if function.is_clear_of(step) {
+                continue;
+            }
+            let safe = if i == 0 {
+                function.first_step()
+            } else {
+                function.safe_step()
+            };
+            if safe < step {
+                step = safe;
+                closest = Some((which, function));
+            }
+        }
+        if x + step >= limit {
+            return Found::Nothing { x };
+        }
+        if let Some((which, function)) = closest {
+            nearest = which;
+            let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
+            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step, tolerance)) {
+                return Found::Zero { x: x + step, which };
+            }
+        }
+        x = x + step;
+    }
+    Found::Unsure { x, which: nearest }
+}
+
+#[cfg(test)]
+mod tests;
