@@ -1,9 +1,9 @@
 //! 2: gaps between the body's vertices and the surfaces, and the first of them to close on a motion.
 
+use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::moment::Bend;
-use crate::motion::{Course, Margin, Motion};
+use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::world::World;
 
@@ -52,7 +52,7 @@ impl<R: Real> Placed<R> {
             return (surface.normal.dot(arm), unit);
         }
         let level = surface.normal.dot(self.point) - surface.offset;
-        let size = R::ONE + self.point.reach() + surface.offset.abs();
+        let size = R::ONE + self.point.length_bound() + surface.offset.abs();
         (level + surface.normal.dot(arm), unit * size)
     }
 
@@ -77,7 +77,7 @@ impl<R: Real> Placed<R> {
     /// Neither shifted nor turned by more than a little, together.
     pub(crate) fn is_near(&self, other: &Self, little: R) -> bool {
         let [a, b] = [self, other].map(Self::pose);
-        let moved = (a.position - b.position).reach();
+        let moved = (a.position - b.position).length_bound();
         let turned = a.orientation.angle().minus(b.orientation.angle());
         moved + turned.abs() <= little
     }
@@ -99,9 +99,9 @@ impl<R: Real> Placed<R> {
     }
 
     /// True if no vertex can have come to a surface on a way of the point that ended here, and no gap was negative at its beginning:
-    /// a gap lies above its chord but for a sagitta. `bow`: a bound of ϑ'² + |ϑ''| in tau.
-    pub(crate) fn is_clear(&self, scene: &impl World<R>, bow: R) -> bool {
-        self.room(scene, None) > (self.radius(scene, None) * bow).halved()
+    /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
+    pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {
+        self.room(scene, None) > (self.radius(scene, None) * curvature_bound).halved()
     }
 
     /// The least gap of all vertices but the `pivot` at the point, less what counts as a touch and the rounding; where all
@@ -114,7 +114,7 @@ impl<R: Real> Placed<R> {
             let level = if self.on == Some(index) {
                 -R::TOUCH
             } else {
-                let size = R::ONE + self.point.reach() + surface.offset.abs();
+                let size = R::ONE + self.point.length_bound() + surface.offset.abs();
                 let rounding = R::rounding(size).doubled();
                 surface.normal.dot(self.point) - surface.offset - rounding - R::TOUCH
             };
@@ -144,7 +144,7 @@ impl<R: Real> Placed<R> {
     fn radius(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         match pivot {
             Some(_) => R::ONE,
-            None => R::ONE + (scene.vertex(0) - self.body_point).reach(),
+            None => R::ONE + (scene.vertex(0) - self.body_point).length_bound(),
         }
     }
 
@@ -168,19 +168,19 @@ impl<R: Real> Placed<R> {
 
     /// The first vertex to reach a surface on a motion, other than the contacts that it keeps. The course is
     /// shortened to there.
-    pub(crate) fn first_touch<B: Bend<R>>(
+    pub(crate) fn first_touch<H: SecondHarmonic<R>>(
         &self,
         scene: &impl World<R>,
-        course: &mut Course<R>,
-        moving: &Moving<'_, R, B>,
+        extent: &mut Extent<R>,
+        moving: &Moving<'_, R, H>,
     ) -> Option<Pair> {
         let mut first = None;
         let radius = self.radius(scene, None);
-        let keeps = || moving.keeps.iter();
+        let lasting = || moving.lasting.iter();
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let (height, normal) = self.above(scene, index);
-            let along = surface.normal.dot(moving.shift).abs() * course.reach;
+            let along = surface.normal.dot(moving.shift).abs() * extent.part_bound;
             if height - along > radius.doubled() {
                 continue;
             }
@@ -190,21 +190,21 @@ impl<R: Real> Placed<R> {
                     surface: index,
                 };
                 let arm = scene.vertex(vertex) - self.body_point;
-                let swing = arm.reach() * course.end.turn.abs();
+                let swing = arm.length_bound() * extent.end.turn.abs();
                 let clear = height + normal.dot(arm) - along - swing;
-                if clear > R::TOUCH || moving.keeps.contains(&contact) {
+                if clear > R::TOUCH || moving.lasting.contains(&contact) {
                     return;
                 }
                 let margin = self.margin(scene, contact, moving.shift);
-                if moving.motion.stop_at(&margin, course) {
+                if moving.curve.stop_at(&margin, extent) {
                     first = Some(contact);
                 }
             };
             if self.on != Some(index) {
                 scene.vertex_indices().for_each(&mut visit);
-            } else if keeps().skip(1).all(|other| other.surface != index) {
+            } else if lasting().skip(1).all(|other| other.surface != index) {
                 // On its own surface nothing arrives before a neighbour.
-                let pivot = keeps().take(1);
+                let pivot = lasting().take(1);
                 let neighbours = pivot.flat_map(|pivot| scene.neighbours(pivot.vertex));
                 neighbours.for_each(&mut visit);
             }
@@ -214,12 +214,12 @@ impl<R: Real> Placed<R> {
 }
 
 /// A motion of the placed point and the body about it.
-pub(crate) struct Moving<'a, R, B> {
-    pub(crate) motion: &'a Motion<R, B>,
+pub(crate) struct Moving<'a, R, H> {
+    pub(crate) curve: &'a BalanceCurve<R, H>,
     /// How far the point moves at tau = 1.
     pub(crate) shift: Vec2<R>,
     /// The contacts that last; the first one is at the point.
-    pub(crate) keeps: &'a [Pair],
+    pub(crate) lasting: &'a [Pair],
 }
 
 #[cfg(test)]

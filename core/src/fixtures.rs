@@ -4,7 +4,7 @@
 use crate::contact::Pair;
 use crate::detect::Placed;
 use crate::geometry::{Angle, Orientation, Vec2};
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::{Description, Scene, SurfaceDescription};
@@ -54,8 +54,8 @@ pub(crate) fn loads() -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// A body about a point at the origin, with the springs of a hand that does not pull.
-pub(crate) fn unloaded() -> Stance<f64> {
-    Stance {
+pub(crate) fn unloaded() -> Load<f64> {
+    Load {
         placed: Placed {
             point: Vec2::ZERO,
             body_point: Vec2::ZERO,

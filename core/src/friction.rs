@@ -2,8 +2,8 @@
 //! |T| = mu_d N. Written with the angle of friction lambda = atan mu, so that mu from 0 to infinity is regular
 //! (STATICS 10).
 
-use crate::geometry::{Vec2, unit};
-use crate::motion::Margin;
+use crate::balance_curve::Margin;
+use crate::geometry::{Vec2, normalized};
 use crate::real::{Real, along};
 
 /// An angle of friction.
@@ -47,7 +47,7 @@ impl<R: Real> Coulomb<R> {
     /// From mu_s and mu_d, both 0 or more.
     pub(crate) fn from_coefficients(fixed: R::Si, sliding: R::Si) -> Self {
         let cone = |mu: R::Si| {
-            let (cos, sin) = unit(R::Si::ONE, mu);
+            let (cos, sin) = normalized(R::Si::ONE, mu);
             Cone {
                 sin: R::from_si(sin, R::Si::ONE),
                 cos: R::from_si(cos, R::Si::ONE),

@@ -40,7 +40,7 @@ impl<R: Real> Vec2<R> {
         self.x.hypot(self.y)
     }
     /// An upper bound of the length that costs no root, larger by at most an eighth.
-    pub(crate) fn reach(self) -> R {
+    pub(crate) fn length_bound(self) -> R {
         let (x, y) = (self.x.abs(), self.y.abs());
         x + y - x.min(y).halved()
     }
@@ -91,7 +91,7 @@ impl<R: Real> Mul<R> for Vec2<R> {
 }
 
 /// The vector (x, y), not zero, as one of length 1.
-pub(crate) fn unit<F: Real>(x: F, y: F) -> (F, F) {
+pub(crate) fn normalized<F: Real>(x: F, y: F) -> (F, F) {
     let length = x.hypot(y);
     (x / length, y / length)
 }

@@ -35,13 +35,20 @@ impl<R: Real> Grip<R> {
 
     /// On the straight way of the hand to another grip, as far as there but at most so far.
     pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
-        let way = self.way_to(to).size();
-        self.lerp(to, if way > most { most / way } else { R::ONE })
+        let distance = self.displacement_to(to).size();
+        self.lerp(
+            to,
+            if distance > most {
+                most / distance
+            } else {
+                R::ONE
+            },
+        )
     }
 
     /// The way of the hand to another grip: displacement and turn.
-    pub(crate) fn way_to(&self, to: &Self) -> Way<R> {
-        Way {
+    pub(crate) fn displacement_to(&self, to: &Self) -> Displacement<R> {
+        Displacement {
             hand: to.hand - self.hand,
             turn: to.angle.minus(self.angle),
         }
@@ -50,12 +57,12 @@ impl<R: Real> Grip<R> {
 
 /// A way of the hand relative to the contact.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way<R> {
+pub(crate) struct Displacement<R> {
     pub(crate) hand: Vec2<R>,
     pub(crate) turn: R,
 }
 
-impl<R: Real> Way<R> {
+impl<R: Real> Displacement<R> {
     /// The contact slides by `shift` while the hand is frozen: relative to it the hand goes back.
     pub(crate) fn slide(shift: Vec2<R>) -> Self {
         Self {
@@ -82,6 +89,6 @@ impl<R: Real> Way<R> {
 
     /// How far the body can be moved by it: displacement and turn at a lever of one body size.
     pub(crate) fn size(&self) -> R {
-        self.hand.reach() + self.turn.abs()
+        self.hand.length_bound() + self.turn.abs()
     }
 }

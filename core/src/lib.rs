@@ -87,8 +87,10 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+mod balance_curve;
 mod body;
-mod calm;
+mod bounded;
+mod certified;
 mod contact;
 mod detect;
 mod event;
@@ -100,13 +102,11 @@ mod friction;
 mod geometry;
 mod grip;
 mod hand;
-mod jet;
 mod list;
 mod load;
 mod log;
 mod model;
 mod moment;
-mod motion;
 mod output;
 mod pivot;
 mod real;
@@ -116,12 +116,12 @@ mod settle;
 mod si;
 mod solver;
 mod state;
-mod support;
 mod transition;
 mod units;
 mod verb;
 mod world;
 mod wrench2;
+mod wrench_cone;
 
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};

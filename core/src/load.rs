@@ -1,18 +1,18 @@
 //! The load of hand and weight on a body about one of its points: force, moment, stability, reaction. Lengths / L, forces
 //! / (k_h L): k_h is 1.
 
+use crate::balance_curve::Margin;
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Vec2};
-use crate::grip::{Grip, Way};
-use crate::moment::{Bend, Moment};
-use crate::motion::Margin;
+use crate::grip::{Displacement, Grip};
+use crate::moment::{Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::{Surface, World};
-use crate::wrench2::Screw;
+use crate::wrench2::Wrench2;
 
 /// The load of hand and weight on a body, about a point that is fixed in it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Stance<R> {
+pub(crate) struct Load<R> {
     /// The point, its place and the rotation of the body.
     pub(crate) placed: Placed<R>,
     /// R d: from the point to the holding point.
@@ -34,7 +34,7 @@ pub(crate) struct Stance<R> {
     pub(crate) tolerance: R,
 }
 
-impl<R: Real> Stance<R> {
+impl<R: Real> Load<R> {
     pub(crate) fn new(scene: &impl World<R>, placed: Placed<R>, grip: &Grip<R>) -> Self {
         let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);
@@ -81,8 +81,8 @@ impl<R: Real> Stance<R> {
     }
 
     /// The load as force and moment about the point.
-    pub(crate) fn load(&self) -> Screw<R> {
-        Screw {
+    pub(crate) fn wrench(&self) -> Wrench2<R> {
+        Wrench2 {
             force: self.force,
             moment: self.moment(),
         }
@@ -94,30 +94,30 @@ impl<R: Real> Stance<R> {
     }
 
     /// The number type certainly carries the pull, the turn and the moments of both.
-    pub(crate) fn is_carried(&self) -> bool {
-        self.hold.reach() + self.couple.abs() <= R::LOAD
-            && self.spring.reach() + self.lever.reach() <= R::RANGE
+    pub(crate) fn is_representable(&self) -> bool {
+        self.hold.length_bound() + self.couple.abs() <= R::LOAD
+            && self.spring.length_bound() + self.lever.length_bound() <= R::RANGE
             && self.turn.abs() <= R::TURN
     }
 
     /// The moment as a function of a turn about the pinned point.
-    pub(crate) fn pinned<B: Bend<R>>(&self) -> Moment<R, B> {
+    pub(crate) fn pinned<H: SecondHarmonic<R>>(&self) -> Moment<R, H> {
         Moment {
             couple: self.couple,
             stiffness: self.stiffness,
             hold: self.hold,
-            bend: B::NONE,
+            harmonic: H::NONE,
             tolerance: self.tolerance,
         }
     }
 
     /// The same where the point glides along a surface without friction (E10): wherever its foot is now, in balance along
     /// the tangent.
-    pub(crate) fn gliding<B: Bend<R>>(
+    pub(crate) fn gliding<H: SecondHarmonic<R>>(
         &self,
         scene: &impl World<R>,
         surface: &Surface<R>,
-    ) -> Moment<R, B> {
+    ) -> Moment<R, H> {
         let (along, off) = (
             surface.tangent.dot(self.lever),
             surface.normal.dot(self.lever),
@@ -133,7 +133,7 @@ impl<R: Real> Stance<R> {
             couple: self.couple,
             stiffness: self.stiffness,
             hold,
-            bend: B::gliding((along, off)),
+            harmonic: H::gliding((along, off)),
             tolerance: self.tolerance,
         }
     }
@@ -145,19 +145,19 @@ impl<R: Real> Stance<R> {
 
     /// The same with the foot, which is rounded as a coordinate.
     pub(crate) fn rounding_with_foot(&self) -> R {
-        self.rounding() + R::rounding(self.placed.point.reach())
+        self.rounding() + R::rounding(self.placed.point.length_bound())
     }
 
     /// The size of what forces and moments are sums of.
     pub(crate) fn size(&self) -> R {
-        self.force.reach() + self.lever.reach() + self.couple.abs()
+        self.force.length_bound() + self.lever.length_bound() + self.couple.abs()
     }
 
     /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.
-    pub(crate) fn reaction(&self, direction: Vec2<R>, way: &Way<R>) -> Margin<R> {
+    pub(crate) fn reaction(&self, direction: Vec2<R>, displacement: &Displacement<R>) -> Margin<R> {
         Margin {
             start: -direction.dot(self.force),
-            along: -direction.dot(way.hand),
+            along: -direction.dot(displacement.hand),
             turning: Vec2::new(
                 direction.dot(self.lever),
                 direction.dot(self.lever.turned()),

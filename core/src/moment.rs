@@ -3,11 +3,11 @@
 
 use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::search::{Found, Look, Slope, first_zero};
+use crate::search::{Found, Samples, Slope, first_zero};
 
 mod second_harmonic;
 
-pub(crate) use second_harmonic::{Bend, Gliding, Unbent};
+pub(crate) use second_harmonic::{Gliding, Pinned, SecondHarmonic};
 
 /// A turn of a pinned body downhill to balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,30 +23,30 @@ pub(crate) struct Downhill<R> {
 /// The moment on a body about a point that is pinned: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
 /// present angle; or about a foot that glides, which adds a second harmonic.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment<R, B> {
+pub(crate) struct Moment<R, H> {
     pub(crate) couple: R,
     pub(crate) stiffness: R,
     /// z = conj(lever) load: dot and cross.
     pub(crate) hold: Vec2<R>,
-    pub(crate) bend: B,
+    pub(crate) harmonic: H,
     /// To be found to within this (rad); 0: as far as the digits go.
     pub(crate) tolerance: R,
 }
 
-impl<R: Real, B: Bend<R>> Moment<R, B> {
+impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
     /// The moment in the present position.
     pub(crate) fn now(&self) -> R {
-        self.bend.moment(self.couple + self.hold.y)
+        self.harmonic.moment(self.couple + self.hold.y)
     }
 
     /// -dM/dϑ: positive where the balance is stable.
     pub(crate) fn stability(&self) -> R {
-        self.bend.stability(self.stiffness + self.hold.x)
+        self.harmonic.stability(self.stiffness + self.hold.x)
     }
 
     /// A bound of |d²M/dϑ²|.
-    pub(crate) fn bent(&self) -> R {
-        self.bend.bound(self.hold.reach(), 2)
+    pub(crate) fn curvature_bound(&self) -> R {
+        self.harmonic.bound(self.hold.length_bound(), 2)
     }
 
     /// By how much the moment of a soft grip must be multiplied for its stability to have a reciprocal in this number type.
@@ -69,22 +69,22 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
             couple: self.couple * k,
             stiffness: self.stiffness * k,
             hold: self.hold * k,
-            bend: self.bend.times(k),
+            harmonic: self.harmonic.times(k),
             tolerance: self.tolerance,
         }
     }
 
     /// The number type carries the moments of the load.
-    pub(crate) fn is_carried(&self) -> bool {
-        self.bend.bound(self.hold.reach(), 1) + self.couple.abs() <= R::LOAD
+    pub(crate) fn is_representable(&self) -> bool {
+        self.harmonic.bound(self.hold.length_bound(), 1) + self.couple.abs() <= R::LOAD
     }
 
     /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
     /// to this balance (the condition of Kantorovich).
     pub(crate) fn polish(&self) -> R {
         let (moment, stability) = (self.now(), self.stability());
-        let bend = (self.bent() * moment.abs()).doubled().doubled();
-        if stability <= R::ZERO || bend >= stability * stability {
+        let kantorovich = (self.curvature_bound() * moment.abs()).doubled().doubled();
+        if stability <= R::ZERO || kantorovich >= stability * stability {
             return R::ZERO;
         }
         let per_stability = R::ONE / stability;
@@ -99,7 +99,7 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
     /// The turn to balance, but for the third order in it, from 1 over the stability.
     pub(crate) fn correction(&self, per_stability: R) -> R {
         let turn = self.now() * per_stability;
-        turn - (turn * turn).halved() * (self.bend.bow(self.hold.y) * per_stability)
+        turn - (turn * turn).halved() * (self.harmonic.stiffening(self.hold.y) * per_stability)
     }
 
     /// The first stable balance downhill in energy: the first zero of the moment in the direction of its sign.
@@ -110,8 +110,8 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
 
     /// The same from a fold, where moment and slope are zero and the moment grows with the curvature ahead.
     pub(crate) fn over_fold(&self, direction: R) -> Downhill<R> {
-        let size = self.bend.bound(self.hold.length(), 3);
-        let ahead = -direction * self.bend.bow(self.hold.y);
+        let size = self.harmonic.bound(self.hold.length(), 3);
+        let ahead = -direction * self.harmonic.stiffening(self.hold.y);
         let clear = if ahead > R::ZERO {
             (R::ONE + R::HALF) * ahead / size
         } else {
@@ -124,8 +124,8 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
 
     /// In units of about the largest of moment, load and stiffness.
     fn scaled(&self) -> Self {
-        let load = self.bend.bound(self.hold.reach(), 1);
-        let size = load.max(self.now().abs()).max(self.stiffness);
+        let pull = self.harmonic.bound(self.hold.length_bound(), 1);
+        let size = pull.max(self.now().abs()).max(self.stiffness);
         if size == R::ZERO {
             return *self;
         }
@@ -134,7 +134,7 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
             couple: self.couple.in_units(unit),
             stiffness: self.stiffness.in_units(unit),
             hold: self.hold.in_units(unit),
-            bend: self.bend.in_units(unit),
+            harmonic: self.harmonic.in_units(unit),
             tolerance: self.tolerance,
         }
     }
@@ -144,9 +144,9 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
     }
 
     fn search_from(&self, direction: R, start: R) -> Downhill<R> {
-        let size = self.bend.bound(self.hold.reach(), 1);
+        let size = self.harmonic.bound(self.hold.length_bound(), 1);
         let rounding = R::rounding(size + self.couple.abs());
-        let bent = self.bent();
+        let curvature = self.curvature_bound();
         let moment = self.now().abs();
         // Before this angle the springs' couple alone outweighs the load.
         let certain = if self.stiffness > R::ZERO {
@@ -163,14 +163,14 @@ impl<R: Real, B: Bend<R>> Moment<R, B> {
             let (sin, cos) = ((half_sin * half_cos).doubled(), R::ONE - versine);
             let first =
                 self.now() - self.stiffness * turn - versine * self.hold.y - sin * self.hold.x;
-            let value = direction * self.bend.falls(first, sin, (cos, sin));
+            let value = direction * self.harmonic.falls(first, sin, (cos, sin));
             let first = self.stiffness + cos * self.hold.x + sin * self.hold.y;
-            let slope = -self.bend.slope(first, (cos, sin));
+            let slope = -self.harmonic.slope(first, (cos, sin));
             snapped |= slope > R::ZERO && value > rounding;
-            Look::far([Slope {
+            Samples::far([Slope {
                 value,
                 slope,
-                curvature: bent,
+                curvature,
                 rounding,
             }])
         });

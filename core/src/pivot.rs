@@ -4,7 +4,7 @@ use crate::contact::Pair;
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::Grip;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::real::Real;
 use crate::world::{Surface, World};
 
@@ -49,8 +49,8 @@ impl<R: Real> Pivot<R> {
     }
 
     /// The load on the body about the pivot.
-    pub(crate) fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
-        Stance::new(scene, self.placed(scene), grip)
+    pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
+        Load::new(scene, self.placed(scene), grip)
     }
 
     /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E10).

@@ -18,7 +18,9 @@ use heapless::Vec;
 mod check;
 mod description;
 
-use check::{Carried, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces};
+use check::{
+    Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
+};
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
 impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
@@ -116,7 +118,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
     /// Coordinates beyond the range of the number type are refused: their sums would carry no digits.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
         let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
-        let allowed = Carried::by::<R>();
+        let allowed = Representable::by::<R>();
         let error = |parameter, value, allowed| {
             Err(SceneError {
                 parameter,
@@ -125,12 +127,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             })
         };
         for (i, (vertex, given)) in self.vertices().iter().zip(d.vertices).enumerate() {
-            if !fits(vertex.reach()) {
+            if !fits(vertex.length_bound()) {
                 return error(Parameter::Vertex(i), larger(*given), allowed.place);
             }
         }
         let [x, y, theta] = d.start;
-        if !fits(self.start.position.reach()) {
+        if !fits(self.start.position.length_bound()) {
             return error(Parameter::Start, larger([x, y]), allowed.place);
         }
         if self.start.orientation.angle().rest.abs() > R::TAU {
@@ -141,7 +143,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             );
         }
         if let (Some(g), Some(given)) = (self.holding_point, d.holding_point)
-            && !fits(g.reach())
+            && !fits(g.length_bound())
         {
             return error(Parameter::HoldingPoint, larger(given), allowed.place);
         }

@@ -77,14 +77,14 @@ pub(crate) enum Found<R> {
 }
 
 /// What a search sees at one place.
-pub(crate) struct Look<R, const M: usize> {
+pub(crate) struct Samples<R, const M: usize> {
     /// One that is left out has no zero within the window.
     pub(crate) functions: [Option<Slope<R>>; M],
     /// The farthest that the next step may go: the curvatures need to hold up to there only.
     pub(crate) window: R,
 }
 
-impl<R: Real, const M: usize> Look<R, M> {
+impl<R: Real, const M: usize> Samples<R, M> {
     /// With curvatures that hold everywhere.
     pub(crate) fn far(functions: [Slope<R>; M]) -> Self {
         Self {
@@ -98,7 +98,7 @@ impl<R: Real, const M: usize> Look<R, M> {
 /// first listed counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
     (limit, tolerance): (R, R),
-    mut look: impl FnMut(R) -> Look<R, M>,
+    mut sample: impl FnMut(R) -> Samples<R, M>,
 ) -> Found<R> {
     let mut x = R::ZERO;
     let mut nearest = 0;
@@ -107,7 +107,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
     #[cfg(test)]
     let steps = crate::fixtures::searches::steps(MAX_STEPS);
     for i in steps {
-        let Look { functions, window } = look(x);
+        let Samples { functions, window } = sample(x);
         let mut step = window;
         let mut closest = None;
         for (which, function) in functions.iter().enumerate() {

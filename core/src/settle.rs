@@ -247,7 +247,7 @@ fn keep<R: Real>(
 
 /// The pivot of one of the contacts of a state; the pivot itself, to the bit, where it is that one.
 fn pivot_of<R: Real>(scene: &impl World<R>, state: &ContactState<R>, pair: Pair) -> Pivot<R> {
-    match state.carrier() {
+    match state.anchor() {
         Ok(pivot) if pivot.contact == pair => *pivot,
         _ => Pivot::at(scene, &state.pose(scene), pair),
     }

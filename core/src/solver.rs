@@ -194,7 +194,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             Err(status) => log.limit(status),
             Ok(target) => {
                 self.switch(state, &hand, target, &mut log);
-                if self.follow(state, target, &mut log) {
+                if self.go_to(state, target, &mut log) {
                     state.hand = hand;
                 } else {
                     log.limit(Status::Saturated);
@@ -290,7 +290,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             hand: position,
             angle: angle.offset_from(rest_offset),
         };
-        if !self.carries(&state.contact, &grip) {
+        if !self.can_represent(&state.contact, &grip) {
             log.limit(Status::Saturated);
             return;
         }
@@ -306,10 +306,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// The number type carries the springs between a body and a hand: the pull, the turn, and the moment of both.
-    fn carries(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
+    fn can_represent(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
         let placed = contact.placed(&self.scene);
-        let pull = (grip.hand - placed.point).reach();
-        let lever = (grip.holding_point - placed.body_point).reach();
+        let pull = (grip.hand - placed.point).length_bound();
+        let lever = (grip.holding_point - placed.body_point).length_bound();
         // The balance of a contact that glides is one in the square of its lever.
         let pull = if self.glides() { pull.max(lever) } else { pull };
         let turn = grip.angle.minus(placed.orientation.angle()).abs();

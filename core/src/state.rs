@@ -16,20 +16,20 @@ use crate::detect::Placed;
 use crate::event::StateKind;
 use crate::geometry::Pose;
 use crate::grip::Grip;
-use crate::load::Stance;
-use crate::moment::{Gliding, Unbent};
+use crate::load::Load;
+use crate::moment::{Gliding, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Relax, Terms, Trigger, seat};
 use crate::world::World;
 
-mod bracing;
 mod corner;
 mod edge;
+mod fixed_pose;
 mod free;
 mod glide;
-mod leg;
 mod locked;
+mod segment;
 mod short_slip;
 mod single_vertex;
 mod trammel;
@@ -77,7 +77,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// The pivot that carries the pose; without contact the pose itself.
-    pub(crate) fn carrier(&self) -> Result<&Pivot<R>, &Pose<R>> {
+    pub(crate) fn anchor(&self) -> Result<&Pivot<R>, &Pose<R>> {
         match self {
             Self::Free(s) => Err(&s.pose),
             Self::SingleVertex(s) => Ok(&s.pivot),
@@ -90,7 +90,7 @@ impl<R: Real> ContactState<R> {
 
     /// The body placed by the point that carries its pose.
     pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
-        match self.carrier() {
+        match self.anchor() {
             Ok(pivot) => pivot.placed(scene),
             Err(pose) => Placed::at(pose),
         }
@@ -107,11 +107,11 @@ impl<R: Real> ContactState<R> {
         (from, to): (&Grip<R>, &Grip<R>),
         terms: Terms<R>,
     ) -> Option<Trigger<R>> {
-        let follows = match self {
+        let is_certified = match self {
             Self::Free(s) if W::GLIDES => {
                 s.follow::<Gliding<R>>(scene, (from, to), terms.tolerance)
             }
-            Self::Free(s) => s.follow::<Unbent>(scene, (from, to), terms.tolerance),
+            Self::Free(s) => s.follow::<Pinned>(scene, (from, to), terms.tolerance),
             Self::SingleVertex(s) if W::GLIDES => s.glide_on(scene, (from, to), terms.tolerance),
             Self::SingleVertex(s) => return s.follow(scene, (from, to), terms),
             Self::Edge(s) if W::EDGES => s.follow(scene, to),
@@ -119,7 +119,7 @@ impl<R: Real> ContactState<R> {
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),
             _ => false,
         };
-        follows.then_some(Trigger::Balanced)
+        is_certified.then_some(Trigger::Balanced)
     }
 
     pub(crate) fn advance<W: World<R>>(
@@ -130,7 +130,7 @@ impl<R: Real> ContactState<R> {
     ) -> Moved<R> {
         match self {
             Self::Free(s) if W::GLIDES => s.advance::<Gliding<R>>(scene, from, to),
-            Self::Free(s) => s.advance::<Unbent>(scene, from, to),
+            Self::Free(s) => s.advance::<Pinned>(scene, from, to),
             Self::SingleVertex(s) if !W::GLIDES => s.advance(scene, from, to),
             Self::SingleVertex(s) => s.glide_along(scene, from, to),
             Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
@@ -149,7 +149,7 @@ impl<R: Real> ContactState<R> {
     ) -> Moved<R> {
         match self {
             Self::Free(s) if W::GLIDES => s.relax::<Gliding<R>>(scene, grip),
-            Self::Free(s) => s.relax::<Unbent>(scene, grip),
+            Self::Free(s) => s.relax::<Pinned>(scene, grip),
             Self::SingleVertex(s) if !W::GLIDES => s.relax(scene, grip, how.sliding),
             Self::SingleVertex(s) => s.glide_down(scene, grip),
             Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
@@ -185,13 +185,13 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    pub(crate) fn reactions<W: World<R>>(&self, scene: &W, stance: &Stance<R>) -> Reactions<R> {
+    pub(crate) fn reactions<W: World<R>>(&self, scene: &W, load: &Load<R>) -> Reactions<R> {
         match self {
-            Self::SingleVertex(s) => s.reactions(scene, stance),
-            Self::Edge(s) if W::EDGES => s.reactions(scene, stance),
-            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, stance),
-            Self::Corner(s) if W::SURFACES => s.reactions(scene, stance),
-            Self::Locked(s) if W::SURFACES => s.reactions(scene, stance),
+            Self::SingleVertex(s) => s.reactions(scene, load),
+            Self::Edge(s) if W::EDGES => s.reactions(scene, load),
+            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, load),
+            Self::Corner(s) if W::SURFACES => s.reactions(scene, load),
+            Self::Locked(s) if W::SURFACES => s.reactions(scene, load),
             _ => Reactions::new(),
         }
     }

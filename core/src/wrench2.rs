@@ -5,12 +5,12 @@ use crate::real::Real;
 
 /// A force with its moment about the pivot of the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Screw<R> {
+pub(crate) struct Wrench2<R> {
     pub(crate) force: Vec2<R>,
     pub(crate) moment: R,
 }
 
-impl<R: Real> Screw<R> {
+impl<R: Real> Wrench2<R> {
     /// The product that is zero for a wrench in the plane of two others.
     pub(crate) fn dot(self, b: Self) -> R {
         self.force.dot(b.force) + self.moment * b.moment

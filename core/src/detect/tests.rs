@@ -3,7 +3,7 @@
 use super::*;
 use crate::fixtures::sampled;
 use crate::geometry::Angle;
-use crate::moment::Unbent;
+use crate::moment::Pinned;
 use crate::real::Fixed;
 use crate::scene::{Description, Scene, SurfaceDescription};
 
@@ -132,7 +132,7 @@ fn room_is_the_least_gap() {
             assert!(room >= 0.25 * least, "{room} {least}");
             far += 1;
         }
-        let swings = |reach: f64| at.is_clear(&scene, reach * reach);
+        let swings = |turn: f64| at.is_clear(&scene, turn * turn);
         // No vertex is farther from the point than 1: what a turn can take, and half of twice as much.
         if room > 0.0 {
             assert!(swings(0.9 * libm::sqrt(room)) && !swings(1.6 * libm::sqrt(room)));

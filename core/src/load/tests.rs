@@ -5,16 +5,16 @@ use crate::fixtures::{Random, loads, unloaded};
 
 /// The pull on the lever and the couple together, each of either sign, up to what the number type carries.
 #[test]
-fn load_is_carried_together_with_the_couple() {
+fn load_is_representable_together_with_the_couple() {
     let most = <f64 as Real>::LOAD;
-    for (load, couple) in loads() {
-        let stance = Stance {
+    for (pull, couple) in loads() {
+        let load = Load {
             couple: couple * most,
-            hold: Vec2::new(0.0, load * most),
+            hold: Vec2::new(0.0, pull * most),
             ..unloaded()
         };
-        let carries = load.abs() + couple.abs() <= 1.0;
-        assert_eq!(stance.is_carried(), carries, "{load} {couple}");
+        let carries = pull.abs() + couple.abs() <= 1.0;
+        assert_eq!(load.is_representable(), carries, "{pull} {couple}");
     }
 }
 
@@ -25,19 +25,16 @@ fn sizes_are_those_of_all_parts_together() {
     for _ in 0..1000 {
         let (hand, lever, force) = (random.vector(), random.vector(), random.vector());
         let (turn, couple) = (random.next(), random.next());
-        let size = Way { hand, turn }.size();
+        let size = Displacement { hand, turn }.size();
         let all = hand.length() + turn.abs();
         assert!(size >= all && size <= 1.125 * all, "{size} {all}");
-        let stance = Stance {
+        let load = Load {
             force,
             lever,
             couple,
             ..unloaded()
         };
-        let (size, all) = (
-            stance.size(),
-            force.length() + lever.length() + couple.abs(),
-        );
+        let (size, all) = (load.size(), force.length() + lever.length() + couple.abs());
         assert!(size >= all && size <= 1.125 * all, "{size} {all}");
     }
 }

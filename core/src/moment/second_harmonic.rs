@@ -8,7 +8,7 @@ use core::fmt::Debug;
 
 /// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of
 /// the first harmonic; `turn` is (cos ϑ, sin ϑ).
-pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
+pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
     /// A foot that stays.
     const NONE: Self;
 
@@ -19,7 +19,7 @@ pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
     /// -dM/dϑ at ϑ = 0.
     fn stability(self, first: R) -> R;
     /// -d²M/dϑ² at ϑ = 0.
-    fn bow(self, first: R) -> R;
+    fn stiffening(self, first: R) -> R;
     /// `first` less the fall of the moment to ϑ, with `times` for one of the two factors sin ϑ of that.
     fn falls(self, first: R, times: R, turn: (R, R)) -> R;
     /// `first` and that fall.
@@ -38,9 +38,9 @@ pub(crate) trait Bend<R: Real>: Copy + Debug + PartialEq {
 
 /// The foot stays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Unbent;
+pub(crate) struct Pinned;
 
-impl<R: Real> Bend<R> for Unbent {
+impl<R: Real> SecondHarmonic<R> for Pinned {
     const NONE: Self = Self;
 
     fn gliding(_: (R, R)) -> Self {
@@ -52,7 +52,7 @@ impl<R: Real> Bend<R> for Unbent {
     fn stability(self, first: R) -> R {
         first
     }
-    fn bow(self, first: R) -> R {
+    fn stiffening(self, first: R) -> R {
         first
     }
     fn falls(self, first: R, _: R, _: (R, R)) -> R {
@@ -92,7 +92,7 @@ impl<R: Real> Gliding<R> {
     }
 }
 
-impl<R: Real> Bend<R> for Gliding<R> {
+impl<R: Real> SecondHarmonic<R> for Gliding<R> {
     const NONE: Self = Self { second: Vec2::ZERO };
 
     fn gliding((along, off): (R, R)) -> Self {
@@ -109,7 +109,7 @@ impl<R: Real> Bend<R> for Gliding<R> {
     fn stability(self, first: R) -> R {
         first + self.second.x.doubled()
     }
-    fn bow(self, first: R) -> R {
+    fn stiffening(self, first: R) -> R {
         first + self.second.y.doubled().doubled()
     }
     fn falls(self, first: R, times: R, turn: (R, R)) -> R {
@@ -128,7 +128,7 @@ impl<R: Real> Bend<R> for Gliding<R> {
         first + level.doubled().doubled()
     }
     fn bound(self, first: R, order: u8) -> R {
-        first + (0..order).fold(self.second.reach(), |bound, _| bound.doubled())
+        first + (0..order).fold(self.second.length_bound(), |bound, _| bound.doubled())
     }
     fn in_units(self, unit: R) -> Self {
         Self {

@@ -17,7 +17,7 @@ fn fold_lands_on_the_first_stable_balance() {
             couple: delta - fold,
             stiffness: 1.0,
             hold: Vec2::new(kappa * libm::cos(fold), -kappa * libm::sin(fold)),
-            bend: Unbent,
+            harmonic: Pinned,
             tolerance: 0.0,
         };
         let found = moment.over_fold(1.0);
@@ -30,7 +30,7 @@ fn fold_lands_on_the_first_stable_balance() {
 }
 
 /// A moment of a number type, its own balance off by `now`.
-fn moment<R: Real>(now: f64, stiffness: f64, (x, y): (f64, f64)) -> Moment<R, Unbent>
+fn moment<R: Real>(now: f64, stiffness: f64, (x, y): (f64, f64)) -> Moment<R, Pinned>
 where
     R::Si: From<f32>,
 {
@@ -38,7 +38,7 @@ where
         couple: number(now - y),
         stiffness: number(stiffness),
         hold: Vec2::new(number(x), number(y)),
-        bend: Unbent,
+        harmonic: Pinned,
         tolerance: R::ZERO,
     }
 }
@@ -75,13 +75,13 @@ fn soft_grip_is_polished() {
 
 /// Load and couple together, each of either sign, up to what the number type carries.
 #[test]
-fn load_is_carried_together_with_the_couple() {
+fn load_is_representable_together_with_the_couple() {
     let most = <Fixed as Real>::LOAD.to_si(1.0) as f64;
     for (load, couple) in loads() {
         let (load, couple) = (load * most, couple * most);
         let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
         let carries = load.abs() + couple.abs() <= most;
-        assert_eq!(moment.is_carried(), carries, "{load} {couple}");
+        assert_eq!(moment.is_representable(), carries, "{load} {couple}");
     }
 }
 
@@ -143,12 +143,12 @@ fn turn_that_gives_up_says_so() {
         for most in 1..40 {
             let (found, counts) = searches::giving_up(most, || moment.downhill());
             assert_eq!(found.unsure, counts.unsure > 0, "{most}");
-            let way = found.turn * now.signum();
+            let displacement = found.turn * now.signum();
             assert!(
-                way >= last && way <= whole.turn.abs() * (1.0 + 1e-9),
-                "{way}"
+                displacement >= last && displacement <= whole.turn.abs() * (1.0 + 1e-9),
+                "{displacement}"
             );
-            last = way;
+            last = displacement;
             if !found.unsure {
                 assert_eq!(found, whole);
             }

@@ -2,7 +2,7 @@
 
 use super::{Description, Parameter, SceneError, SurfaceDescription};
 use crate::friction::Coulomb;
-use crate::geometry::{Vec2, unit};
+use crate::geometry::{Vec2, normalized};
 use crate::model::Model;
 use crate::real::Real;
 use crate::units::Units;
@@ -35,7 +35,7 @@ pub(super) fn larger<F: Real>([x, y]: [F; 2]) -> F {
 }
 
 /// What is said to be allowed of numbers that the number type must carry.
-pub(super) struct Carried {
+pub(super) struct Representable {
     /// Of x and y of a place.
     pub(super) place: &'static str,
     /// Of the offset of a surface.
@@ -49,9 +49,9 @@ pub(super) struct Carried {
 }
 
 /// With [`Real::RANGE`] of a number type and 1 / [`Real::HUGE`] of its float.
-macro_rules! carried {
+macro_rules! representable {
     ($range:literal, $least:literal) => {
-        Carried {
+        Representable {
             place: concat!(
                 "the larger coordinate and half the other at most ",
                 $range,
@@ -69,15 +69,15 @@ macro_rules! carried {
     };
 }
 
-impl Carried {
+impl Representable {
     /// In the words for a number type.
     pub(super) fn by<R: Real>() -> Self {
         if R::RANGE <= R::from_int(16) {
-            carried!("16", "1e-15")
+            representable!("16", "1e-15")
         } else if R::RANGE <= R::from_int(1_000_000) {
-            carried!("1e6", "1e-15")
+            representable!("1e6", "1e-15")
         } else {
-            carried!("1e12", "1e-30")
+            representable!("1e12", "1e-30")
         }
     }
 }
@@ -245,7 +245,7 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             mu_s,
             "not less than the dynamic friction",
         )?;
-        let (x, y) = unit(x, y);
+        let (x, y) = normalized(x, y);
         let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
         let offset = units.length_from_si(d.offset);
         // The slice is not longer than S, so there is room.

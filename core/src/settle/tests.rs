@@ -115,13 +115,13 @@ fn attempts_are_counted_while_nothing_moves() {
         // From the last place, so that it may creep.
         assert_eq!(attempts.count(&placed(NEAR, 0.0, NEAR), kind), 6);
         assert_eq!(attempts.count(&placed(NEAR, -NEAR, 0.0), kind), 7);
-        let ways = [
+        let moves = [
             (FAR, 0.0, FAR),
             (FAR, 0.0, -FAR),
             (-2.0 * FAR, 0.0, 0.0),
             (0.0, 0.0, -2.0 * FAR),
         ];
-        for (x, y, turn) in ways {
+        for (x, y, turn) in moves {
             attempts.count(&here, kind);
             assert!(attempts.count(&here, kind) > 0);
             assert_eq!(attempts.count(&placed(x, y, turn), kind), 0);

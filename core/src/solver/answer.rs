@@ -3,7 +3,7 @@
 use super::{Solver, State};
 use crate::forces::{Contact, Contacts, Wrench};
 use crate::geometry::Angle;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::log::Log;
 use crate::model::Model;
 use crate::output::Output;
@@ -51,8 +51,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);
-        let stance = Stance::new(&self.scene, placed, &state.grip);
-        let mut reactions = state.contact.reactions(&self.scene, &stance);
+        let load = Load::new(&self.scene, placed, &state.grip);
+        let mut reactions = state.contact.reactions(&self.scene, &load);
         if !state.held {
             reactions.clear();
         }

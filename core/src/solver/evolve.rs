@@ -77,7 +77,7 @@ const UNLIMITED_SLIPS: u32 = 100;
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// The hand goes to `target` and the body with it, if it holds it. False, and nothing has moved, where it is out of
     /// range.
-    pub(super) fn follow(
+    pub(super) fn go_to(
         &self,
         state: &mut State<R>,
         (hand, angle): (Vec2<R>, Angle<R>),
@@ -105,7 +105,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             } else {
                 settle(&self.scene, &to, &mut state.contact, Some(trigger), log);
             }
-        } else if !self.carries(&state.contact, &to) {
+        } else if !self.can_represent(&state.contact, &to) {
             return false;
         } else {
             // A way begins in balance: out of it there is only a jump.
@@ -132,8 +132,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 // Out of balance there is no way on, only a jump.
                 return self.by_jump(state, to, log);
             }
-            let way = (&state.grip, to);
-            if event > 0 && state.contact.follow(&self.scene, way, terms).is_some() {
+            let hands = (&state.grip, to);
+            if event > 0 && state.contact.follow(&self.scene, hands, terms).is_some() {
                 rests(&state.contact, log);
                 return;
             }
@@ -156,7 +156,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 Trigger::Undriven => {}
                 trigger => self.happens(state, to, trigger, log),
             }
-            let travel = begin.way_to(&state.grip).size();
+            let travel = begin.displacement_to(&state.grip).size();
             idle = if travel <= R::MICRO {
                 idle.saturating_add(1)
             } else {
@@ -212,9 +212,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     fn slide_on(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let from = state.grip;
         let [sixteenth, least] = [16, MOST_STRIDES].map(|n| R::ONE / R::from_int(n));
-        let way = from.way_to(to).size();
+        let distance = from.displacement_to(to).size();
         let mut stride = R::ONE;
-        while way * stride > sixteenth && stride > least {
+        while distance * stride > sixteenth && stride > least {
             stride = stride.halved();
         }
         let (mut done, mut length) = (R::ZERO, R::ZERO);
@@ -254,7 +254,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         [middle, at, beyond]: &[Grip<R>; 3],
     ) -> Option<(ContactState<R>, Log<R>)> {
         let (slid, log) = self.one_slip(contact, at)?;
-        if middle.way_to(beyond).size() > R::MICRO * R::from_int(512) {
+        if middle.displacement_to(beyond).size() > R::MICRO * R::from_int(512) {
             let (half, _) = self.one_slip(contact, middle)?;
             let (same, _) = self.one_slip(&half, at)?;
             // What a slip ends in is found to this, in fixed point.

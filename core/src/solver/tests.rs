@@ -14,7 +14,7 @@ fn frame_that_gives_up_says_so() {
         &[0.0, FRAC_PI_2],
     );
     let slopes = scene::<2, 2>(&[[-0.5, 0.0], [0.5, 0.0]], &[-0.6, 0.8]);
-    let ways = [
+    let paths = [
         [(3.0, 0.1, 0.1), (-0.2, -0.2, 1.2)],
         [(2.0, 0.4, -0.2), (-0.4, 0.1, -2.0)],
         [(1.0, 0.2, 0.5), (4.0, -1.0, 5.0)],
@@ -22,9 +22,9 @@ fn frame_that_gives_up_says_so() {
     ];
     let mut seen = [0; 2];
     for evolution in [Evolution::Path, Evolution::Frame] {
-        for way in ways {
-            gives_up(&Solver::new(walls.clone(), evolution), way, &mut seen);
-            gives_up(&Solver::new(slopes.clone(), evolution), way, &mut seen);
+        for path in paths {
+            gives_up(&Solver::new(walls.clone(), evolution), path, &mut seen);
+            gives_up(&Solver::new(slopes.clone(), evolution), path, &mut seen);
         }
     }
     assert!(

@@ -1,19 +1,19 @@
 //! One vertex on two surfaces (STATICS 6): pinned like a single vertex; the reaction may lie anywhere in the sum of the
 //! two friction cones. Beyond an outer edge of that sum the vertex slides along the surface of that edge.
 
-use super::bracing::Bracing;
-use super::leg::Leg;
+use super::fixed_pose::FixedPose;
+use super::segment::Segment;
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::list::gather;
-use crate::load::Stance;
-use crate::moment::{Downhill, Unbent};
+use crate::load::Load;
+use crate::moment::{Downhill, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::support::Support;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
+use crate::wrench_cone::WrenchCone;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl<R: Real> Corner<R> {
                 let inner = direction.turned() * turn;
                 edges
                     .iter()
-                    .all(|(_, other)| inner.dot(*other) >= -Support::<R>::parallel())
+                    .all(|(_, other)| inner.dot(*other) >= -WrenchCone::<R>::parallel())
             });
             // The edge with friction along +t is the clockwise one of its cone.
             outer.map(|&(contact, direction)| OuterEdge {
@@ -88,11 +88,11 @@ impl<R: Real> Corner<R> {
         } else {
             (second, first)
         };
-        let way = along.tangent * outer.sign;
-        let climbs = other.normal.dot(way) < -Support::<R>::parallel();
+        let direction = along.tangent * outer.sign;
+        let climbs = other.normal.dot(direction) < -WrenchCone::<R>::parallel();
         let (contact, sign) = if climbs {
             let beside = if outer.contact == 0 { 1 } else { 0 };
-            (beside, other.tangent.dot(way).sign())
+            (beside, other.tangent.dot(direction).sign())
         } else {
             (outer.contact, outer.sign)
         };
@@ -109,29 +109,30 @@ impl<R: Real> Corner<R> {
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let stance = self.pivot.stance(scene, from);
-        let way = from.way_to(to);
-        let moment = stance.pinned::<Unbent>();
-        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Balanced);
-        leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
+        let load = self.pivot.load(scene, from);
+        let displacement = from.displacement_to(to);
+        let moment = load.pinned::<Pinned>();
+        let mut segment =
+            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
+        segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
-            leg.stop_at(
-                &stance.reaction(outer.inner, &way),
+            segment.stop_at(
+                &load.reaction(outer.inner, &displacement),
                 self.slides(scene, &outer),
             );
         }
-        leg.turn_with_hand(scene, &mut self.pivot, to)
+        segment.turn_with_hand(scene, &mut self.pivot, to)
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
     pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
+        let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.downhill())
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
-        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
+        let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
@@ -141,8 +142,8 @@ impl<R: Real> Corner<R> {
         grip: &Grip<R>,
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let keeps = self.contacts();
-        let mut moved = Leg::<R>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        let lasting = self.contacts();
+        let mut moved = Segment::<R>::turn_downhill(scene, &mut self.pivot, &lasting, downhill);
         if moved.trigger == Trigger::Balanced {
             moved.trigger = self.test(scene, grip);
         }
@@ -150,12 +151,12 @@ impl<R: Real> Corner<R> {
     }
 
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
-        let stance = self.pivot.stance(scene, grip);
-        let rounding = stance.rounding();
+        let load = self.pivot.load(scene, grip);
+        let rounding = load.rounding();
         let mut trigger = Trigger::Balanced;
         let mut worst = -rounding;
         for outer in self.outer_edges(scene).into_iter().flatten() {
-            let inside = -outer.inner.dot(stance.force);
+            let inside = -outer.inner.dot(load.force);
             if inside < worst {
                 worst = inside;
                 trigger = self.slides(scene, &outer);
@@ -163,12 +164,12 @@ impl<R: Real> Corner<R> {
         }
         let pulled = [self.pivot.contact.surface, self.surface]
             .into_iter()
-            .all(|s| scene.surface(s).normal.dot(stance.force) > rounding);
+            .all(|s| scene.surface(s).normal.dot(load.force) > rounding);
         if pulled { Trigger::Clear } else { trigger }
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
+    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+        FixedPose::new(scene, &self.pivot, &self.contacts()).reactions(scene, load)
     }
 }
 
@@ -254,9 +255,9 @@ mod tests {
                     // Where the hand pulls, and not into the other surface.
                     let [along, other] =
                         [contacts[0], 1 - contacts[0]].map(|i| scene.surface(i as u8));
-                    let way = along.tangent * sign;
-                    assert!(way.dot(pull) > 0.0, "{angle} {turn}");
-                    assert!(other.normal.dot(way) > -1e-12, "{angle} {turn}");
+                    let direction = along.tangent * sign;
+                    assert!(direction.dot(pull) > 0.0, "{angle} {turn}");
+                    assert!(other.normal.dot(direction) > -1e-12, "{angle} {turn}");
                 }
             }
         }
@@ -280,15 +281,15 @@ mod tests {
             if corner.test(&scene, &grip) != Trigger::Balanced {
                 continue;
             }
-            let stance = corner.pivot.stance(&scene, &grip);
-            let reactions = corner.reactions(&scene, &stance);
-            let (mut left, mut most) = (stance.force, stance.force.reach());
+            let load = corner.pivot.load(&scene, &grip);
+            let reactions = corner.reactions(&scene, &load);
+            let (mut left, mut most) = (load.force, load.force.length_bound());
             for ([normal, _], surface) in reactions.into_iter().zip([first, second]) {
                 left = left + surface.normal * normal;
                 most = most.max(normal);
             }
             // Beyond what the number type carries they need not be told.
-            let is_borne = left.reach() <= most / R::from_int(1000);
+            let is_borne = left.length_bound() <= most / R::from_int(1000);
             assert!(is_borne || most >= R::RANGE, "{narrow} {tilt}");
             held += 1;
         }

@@ -1,15 +1,15 @@
 //! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's way
 //! and in the slip, so every event is closed form.
 
-use super::leg::Leg;
+use super::segment::Segment;
+use crate::balance_curve::Margin;
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
-use crate::grip::{Grip, Way};
+use crate::grip::{Displacement, Grip};
 use crate::list::gather;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::moment::Gliding;
-use crate::motion::Margin;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
@@ -58,23 +58,28 @@ impl<R: Real> Edge<R> {
         gather([first, second])
     }
 
-    fn reaction(&self, scene: &impl World<R>, stance: &Stance<R>, way: &Way<R>) -> Reaction<R> {
+    fn reaction(
+        &self,
+        scene: &impl World<R>,
+        load: &Load<R>,
+        displacement: &Displacement<R>,
+    ) -> Reaction<R> {
         let surface = self.pivot.surface(scene);
         // The edge does not turn.
-        let normal = stance.reaction(surface.normal, way);
+        let normal = load.reaction(surface.normal, displacement);
         // x_2 - x_1
-        let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
-        let turn = scene.stiffness() * way.turn + stance.lever.cross(way.hand);
+        let span = surface.tangent.dot(load.placed.arm(scene, self.vertex));
+        let turn = scene.stiffness() * displacement.turn + load.lever.cross(displacement.hand);
         let second = Margin {
-            start: -stance.moment() / span,
+            start: -load.moment() / span,
             along: -turn / span,
             turning: Vec2::ZERO,
-            rounding: stance.rounding() / span.abs(),
+            rounding: load.rounding() / span.abs(),
         };
         Reaction {
             parts: [normal.combine(R::ONE, second, -R::ONE), second],
             normal,
-            friction: stance.reaction(surface.tangent, way),
+            friction: load.reaction(surface.tangent, displacement),
         }
     }
 
@@ -84,20 +89,20 @@ impl<R: Real> Edge<R> {
         if W::GLIDES {
             pivot.glide(scene, to);
         }
-        let stance = pivot.stance(scene, to);
+        let load = pivot.load(scene, to);
         let surface = self.pivot.surface(scene);
-        let (normal, friction) = surface.reaction(stance.force);
-        let span = surface.tangent.dot(stance.placed.arm(scene, self.vertex));
-        let second = -stance.moment() / span;
-        let slack = stance.rounding() / span.abs();
-        let follows = stance.is_carried()
+        let (normal, friction) = surface.reaction(load.force);
+        let span = surface.tangent.dot(load.placed.arm(scene, self.vertex));
+        let second = -load.moment() / span;
+        let slack = load.rounding() / span.abs();
+        let is_certified = load.is_representable()
             && second > slack
             && normal - second > slack
             && (W::GLIDES || (surface.friction).is_within(normal, friction, slack));
-        if follows {
+        if is_certified {
             self.pivot = pivot;
         }
-        follows
+        is_certified
     }
 
     /// Stays as the hand moves, to the first of friction limit and N_i = 0.
@@ -110,38 +115,40 @@ impl<R: Real> Edge<R> {
         if W::GLIDES {
             return self.glide_along(scene, from, to);
         }
-        let stance = self.pivot.stance(scene, from);
-        let reaction = self.reaction(scene, &stance, &from.way_to(to));
-        let mut leg: Leg<R> = Leg::straight(R::ONE, Trigger::Balanced);
+        let load = self.pivot.load(scene, from);
+        let reaction = self.reaction(scene, &load, &from.displacement_to(to));
+        let mut segment: Segment<R> = Segment::straight(R::ONE, Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
         for sign in [R::ONE, -R::ONE] {
             let holds = friction.holds(reaction.normal, reaction.friction, sign);
-            leg.stop_at(&holds, Trigger::Slide(sign));
+            segment.stop_at(&holds, Trigger::Slide(sign));
         }
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            leg.stop_at(part, keep(other, None));
+            segment.stop_at(part, keep(other, None));
         }
-        leg.moved()
+        segment.moved()
     }
 
     /// Without friction it glides as the hand moves, to the first N_i = 0.
     fn glide_along(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        let stance = self.pivot.stance(scene, from);
-        let way = from.way_to(to).pressing(&self.pivot.surface(scene));
-        let reaction = self.reaction(scene, &stance, &way);
-        let mut leg = Leg::<R, Gliding<R>>::straight(R::ONE, Trigger::Balanced);
+        let load = self.pivot.load(scene, from);
+        let displacement = from
+            .displacement_to(to)
+            .pressing(&self.pivot.surface(scene));
+        let reaction = self.reaction(scene, &load, &displacement);
+        let mut segment = Segment::<R, Gliding<R>>::straight(R::ONE, Trigger::Balanced);
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            leg.stop_at(part, keep(other, None));
+            segment.stop_at(part, keep(other, None));
         }
-        self.pivot.glide(scene, &from.lerp(to, leg.part()));
-        leg.moved()
+        self.pivot.glide(scene, &from.lerp(to, segment.part()));
+        segment.moved()
     }
 
     /// Without friction it glides to balance, the energy falling by itself; then N_i are put to the test.
     fn glide_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         self.pivot.glide(scene, grip);
-        let stance = self.pivot.stance(scene, grip);
-        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        let load = self.pivot.load(scene, grip);
+        let reaction = self.reaction(scene, &load, &Displacement::slide(Vec2::ZERO));
         Moved::by(reaction.opens(None).unwrap_or(Trigger::Balanced))
     }
 
@@ -159,13 +166,13 @@ impl<R: Real> Edge<R> {
     }
 
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>, sliding: Option<R>) -> Trigger<R> {
-        let stance = self.pivot.stance(scene, grip);
-        let reaction = self.reaction(scene, &stance, &Way::slide(Vec2::ZERO));
+        let load = self.pivot.load(scene, grip);
+        let reaction = self.reaction(scene, &load, &Displacement::slide(Vec2::ZERO));
         if let Some(opens) = reaction.opens(sliding) {
             return opens;
         }
         let (normal, friction) = (reaction.normal.start, reaction.friction.start);
-        let rounding = stance.rounding();
+        let rounding = load.rounding();
         let coulomb = self.pivot.surface(scene).friction;
         if let Some(sign) = sliding
             && coulomb.is_driven(normal, friction, sign, rounding)
@@ -181,31 +188,31 @@ impl<R: Real> Edge<R> {
 
     /// Slides along sign·t to the first of |T| = mu_d N, touch, N_i = 0.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
-        let stance = self.pivot.stance(scene, grip);
+        let load = self.pivot.load(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
-        let farthest = stance.force.reach() + stance.lever.reach().doubled();
+        let farthest = load.force.length_bound() + load.lever.length_bound().doubled();
         let shift = surface.tangent * sign;
-        let reaction = self.reaction(scene, &stance, &Way::slide(shift));
-        let mut leg: Leg<R> = Leg::straight(farthest, Trigger::Stopped);
+        let reaction = self.reaction(scene, &load, &Displacement::slide(shift));
+        let mut segment: Segment<R> = Segment::straight(farthest, Trigger::Stopped);
         let drives = surface
             .friction
             .drives(reaction.normal, reaction.friction, sign);
-        leg.stop_at(&drives, Trigger::Stopped);
-        leg.stop_at_touch(scene, &stance.placed, (shift, &self.contacts()));
+        segment.stop_at(&drives, Trigger::Stopped);
+        segment.stop_at_touch(scene, &load.placed, (shift, &self.contacts()));
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            leg.stop_at(part, keep(other, Some(sign)));
+            segment.stop_at(part, keep(other, Some(sign)));
         }
-        let slip = sign * leg.part();
+        let slip = sign * segment.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);
         Moved {
             slip,
-            ..leg.moved()
+            ..segment.moved()
         }
     }
 
     /// The friction is collinear; it is reported in proportion to N_i.
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        let reaction = self.reaction(scene, stance, &Way::slide(Vec2::ZERO));
+    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+        let reaction = self.reaction(scene, load, &Displacement::slide(Vec2::ZERO));
         let parts = reaction.parts.map(|part| part.start.max(R::ZERO));
         let normal = parts[0] + parts[1];
         let friction = reaction.friction.start;

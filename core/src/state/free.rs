@@ -1,12 +1,12 @@
 //! No contact (STATICS 2): the holding point hangs at the hand, the body turns with it.
 
-use super::leg::Leg;
-use crate::calm::Calm;
+use super::segment::Segment;
+use crate::certified::CertifiedTurn;
 use crate::detect::Placed;
 use crate::geometry::{Orientation, Pose, Vec2};
-use crate::grip::{Grip, Way};
-use crate::load::Stance;
-use crate::moment::{Bend, Downhill};
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
+use crate::moment::{Downhill, SecondHarmonic};
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
@@ -29,37 +29,37 @@ impl<R: Real> Free<R> {
         }
     }
 
-    fn stance(&self, scene: &impl World<R>, grip: &Grip<R>) -> Stance<R> {
-        Stance::new(scene, self.placed(grip), grip)
+    fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
+        Load::new(scene, self.placed(grip), grip)
     }
 
     /// A calm frame: it hangs at the hand, clear of all surfaces.
-    pub(crate) fn follow<B: Bend<R>>(
+    pub(crate) fn follow<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
         tolerance: R,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
-        let (orientation, bow) = if Self::turns_with_hand(scene) {
+        let (orientation, curvature_bound) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), turn * turn)
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
-            let mut stance = Self { pose }.stance(scene, to);
-            stance.tolerance = tolerance;
-            match Calm::pinned::<B>(scene, &stance, to, &Way::turn(turn)) {
-                Some(calm) => (calm.orientation, calm.swing()),
+            let mut load = Self { pose }.load(scene, to);
+            load.tolerance = tolerance;
+            match CertifiedTurn::pinned::<H>(scene, &load, to, &Displacement::turn(turn)) {
+                Some(certified) => (certified.orientation, certified.swing()),
                 None => return false,
             }
         };
         let after = Self {
             pose: Self::hanging(scene, to, orientation),
         };
-        let follows = after.placed(to).is_clear(scene, bow);
-        if follows {
+        let is_certified = after.placed(to).is_clear(scene, curvature_bound);
+        if is_certified {
             *self = after;
         }
-        follows
+        is_certified
     }
 
     /// The body without weight has the angle of the hand.
@@ -77,37 +77,41 @@ impl<R: Real> Free<R> {
     }
 
     /// Along the hand's way, turning in balance with the weight.
-    pub(crate) fn advance<B: Bend<R>>(
+    pub(crate) fn advance<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        let stance = self.stance(scene, from);
-        let way = from.way_to(to);
-        let mut moment = stance.pinned::<B>();
+        let load = self.load(scene, from);
+        let displacement = from.displacement_to(to);
+        let mut moment = load.pinned::<H>();
         if Self::turns_with_hand(scene) {
             // As the hand does, however little of the moment the number type sees.
             moment.stiffness = R::ONE;
         }
-        let turns = Way::turn(way.turn);
-        let leg = Leg::balanced(&moment, (stance.lever, &turns), Trigger::Balanced);
-        let moved = self.sweep(scene, &stance.placed, leg, way.hand);
+        let turns = Displacement::turn(displacement.turn);
+        let segment = Segment::balanced(&moment, (load.lever, &turns), Trigger::Balanced);
+        let moved = self.sweep(scene, &load.placed, segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the way.
-            *self = Self::balance::<B>(scene, to, self.pose.orientation);
+            *self = Self::balance::<H>(scene, to, self.pose.orientation);
         }
         moved
     }
 
     /// The pose in balance at a grip, the angle corrected from near it.
-    fn balance<B: Bend<R>>(scene: &impl World<R>, grip: &Grip<R>, near: Orientation<R>) -> Self {
+    fn balance<H: SecondHarmonic<R>>(
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        near: Orientation<R>,
+    ) -> Self {
         let orientation = if Self::turns_with_hand(scene) {
             Orientation::new(grip.angle)
         } else {
             let pose = Self::hanging(scene, grip, near);
-            let stance = Self { pose }.stance(scene, grip);
-            near.plus(stance.pinned::<B>().polish())
+            let load = Self { pose }.load(scene, grip);
+            near.plus(load.pinned::<H>().polish())
         };
         Self {
             pose: Self::hanging(scene, grip, orientation),
@@ -117,20 +121,24 @@ impl<R: Real> Free<R> {
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
-    pub(crate) fn relax<B: Bend<R>>(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.downhill::<B>(scene, grip);
+    pub(crate) fn relax<H: SecondHarmonic<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+    ) -> Moved<R> {
+        let downhill = self.downhill::<H>(scene, grip);
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
-        let mut moved = self.straight::<B>(scene, grip, downhill.turn, R::ONE);
+        let mut moved = self.straight::<H>(scene, grip, downhill.turn, R::ONE);
         if moved.trigger != Trigger::Balanced && begin.has_just_opened(scene) {
             *self = begin;
-            moved = self.straight::<B>(scene, grip, R::ZERO, R::ONE);
+            moved = self.straight::<H>(scene, grip, R::ZERO, R::ONE);
             if moved.trigger == Trigger::Balanced {
-                moved = self.straight::<B>(scene, grip, downhill.turn, R::ZERO);
+                moved = self.straight::<H>(scene, grip, downhill.turn, R::ZERO);
             }
         }
         if moved.trigger == Trigger::Balanced {
-            *self = Self::balance::<B>(scene, grip, near);
+            *self = Self::balance::<H>(scene, grip, near);
         }
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
@@ -138,7 +146,7 @@ impl<R: Real> Free<R> {
     }
 
     /// The turn to balance.
-    fn downhill<B: Bend<R>>(&self, scene: &impl World<R>, grip: &Grip<R>) -> Downhill<R> {
+    fn downhill<H: SecondHarmonic<R>>(&self, scene: &impl World<R>, grip: &Grip<R>) -> Downhill<R> {
         if Self::turns_with_hand(scene) {
             Downhill {
                 turn: grip.angle.minus(self.pose.orientation.angle()),
@@ -146,7 +154,7 @@ impl<R: Real> Free<R> {
                 unsure: false,
             }
         } else {
-            self.stance(scene, grip).pinned::<B>().downhill()
+            self.load(scene, grip).pinned::<H>().downhill()
         }
     }
 
@@ -156,7 +164,7 @@ impl<R: Real> Free<R> {
     }
 
     /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
-    fn straight<B: Bend<R>>(
+    fn straight<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
@@ -164,9 +172,9 @@ impl<R: Real> Free<R> {
         shift: R,
     ) -> Moved<R> {
         let placed = self.placed(grip);
-        let way = grip.hand + scene.weight() - placed.point;
-        let leg: Leg<R, B> = Leg::turning(turn, Trigger::Balanced);
-        self.sweep(scene, &placed, leg, way * shift)
+        let to_balance = grip.hand + scene.weight() - placed.point;
+        let segment: Segment<R, H> = Segment::turning(turn, Trigger::Balanced);
+        self.sweep(scene, &placed, segment, to_balance * shift)
     }
 
     /// Goes a leg on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
@@ -174,16 +182,16 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         placed: &Placed<R>,
-        mut leg: Leg<R, impl Bend<R>>,
+        mut segment: Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
-        leg.stop_at_touch(scene, placed, (shift, &[]));
+        segment.stop_at_touch(scene, placed, (shift, &[]));
         let end = Placed {
-            point: placed.point + shift * leg.part(),
-            orientation: placed.orientation.plus(leg.turn()),
+            point: placed.point + shift * segment.part(),
+            orientation: placed.orientation.plus(segment.turn()),
             ..*placed
         };
         self.pose = end.pose();
-        leg.moved()
+        segment.moved()
     }
 }

@@ -3,11 +3,11 @@
 //! friction.
 
 use super::SingleVertex;
-use super::leg::Leg;
-use crate::calm::Calm;
+use super::segment::Segment;
+use crate::certified::CertifiedTurn;
 use crate::geometry::Vec2;
-use crate::grip::{Grip, Way};
-use crate::load::Stance;
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
 use crate::moment::{Downhill, Gliding, Moment};
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
@@ -21,35 +21,35 @@ impl<R: Real> SingleVertex<R> {
         (from, to): (&Grip<R>, &Grip<R>),
         tolerance: R,
     ) -> bool {
-        let mut stance = self.pivot.stance(scene, to);
-        stance.tolerance = tolerance;
-        if !stance.is_carried() {
+        let mut load = self.pivot.load(scene, to);
+        load.tolerance = tolerance;
+        if !load.is_representable() {
             return false;
         }
         let surface = self.pivot.surface(scene);
-        let way = from.way_to(to);
-        let gliding = |stance: &Stance<R>| stance.gliding::<Gliding<R>>(scene, &surface);
-        let drive = stance.lever.conj_mul(way.pressing(&surface).hand);
-        let mut moment = gliding(&stance);
+        let displacement = from.displacement_to(to);
+        let gliding = |load: &Load<R>| load.gliding::<Gliding<R>>(scene, &surface);
+        let drive = load.lever.conj_mul(displacement.pressing(&surface).hand);
+        let mut moment = gliding(&load);
         let times = moment.softness();
         moment = moment.times(times);
-        let calm = Calm::turn(&moment, drive * times, stance.placed.orientation, |o| {
-            gliding(&stance.turned(scene, o, to)).times(times)
+        let certified = CertifiedTurn::turn(&moment, drive * times, load.placed.orientation, |o| {
+            gliding(&load.turned(scene, o, to)).times(times)
         });
-        let Some(calm) = calm else {
+        let Some(certified) = certified else {
             return false;
         };
         // The reaction strays by the turn from the straight line to where the hand alone would take it.
-        let normal = -surface.normal.dot(stance.force);
-        let stray = stance.lever.reach() * calm.reach + stance.rounding();
+        let normal = -surface.normal.dot(load.force);
+        let stray = load.lever.length_bound() * certified.turn_bound + load.rounding();
         if normal <= stray {
             return false;
         }
         // The foot's way closes no gap to the surface that it is on. A point touches nothing else.
-        if W::SEVERAL && !self.has_room_to_turn(scene, &calm) {
+        if W::SEVERAL && !self.has_room_to_turn(scene, &certified) {
             return false;
         }
-        self.pivot.orientation = calm.orientation;
+        self.pivot.orientation = certified.orientation;
         self.pivot.glide(scene, to);
         true
     }
@@ -62,22 +62,25 @@ impl<R: Real> SingleVertex<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        let stance = self.pivot.stance(scene, from);
+        let load = self.pivot.load(scene, from);
         let surface = self.pivot.surface(scene);
-        let way = from.way_to(to);
-        let moment = stance.gliding::<Gliding<R>>(scene, &surface);
-        let pressing = way.pressing(&surface);
-        let mut leg = Leg::balanced(&moment, (stance.lever, &pressing), Trigger::Balanced);
+        let displacement = from.displacement_to(to);
+        let moment = load.gliding::<Gliding<R>>(scene, &surface);
+        let pressing = displacement.pressing(&surface);
+        let mut segment = Segment::balanced(&moment, (load.lever, &pressing), Trigger::Balanced);
         if W::SEVERAL {
             // The foot's way closes no gap to the surface that it is on.
-            leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
+            segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
         }
-        leg.stop_at(&stance.reaction(surface.normal, &way), Trigger::Clear);
-        let moved = leg.moved();
-        self.pivot = self.pivot.moved(R::ZERO, leg.turn());
+        segment.stop_at(
+            &load.reaction(surface.normal, &displacement),
+            Trigger::Clear,
+        );
+        let moved = segment.moved();
+        self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         if moved.unsure || moved.trigger != Trigger::Balanced {
             self.pivot.glide(scene, &from.lerp(to, moved.part));
-        } else if !self.rest(scene, to) {
+        } else if !self.come_to_rest(scene, to) {
             // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
             return Moved {
                 part: R::ONE,
@@ -88,13 +91,13 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The moment about the gliding foot, as a function of the angle.
-    fn gliding(&self, scene: &impl World<R>, stance: &Stance<R>) -> Moment<R, Gliding<R>> {
-        stance.gliding(scene, &self.pivot.surface(scene))
+    fn gliding(&self, scene: &impl World<R>, load: &Load<R>) -> Moment<R, Gliding<R>> {
+        load.gliding(scene, &self.pivot.surface(scene))
     }
 
     /// Glides downhill at a frozen hand, to the first of balance, touch, lift-off.
     pub(crate) fn glide_down<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let moment = self.gliding(scene, &self.pivot.stance(scene, grip));
+        let moment = self.gliding(scene, &self.pivot.load(scene, grip));
         self.glide_by(scene, grip, &moment.downhill())
     }
 
@@ -105,7 +108,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         direction: R,
     ) -> Moved<R> {
-        let moment = self.gliding(scene, &self.pivot.stance(scene, grip));
+        let moment = self.gliding(scene, &self.pivot.load(scene, grip));
         self.glide_by(scene, grip, &moment.over_fold(direction))
     }
 
@@ -118,21 +121,21 @@ impl<R: Real> SingleVertex<R> {
     ) -> Moved<R> {
         self.room = R::ZERO;
         self.pivot.glide(scene, grip);
-        let stance = self.pivot.stance(scene, grip);
+        let load = self.pivot.load(scene, grip);
         let surface = self.pivot.surface(scene);
-        if surface.normal.dot(stance.force) > stance.rounding() {
+        if surface.normal.dot(load.force) > load.rounding() {
             return Moved::by(Trigger::Clear);
         }
-        let mut leg = Leg::<R, Gliding<R>>::turning(downhill.turn, Trigger::Balanced);
+        let mut segment = Segment::<R, Gliding<R>>::turning(downhill.turn, Trigger::Balanced);
         if W::SEVERAL {
-            leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
+            segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
         }
-        let frozen = Way::slide(Vec2::ZERO);
-        leg.stop_at(&stance.reaction(surface.normal, &frozen), Trigger::Clear);
-        let moved = leg.moved();
-        self.pivot = self.pivot.moved(R::ZERO, leg.turn());
+        let frozen = Displacement::slide(Vec2::ZERO);
+        segment.stop_at(&load.reaction(surface.normal, &frozen), Trigger::Clear);
+        let moved = segment.moved();
+        self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         if moved.trigger == Trigger::Balanced {
-            self.rest(scene, grip);
+            self.come_to_rest(scene, grip);
         } else {
             self.pivot.glide(scene, grip);
         }
@@ -144,12 +147,12 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
-    fn rest<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> bool {
-        let stance = self.pivot.stance(scene, grip);
-        let moment = self.gliding(scene, &stance);
+    fn come_to_rest<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let moment = self.gliding(scene, &load);
         let turn = moment.polish();
         self.pivot = self.pivot.moved(R::ZERO, turn);
         self.pivot.glide(scene, grip);
-        turn != R::ZERO || moment.now().abs() <= stance.rounding()
+        turn != R::ZERO || moment.now().abs() <= load.rounding()
     }
 }

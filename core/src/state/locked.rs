@@ -1,11 +1,11 @@
 //! Three or more contacts (STATICS 6): the pose is fixed while some combination of the friction cones bears the load. If
 //! none does, the facet of their common cone that yields first tells which contacts last and how they move.
 
-use super::bracing::Bracing;
+use super::fixed_pose::FixedPose;
 use crate::contact::{MAX_CONTACTS, Pair, Pairs, Reactions};
 use crate::grip::Grip;
 use crate::list::gather;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::Moved;
@@ -37,22 +37,22 @@ impl<R: Real> Locked<R> {
 
     /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        let bracing = Bracing::new(scene, &self.pivot, &self.contacts());
-        bracing.bears(scene, to, &mut self.bearers)
+        let fixed_pose = FixedPose::new(scene, &self.pivot, &self.contacts());
+        fixed_pose.bears(scene, to, &mut self.bearers)
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.
     pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        Bracing::new(scene, &self.pivot, &self.contacts()).advance(scene, from, to)
+        FixedPose::new(scene, &self.pivot, &self.contacts()).advance(scene, from, to)
     }
 
     /// Puts the contacts to the test as they are.
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Moved<R> {
-        let bracing = Bracing::new(scene, &self.pivot, &self.contacts());
-        Moved::by(bracing.test(scene, grip, attempt))
+        let fixed_pose = FixedPose::new(scene, &self.pivot, &self.contacts());
+        Moved::by(fixed_pose.test(scene, grip, attempt))
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        Bracing::new(scene, &self.pivot, &self.contacts()).reactions(scene, stance)
+    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+        FixedPose::new(scene, &self.pivot, &self.contacts()).reactions(scene, load)
     }
 }

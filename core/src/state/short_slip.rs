@@ -3,7 +3,7 @@
 
 use crate::geometry::Vec2;
 use crate::grip::Grip;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::world::World;
@@ -15,7 +15,7 @@ pub(super) struct ShortSlip<R> {
     pub(super) slide: R,
     pub(super) turn: R,
     /// No point of the body moves farther towards a surface.
-    pub(super) reach: R,
+    pub(super) travel_bound: R,
     /// A gap that is larger at the end was open all the way.
     pub(super) open: R,
 }
@@ -41,8 +41,8 @@ struct Step<R> {
 
 impl<R: Real> Step<R> {
     /// `along`: the way of the vertex; `drive`: q. Nothing where it is not stable or the drive hardly falls.
-    fn at(stance: &Stance<R>, along: Vec2<R>, drive: Vec2<R>) -> Option<Self> {
-        let stability = stance.stability();
+    fn at(load: &Load<R>, along: Vec2<R>, drive: Vec2<R>) -> Option<Self> {
+        let stability = load.stability();
         if stability <= R::ZERO {
             return None;
         }
@@ -50,18 +50,18 @@ impl<R: Real> Step<R> {
         if per_stability >= R::HUGE {
             return None;
         }
-        let lack = stance.moment() * per_stability;
-        let lean = along.cross(stance.lever) * per_stability;
+        let lack = load.moment() * per_stability;
+        let lean = along.cross(load.lever) * per_stability;
         // dE/dtheta = -bite
-        let bite = drive.dot(stance.lever.turned());
+        let bite = drive.dot(load.lever.turned());
         let decay = drive.dot(along) + bite * lean;
         (decay > R::HALF.halved()).then(|| Self {
-            arm: stance.lever.reach() * per_stability,
-            bend: stance.hold.reach() * per_stability,
+            arm: load.lever.length_bound() * per_stability,
+            bend: load.hold.length_bound() * per_stability,
             lack,
             lean,
             decay,
-            excess: drive.dot(stance.force) - bite * lack,
+            excess: drive.dot(load.force) - bite * lack,
         })
     }
 
@@ -77,15 +77,15 @@ impl<R: Real> ShortSlip<R> {
     /// how far it slides, if its beginning says so; touches are left to the caller.
     pub(super) fn find(
         scene: &impl World<R>,
-        (pivot, stance): (&Pivot<R>, &Stance<R>),
+        (pivot, load): (&Pivot<R>, &Load<R>),
         grip: &Grip<R>,
         sign: R,
     ) -> Result<Self, Option<R>> {
         let surface = pivot.surface(scene);
         let along = surface.tangent * sign;
         let drive = surface.friction.drive(surface.normal, along);
-        let normal = |stance: &Stance<R>| -surface.normal.dot(stance.force);
-        let begin = Step::at(stance, along, drive).ok_or(None)?;
+        let normal = |load: &Load<R>| -surface.normal.dot(load.force);
+        let begin = Step::at(load, along, drive).ok_or(None)?;
         let (guess, _) = begin.correction();
         if guess < R::ZERO || begin.lack.abs() > R::MICRO {
             return Err(None);
@@ -95,26 +95,26 @@ impl<R: Real> ShortSlip<R> {
         let farthest = guess + guess.halved().halved();
         let swing = begin.arm * farthest;
         let widest = swing + swing.halved().halved();
-        let lever = stance.lever.reach();
+        let lever = load.lever.length_bound();
         let bend = begin.bend + R::from_int(3);
         // The decay changes by less than this; so does dN by the slide.
         let curved = (lever * begin.arm * swing * bend).doubled();
         let sixteenth = R::ONE / R::from_int(16);
-        let is_short = stance.is_carried()
+        let is_short = load.is_representable()
             && swing <= sixteenth
             && begin.bend * swing <= sixteenth
             && curved <= begin.decay.min(R::ONE);
         if !is_short {
             return about;
         }
-        let sagitta = curved * farthest + stance.rounding();
-        if normal(stance) <= sagitta {
+        let sagitta = curved * farthest + load.rounding();
+        if normal(load) <= sagitta {
             return about;
         }
         let (mut slide, mut turn) = (guess, begin.lean * guess);
         for _ in 0..MAX_CORRECTIONS {
-            let stance = pivot.moved(sign * slide, turn).stance(scene, grip);
-            let Some(step) = Step::at(&stance, along, drive) else {
+            let load = pivot.moved(sign * slide, turn).load(scene, grip);
+            let Some(step) = Step::at(&load, along, drive) else {
                 return about;
             };
             let (slide_on, turn_on) = step.correction();
@@ -124,11 +124,11 @@ impl<R: Real> ShortSlip<R> {
             let left = size * size * (bend + begin.arm) * (R::ONE + lever) * (R::ONE + begin.arm);
             if left.doubled() <= R::EPSILON {
                 let ends_within = slide >= R::ZERO && slide <= farthest && turn.abs() <= widest;
-                let presses = normal(&stance) > sagitta + lever * size;
+                let presses = normal(&load) > sagitta + lever * size;
                 let slip = Self {
                     slide: sign * slide,
                     turn,
-                    reach: widest + farthest,
+                    travel_bound: widest + farthest,
                     open: swing * swing * bend,
                 };
                 return if ends_within && presses {

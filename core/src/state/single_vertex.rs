@@ -1,17 +1,17 @@
 //! One vertex on one surface (STATICS 3): pinned it turns in balance of moments about the contact, the angle on its
 //! branch; it slips along the surface with the moment balanced at every place.
 
-use super::leg::Leg;
+use super::segment::Segment;
 use super::short_slip::ShortSlip;
-use crate::calm::Calm;
+use crate::balance_curve::Margin;
+use crate::certified::CertifiedTurn;
 use crate::contact::{Pairs, Reactions};
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
-use crate::grip::{Grip, Way};
+use crate::grip::{Displacement, Grip};
 use crate::list::gather;
-use crate::load::Stance;
-use crate::moment::{Downhill, Unbent};
-use crate::motion::Margin;
+use crate::load::Load;
+use crate::moment::{Downhill, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Terms, Trigger};
@@ -43,10 +43,14 @@ impl<R: Real> SingleVertex<R> {
         gather([self.pivot.contact])
     }
 
-    fn reaction(stance: &Stance<R>, surface: &Surface<R>, way: &Way<R>) -> Reaction<R> {
+    fn reaction(
+        load: &Load<R>,
+        surface: &Surface<R>,
+        displacement: &Displacement<R>,
+    ) -> Reaction<R> {
         Reaction {
-            normal: stance.reaction(surface.normal, way),
-            friction: stance.reaction(surface.tangent, way),
+            normal: load.reaction(surface.normal, displacement),
+            friction: load.reaction(surface.tangent, displacement),
         }
     }
 
@@ -57,39 +61,43 @@ impl<R: Real> SingleVertex<R> {
         (from, to): (&Grip<R>, &Grip<R>),
         terms: Terms<R>,
     ) -> Option<Trigger<R>> {
-        let mut stance = self.pivot.stance(scene, to);
-        stance.tolerance = terms.tolerance;
-        if !stance.is_carried() {
+        let mut load = self.pivot.load(scene, to);
+        load.tolerance = terms.tolerance;
+        if !load.is_representable() {
             return None;
         }
-        let way = from.way_to(to);
-        let calm = Calm::pinned::<Unbent>(scene, &stance, to, &way)?;
-        let orientation = calm.orientation;
+        let displacement = from.displacement_to(to);
+        let certified = CertifiedTurn::pinned::<Pinned>(scene, &load, to, &displacement)?;
+        let orientation = certified.orientation;
         // The reaction strays by the turn from the straight line to where the hand alone would take it ...
-        let trigger = if self.holds(scene, &stance, calm.reach) {
+        let trigger = if self.holds(scene, &load, certified.turn_bound) {
             Trigger::Balanced
         } else {
             // ... and by much less from the one to where it ends.
-            let end = stance.turned(scene, orientation, to);
+            let end = load.turned(scene, orientation, to);
             if terms.jumps {
                 self.test(scene, &end)
-            } else if self.holds(scene, &end, calm.bow(&stance, &way).halved()) {
+            } else if self.holds(
+                scene,
+                &end,
+                certified.curvature_bound(&load, &displacement).halved(),
+            ) {
                 Trigger::Balanced
             } else {
                 return None;
             }
         };
-        self.has_room_to_turn(scene, &calm).then(|| {
+        self.has_room_to_turn(scene, &certified).then(|| {
             self.pivot.orientation = orientation;
             trigger
         })
     }
 
     /// True if the reaction stays within the static cone though the lever strays by a part of its length.
-    fn holds(&self, scene: &impl World<R>, stance: &Stance<R>, stray: R) -> bool {
+    fn holds(&self, scene: &impl World<R>, load: &Load<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
-        let (normal, friction) = surface.reaction(stance.force);
-        let slack = stance.lever.reach() * stray + stance.rounding();
+        let (normal, friction) = surface.reaction(load.force);
+        let slack = load.lever.length_bound() * stray + load.rounding();
         (surface.friction).is_within(normal, friction, slack)
     }
 
@@ -99,9 +107,9 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &impl World<R>,
         end: &Pivot<R>,
-        (reach, open): (R, R),
+        (travel_bound, open): (R, R),
     ) -> bool {
-        let mut room = self.room - reach;
+        let mut room = self.room - travel_bound;
         if room <= R::ZERO {
             room = end.placed(scene).room(scene, Some(end.contact.vertex));
             if room <= open {
@@ -113,13 +121,17 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The same of a calm turn. No point of the body is farther from the pivot than one body size.
-    pub(super) fn has_room_to_turn(&mut self, scene: &impl World<R>, calm: &Calm<R>) -> bool {
+    pub(super) fn has_room_to_turn(
+        &mut self,
+        scene: &impl World<R>,
+        certified: &CertifiedTurn<R>,
+    ) -> bool {
         let end = Pivot {
-            orientation: calm.orientation,
+            orientation: certified.orientation,
             ..self.pivot
         };
-        let open = (calm.reach * calm.reach).halved();
-        self.has_room(scene, &end, (calm.reach, open))
+        let open = (certified.turn_bound * certified.turn_bound).halved();
+        self.has_room(scene, &end, (certified.turn_bound, open))
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -130,19 +142,20 @@ impl<R: Real> SingleVertex<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        let stance = self.pivot.stance(scene, from);
+        let load = self.pivot.load(scene, from);
         let surface = self.pivot.surface(scene);
-        let way = from.way_to(to);
-        let moment = stance.pinned::<Unbent>();
-        let mut leg = Leg::balanced(&moment, (stance.lever, &way), Trigger::Balanced);
-        leg.stop_at_touch(scene, &stance.placed, (Vec2::ZERO, &self.contacts()));
-        let Reaction { normal, friction } = Self::reaction(&stance, &surface, &way);
+        let displacement = from.displacement_to(to);
+        let moment = load.pinned::<Pinned>();
+        let mut segment =
+            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
+        segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
+        let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
         for sign in [R::ONE, -R::ONE] {
             let holds = surface.friction.holds(normal, friction, sign);
-            leg.stop_at(&holds, Trigger::Slide(sign));
+            segment.stop_at(&holds, Trigger::Slide(sign));
         }
-        leg.stop_at(&normal, Trigger::Clear);
-        leg.turn_with_hand(scene, &mut self.pivot, to)
+        segment.stop_at(&normal, Trigger::Clear);
+        segment.turn_with_hand(scene, &mut self.pivot, to)
     }
 
     /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
@@ -165,7 +178,7 @@ impl<R: Real> SingleVertex<R> {
             *self = begin;
         }
         let at_rest = matches!(moved.trigger, Trigger::Balanced | Trigger::Slide(_));
-        if (blocked || at_rest) && self.is_driven(scene, &self.pivot.stance(scene, grip), sign) {
+        if (blocked || at_rest) && self.is_driven(scene, &self.pivot.load(scene, grip), sign) {
             moved.trigger = Trigger::Slide(sign);
         }
         moved
@@ -173,44 +186,40 @@ impl<R: Real> SingleVertex<R> {
 
     /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        let stance = self.pivot.stance(scene, grip);
-        if let Some(calm) = Calm::pinned::<Unbent>(scene, &stance, grip, &Way::turn(R::ZERO))
-            && self.has_room_to_turn(scene, &calm)
+        let load = self.pivot.load(scene, grip);
+        if let Some(certified) =
+            CertifiedTurn::pinned::<Pinned>(scene, &load, grip, &Displacement::turn(R::ZERO))
+            && self.has_room_to_turn(scene, &certified)
         {
-            self.pivot.orientation = calm.orientation;
-            return Moved::by(self.test(scene, &self.pivot.stance(scene, grip)));
+            self.pivot.orientation = certified.orientation;
+            return Moved::by(self.test(scene, &self.pivot.load(scene, grip)));
         }
-        self.turn_by(scene, grip, &stance.pinned::<Unbent>().downhill())
+        self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill())
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
-    fn is_driven(&self, scene: &impl World<R>, stance: &Stance<R>, sign: R) -> bool {
-        self.is_driven_beyond(scene, stance, (sign, stance.rounding()))
+    fn is_driven(&self, scene: &impl World<R>, load: &Load<R>, sign: R) -> bool {
+        self.is_driven_beyond(scene, load, (sign, load.rounding()))
     }
 
     /// The same, by more than `off`.
-    fn is_driven_beyond(
-        &self,
-        scene: &impl World<R>,
-        stance: &Stance<R>,
-        (sign, off): (R, R),
-    ) -> bool {
+    fn is_driven_beyond(&self, scene: &impl World<R>, load: &Load<R>, (sign, off): (R, R)) -> bool {
         let surface = self.pivot.surface(scene);
-        let (normal, friction) = surface.reaction(stance.force);
-        stance.stability() > R::ZERO
+        let (normal, friction) = surface.reaction(load.force);
+        load.stability() > R::ZERO
             && normal > off
             && (surface.friction).is_driven(normal, friction, sign, off)
     }
 
     /// What the friction at the end of a slip may be off.
-    fn found_to(stance: &Stance<R>) -> R {
-        let rounding = stance.rounding_with_foot() * R::from_int(64);
-        rounding + (stance.size() * stance.tolerance).doubled().doubled()
+    fn found_to(load: &Load<R>) -> R {
+        let rounding = load.rounding_with_foot() * R::from_int(64);
+        rounding + (load.size() * load.tolerance).doubled().doubled()
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
-        let moment = self.pivot.stance(scene, grip).pinned::<Unbent>();
+        let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
@@ -221,19 +230,19 @@ impl<R: Real> SingleVertex<R> {
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        let keeps = self.contacts();
-        let mut moved = Leg::<R>::turn_downhill(scene, &mut self.pivot, &keeps, downhill);
+        let lasting = self.contacts();
+        let mut moved = Segment::<R>::turn_downhill(scene, &mut self.pivot, &lasting, downhill);
         if moved.trigger == Trigger::Balanced {
-            moved.trigger = self.test(scene, &self.pivot.stance(scene, grip));
+            moved.trigger = self.test(scene, &self.pivot.load(scene, grip));
         }
         moved
     }
 
     /// Friction at rest.
-    fn test(&self, scene: &impl World<R>, stance: &Stance<R>) -> Trigger<R> {
+    fn test(&self, scene: &impl World<R>, load: &Load<R>) -> Trigger<R> {
         let surface = self.pivot.surface(scene);
-        let (normal, friction) = surface.reaction(stance.force);
-        let rounding = stance.rounding();
+        let (normal, friction) = surface.reaction(load.force);
+        let rounding = load.rounding();
         match surface.friction.judge(normal, friction, rounding) {
             Verdict::Sticks => Trigger::Balanced,
             Verdict::Slides(sign) => Trigger::Slide(sign),
@@ -244,12 +253,12 @@ impl<R: Real> SingleVertex<R> {
     /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
     /// (E3), touch, lift-off, fold.
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
-        let mut stance = self.pivot.stance(scene, grip);
-        let placed = (&self.pivot, &stance);
+        let mut load = self.pivot.load(scene, grip);
+        let placed = (&self.pivot, &load);
         let found = ShortSlip::find(scene, placed, grip, sign);
         if let Ok(slip) = found {
             let end = self.pivot.moved(slip.slide, slip.turn);
-            if self.has_room(scene, &end, (slip.reach, slip.open)) {
+            if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
                 return Moved {
                     slip: slip.slide,
@@ -260,60 +269,62 @@ impl<R: Real> SingleVertex<R> {
         self.room = R::ZERO;
         if self.pivot.surface(scene).friction.is_continuous() {
             // Where it stops it must also stick.
-            stance.tolerance = R::ZERO;
+            load.tolerance = R::ZERO;
         }
         // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
-        let lever = stance.lever.reach();
-        let farthest = (stance.force.reach() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
+        let lever = load.lever.length_bound();
+        let farthest =
+            (load.force.length_bound() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
         let about = match found {
             Ok(slip) => Some(slip.slide.abs()),
             Err(about) => about,
         };
         // To look no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
-        let (mut slip, mut leg) = self.slide_leg(scene, &stance, sign * near);
-        if leg.goes_on() && near < farthest {
-            (slip, leg) = self.slide_leg(scene, &stance, sign * farthest);
+        let (mut slip, mut segment) = self.slide_segment(scene, &load, sign * near);
+        if segment.goes_on() && near < farthest {
+            (slip, segment) = self.slide_segment(scene, &load, sign * farthest);
         }
         self.pivot = self.pivot.moved(slip, R::ZERO);
-        let moved = leg.turn_with_hand(scene, &mut self.pivot, grip);
-        let stance = self.pivot.stance(scene, grip);
+        let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);
+        let load = self.pivot.load(scene, grip);
         Moved {
             slip,
-            unbalanced: !self.is_balanced(&stance)
-                || self.is_driven_beyond(scene, &stance, (sign, Self::found_to(&stance))),
+            unbalanced: !self.is_balanced(&load)
+                || self.is_driven_beyond(scene, &load, (sign, Self::found_to(&load))),
             ..moved
         }
     }
 
     /// A slide by `shift` along t, or to what ends it before: how far it goes, and its course.
-    fn slide_leg(&self, scene: &impl World<R>, stance: &Stance<R>, shift: R) -> (R, Leg<R>) {
+    fn slide_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
         let surface = self.pivot.surface(scene);
-        let way = Way::slide(surface.tangent * shift);
-        let moment = stance.pinned::<Unbent>();
-        let Reaction { normal, friction } = Self::reaction(stance, &surface, &way);
+        let displacement = Displacement::slide(surface.tangent * shift);
+        let moment = load.pinned::<Pinned>();
+        let Reaction { normal, friction } = Self::reaction(load, &surface, &displacement);
         let drives = surface.friction.drives(normal, friction, shift.sign());
         let ends = (&drives, Trigger::Stopped);
-        let lever = stance.lever;
-        let mut leg = Leg::balanced_until(&moment, (lever, &way), Trigger::Stopped, ends);
-        let keeps = self.contacts();
-        leg.stop_at_touch(scene, &stance.placed, (surface.tangent * shift, &keeps));
-        leg.stop_at(&normal, Trigger::Clear);
-        (shift * leg.part(), leg)
+        let lever = load.lever;
+        let mut segment =
+            Segment::balanced_until(&moment, (lever, &displacement), Trigger::Stopped, ends);
+        let lasting = self.contacts();
+        segment.stop_at_touch(scene, &load.placed, (surface.tangent * shift, &lasting));
+        segment.stop_at(&normal, Trigger::Clear);
+        (shift * segment.part(), segment)
     }
 
     /// True if the moment of the load is rounding, or within the tolerance.
-    fn is_balanced(&self, stance: &Stance<R>) -> bool {
-        let within = (stance.tolerance * stance.stability()).doubled();
+    fn is_balanced(&self, load: &Load<R>) -> bool {
+        let within = (load.tolerance * load.stability()).doubled();
         // The angle is rounded, too.
-        let angle = R::rounding(stance.stability()).doubled().doubled();
-        let rounding = (stance.rounding_with_foot() + angle).doubled();
-        stance.moment().abs() <= rounding.max(within)
+        let angle = R::rounding(load.stability()).doubled().doubled();
+        let rounding = (load.rounding_with_foot() + angle).doubled();
+        load.moment().abs() <= rounding.max(within)
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
+    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
         let surface = self.pivot.surface(scene);
-        let (normal, friction) = surface.reaction(stance.force);
+        let (normal, friction) = surface.reaction(load.force);
         gather([[normal.max(R::ZERO), friction]])
     }
 }

@@ -1,16 +1,16 @@
 //! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
+use crate::balance_curve::{BalanceCurve, Place};
+use crate::bounded::{Bounded, BoundedVec};
 use crate::contact::Pair;
 use crate::detect::Moving;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
-use crate::jet::{Jet, JetVec};
-use crate::load::Stance;
-use crate::motion::{Motion, Place};
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::search::{Found, Look, first_zero};
+use crate::search::{Found, Samples, first_zero};
 use crate::world::{Surface, World};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
@@ -18,7 +18,7 @@ use crate::world::{Surface, World};
 pub(crate) struct Trammel<R> {
     sense: Sense<R>,
     surfaces: [Surface<R>; 2],
-    stance: Stance<R>,
+    load: Load<R>,
     /// r = c2 - c1
     arm: Vec2<R>,
     weight: Vec2<R>,
@@ -29,7 +29,7 @@ pub(crate) struct Trammel<R> {
 /// What depends on the direction of a trammel motion.
 #[derive(Clone, Copy, Debug)]
 struct Sense<R> {
-    motion: Motion<R>,
+    curve: BalanceCurve<R>,
     /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
     signs: [R; 2],
     /// f_i: the directions of the two reactions.
@@ -77,20 +77,20 @@ pub(crate) enum Ending<R> {
 /// The quantities of the motion at a place.
 struct Quantities<R> {
     /// (E6), delta times the resistance: zero in balance.
-    imbalance: Jet<R>,
+    imbalance: Bounded<R>,
     /// N_1, N_2 times the resistance.
-    normals: [Jet<R>; 2],
+    normals: [Bounded<R>; 2],
     /// det [w1 w2 drag]
-    resistance: Jet<R>,
+    resistance: Bounded<R>,
     /// Velocities of the contacts along their tangents.
-    velocities: [Jet<R>; 2],
+    velocities: [Bounded<R>; 2],
 }
 
 impl<R: Real> Sense<R> {
     /// Along a motion whose friction is not known yet.
-    fn along(motion: Motion<R>) -> Self {
+    fn along(curve: BalanceCurve<R>) -> Self {
         Self {
-            motion,
+            curve,
             signs: [R::ZERO; 2],
             reactions: [Vec2::ZERO; 2],
             excess: R::ZERO,
@@ -109,29 +109,30 @@ impl<R: Real> Trammel<R> {
         demand: Demand,
     ) -> Option<Self> {
         let placed = pivot.placed(scene);
-        let mut stance = Stance::new(scene, placed, grip);
+        let mut load = Load::new(scene, placed, grip);
         let arm = placed.arm(scene, other.vertex);
-        let size = stance.force.reach() + stance.lever.reach() + scene.weight().reach();
-        let per_load = R::ONE / (size + stance.couple.abs() + stance.stiffness);
+        let size =
+            load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
+        let per_load = R::ONE / (size + load.couple.abs() + load.stiffness);
         let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
         if surfaces
             .iter()
             .all(|surface| surface.friction.is_continuous())
         {
             // Where it stops it must also stick.
-            stance.tolerance = R::ZERO;
+            load.tolerance = R::ZERO;
         }
         let mut trammel = Self {
-            sense: Sense::along(Motion::straight()),
+            sense: Sense::along(BalanceCurve::straight()),
             surfaces,
-            stance,
+            load,
             arm,
             weight: scene.weight(),
             per_load,
         };
         let mut best: Option<Sense<R>> = None;
         for direction in [R::ONE, -R::ONE] {
-            trammel.sense = Sense::along(Self::motion(&surfaces, arm, direction));
+            trammel.sense = Sense::along(Self::curve(&surfaces, arm, direction));
             let excess = best.map_or(R::LEAST, |sense| sense.excess);
             if trammel.meets_friction(demand) && trammel.sense.excess > excess {
                 best = Some(trammel.sense);
@@ -142,22 +143,22 @@ impl<R: Real> Trammel<R> {
 
     /// Slide along t1 and turn, per unit of the motion.
     pub(super) fn twist(&self) -> (R, R) {
-        let start = self.sense.motion.at(R::ZERO);
+        let start = self.sense.curve.at(R::ZERO);
         (
-            self.sense.motion.part_velocity(&start).value,
-            self.sense.motion.rate_jet().value,
+            self.sense.curve.part_velocity(&start).value,
+            self.sense.curve.rate_bounded().value,
         )
     }
 
     /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
-    fn motion(surfaces: &[Surface<R>; 2], arm: Vec2<R>, sense: R) -> Motion<R> {
+    fn curve(surfaces: &[Surface<R>; 2], arm: Vec2<R>, sense: R) -> BalanceCurve<R> {
         let [first, second] = surfaces;
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);
         if size == R::ZERO {
             // Wedged straight across parallel surfaces: slides without a turn.
-            return Motion::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
+            return BalanceCurve::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
         // Across surfaces almost in line the way bends sharply: in longer units, by what the number type carries.
         let across = second.normal.dot(arm);
@@ -166,7 +167,7 @@ impl<R: Real> Trammel<R> {
         } else {
             size.max(across.abs() / R::LOAD.doubled())
         };
-        Motion::kinematic(
+        BalanceCurve::kinematic(
             sense * by_slide / size,
             Vec2::new(-by_turn, across).over(size) * sense,
         )
@@ -175,13 +176,13 @@ impl<R: Real> Trammel<R> {
     /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
     /// a solution with delta > 0 and N_i >= 0.
     fn meets_friction(&mut self, demand: Demand) -> bool {
-        let start = self.sense.motion.at(R::ZERO);
-        let rest = Self::rest();
+        let start = self.sense.curve.at(R::ZERO);
+        let standstill = Self::standstill();
         self.sense.signs = self.velocities(&start).map(|v| {
             // A contact at the turning point of its motion is about to go on the other way.
-            let is_turning = v.value.abs() <= rest;
+            let is_turning = v.value.abs() <= standstill;
             let ahead = if is_turning { v.slope } else { v.value };
-            if ahead.abs() > rest {
+            if ahead.abs() > standstill {
                 ahead.sign()
             } else {
                 R::ZERO
@@ -201,59 +202,59 @@ impl<R: Real> Trammel<R> {
         // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
         let facet = first.cross(second).hypot(self.arm.cross(second));
         let resolved = R::rounding(facet).doubled().doubled();
-        let rounding = (self.stance.rounding() * self.per_load * facet).max(resolved);
+        let rounding = (self.load.rounding() * self.per_load * facet).max(resolved);
         let [n1, n2] = found
             .normals
             .map(|n| n.value * self.sense.resistance.sign());
         self.sense.excess = found.imbalance.value * self.sense.resistance.sign();
         self.sense.rounding = rounding;
         let pressed = n1 >= -rounding && n2 >= -rounding;
-        self.sense.resistance.abs() > rest
+        self.sense.resistance.abs() > standstill
             && self.sense.excess > rounding
             && (pressed || demand == Demand::AtTheEnd)
     }
 
     /// Velocities below this are none.
-    fn rest() -> R {
+    fn standstill() -> R {
         R::from_int(16) * R::EPSILON
     }
 
-    fn velocities(&self, p: &Place<R>) -> [Jet<R>; 2] {
+    fn velocities(&self, p: &Place<R>) -> [Bounded<R>; 2] {
         let [first, second] = self.surfaces;
-        let rate = self.sense.motion.rate_jet();
-        let slide = self.sense.motion.part_velocity(p);
+        let rate = self.sense.curve.rate_bounded();
+        let slide = self.sense.curve.part_velocity(p);
         let turning = self.rotated(p, self.arm.turned());
         let along = second.tangent.dot(first.tangent);
-        let swing = turning.x * Jet::constant(second.tangent.x)
-            + turning.y * Jet::constant(second.tangent.y);
-        [slide, slide * Jet::constant(along) + swing * rate]
+        let swing = turning.x * Bounded::constant(second.tangent.x)
+            + turning.y * Bounded::constant(second.tangent.y);
+        [slide, slide * Bounded::constant(along) + swing * rate]
     }
 
-    fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> JetVec<R> {
-        let (cos, sin) = self.sense.motion.rotation_jets(p);
-        let at = JetVec::constant(v);
-        JetVec {
+    fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> BoundedVec<R> {
+        let (cos, sin) = self.sense.curve.rotation_bounded(p);
+        let at = BoundedVec::constant(v);
+        BoundedVec {
             x: at.x * cos - at.y * sin,
             y: at.x * sin + at.y * cos,
         }
     }
 
     fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
-        let slide = self.sense.motion.part_jet(p, window);
-        let turn = self.sense.motion.turn_jet(p, window);
-        let lever = self.rotated(p, self.stance.lever);
-        let centroid = self.rotated(p, self.stance.centroid);
+        let slide = self.sense.curve.part_bounded(p, window);
+        let turn = self.sense.curve.turn_bounded(p, window);
+        let lever = self.rotated(p, self.load.lever);
+        let centroid = self.rotated(p, self.load.centroid);
         let arm = self.rotated(p, self.arm);
-        let load = |v: Vec2<R>| JetVec::constant(v * self.per_load);
-        let hand = load(self.stance.spring + self.stance.lever)
-            - load(self.surfaces[0].tangent).scaled(slide);
-        let weight = load(self.weight);
-        let force = hand - lever.scaled(Jet::constant(self.per_load)) + weight;
-        let couple = Jet::constant(self.stance.couple * self.per_load)
-            - turn * Jet::constant(self.stance.stiffness * self.per_load);
+        let relative = |v: Vec2<R>| BoundedVec::constant(v * self.per_load);
+        let hand = relative(self.load.spring + self.load.lever)
+            - relative(self.surfaces[0].tangent).scaled(slide);
+        let weight = relative(self.weight);
+        let force = hand - lever.scaled(Bounded::constant(self.per_load)) + weight;
+        let couple = Bounded::constant(self.load.couple * self.per_load)
+            - turn * Bounded::constant(self.load.stiffness * self.per_load);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
-        let [f1, f2] = self.sense.reactions.map(JetVec::constant);
-        let [t1, t2] = self.surfaces.map(|s| JetVec::constant(s.tangent));
+        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
+        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
         let velocities = self.velocities(p);
         let second = arm.cross(f2);
         let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
@@ -272,26 +273,26 @@ impl<R: Real> Trammel<R> {
         }
     }
 
-    /// Runs to the first ending; `keeps`: the two contacts.
+    /// Runs to the first ending; `lasting`: the two contacts.
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
-        keeps: &[Pair],
+        lasting: &[Pair],
         demand: Demand,
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
-        let begin = self.velocities(&self.sense.motion.at(R::ZERO));
-        let are_turning = begin.map(|v| v.value.abs() <= Self::rest());
-        let found = first_zero((window, self.stance.tolerance), |x| {
-            let q = self.quantities(&self.sense.motion.at(x), window);
-            let never = Jet::constant(R::ONE).as_slope(R::ONE);
+        let begin = self.velocities(&self.sense.curve.at(R::ZERO));
+        let are_turning = begin.map(|v| v.value.abs() <= Self::standstill());
+        let found = first_zero((window, self.load.tolerance), |x| {
+            let q = self.quantities(&self.sense.curve.at(x), window);
+            let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
                 Demand::Pressed => normal.as_slope(sense),
                 Demand::AtTheEnd => never,
             });
             // Who has just turned does not turn again within a window.
-            let turns = |k: usize, velocity: Jet<R>, sign: R| {
+            let turns = |k: usize, velocity: Bounded<R>, sign: R| {
                 if sign == R::ZERO || are_turning.get(k) == Some(&true) {
                     never
                 } else {
@@ -303,7 +304,7 @@ impl<R: Real> Trammel<R> {
             // What drives it is not nothing to the search, whatever its bound.
             let mut imbalance = q.imbalance.as_slope(sense);
             imbalance.rounding = imbalance.rounding.min(self.sense.rounding);
-            Look::far([imbalance, n1, n2, turns1, turns2])
+            Samples::far([imbalance, n1, n2, turns1, turns2])
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),
@@ -311,19 +312,19 @@ impl<R: Real> Trammel<R> {
             // So far nothing ended it: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
-        let mut course = self.sense.motion.course_to(x);
+        let mut extent = self.sense.curve.extent_to(x);
         let moving = Moving {
-            motion: &self.sense.motion,
+            curve: &self.sense.curve,
             shift: self.surfaces[0].tangent,
-            keeps,
+            lasting,
         };
-        if let Some(pair) = self.stance.placed.first_touch(scene, &mut course, &moving) {
+        if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {
             ending = Ending::Touches(pair);
         }
         let run = Run {
-            slide: course.part(),
-            turn: course.end.turn,
-            unsure: unsure || course.unsure,
+            slide: extent.part(),
+            turn: extent.end.turn,
+            unsure: unsure || extent.unsure,
         };
         (run, ending)
     }

@@ -1,12 +1,12 @@
 //! Two vertices on two surfaces (STATICS 5): the pose is locked while an internal force between the contacts keeps both
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
-use super::bracing::Bracing;
+use super::fixed_pose::FixedPose;
 use super::trammel::{Demand, Ending, Trammel};
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::grip::Grip;
 use crate::list::gather;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Relax, Trigger, seat};
@@ -37,19 +37,19 @@ impl<R: Real> TwoVertex<R> {
         gather([self.pivot.contact, self.other])
     }
 
-    fn bracing(&self, scene: &impl World<R>) -> Bracing<R> {
-        Bracing::new(scene, &self.pivot, &self.contacts())
+    fn fixed_pose(&self, scene: &impl World<R>) -> FixedPose<R> {
+        FixedPose::new(scene, &self.pivot, &self.contacts())
     }
 
     /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        let bracing = self.bracing(scene);
-        bracing.bears(scene, to, &mut self.bearers)
+        let fixed_pose = self.fixed_pose(scene);
+        fixed_pose.bears(scene, to, &mut self.bearers)
     }
 
     /// Stays as the hand moves, as long as the interval of (E5) is not empty.
     pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        let moved = self.bracing(scene).advance(scene, from, to);
+        let moved = self.fixed_pose(scene).advance(scene, from, to);
         Moved {
             trigger: slides(moved.trigger),
             ..moved
@@ -62,7 +62,7 @@ impl<R: Real> TwoVertex<R> {
             || Trammel::driven(scene, (&self.pivot, self.other), grip, Demand::Pressed).is_some();
         Moved::by(match how.sliding {
             Some(sign) if driven() => Trigger::Slide(sign),
-            _ => slides(self.bracing(scene).test(scene, grip, how.attempt)),
+            _ => slides(self.fixed_pose(scene).test(scene, grip, how.attempt)),
         })
     }
 
@@ -99,7 +99,7 @@ impl<R: Real> TwoVertex<R> {
             }
         }
         // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
-        if moved.trigger == Trigger::Stopped && !self.bracing(scene).is_at_rest(scene, grip) {
+        if moved.trigger == Trigger::Stopped && !self.fixed_pose(scene).is_at_rest(scene, grip) {
             moved.unbalanced = true;
             if moved.slip.abs() + turn.abs() <= R::MICRO {
                 self.pivot = begin;
@@ -111,14 +111,14 @@ impl<R: Real> TwoVertex<R> {
 
     /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide.
     fn can_open(&self, scene: &impl World<R>, grip: &Grip<R>, lasts: usize, sliding: R) -> bool {
-        let bracing = self.bracing(scene);
+        let fixed_pose = self.fixed_pose(scene);
         [None, Some(sliding)]
             .into_iter()
-            .any(|sliding| bracing.opens(scene, grip, &([lasts, lasts], sliding)))
+            .any(|sliding| fixed_pose.opens(scene, grip, &([lasts, lasts], sliding)))
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        self.bracing(scene).reactions(scene, stance)
+    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+        self.fixed_pose(scene).reactions(scene, load)
     }
 }
 

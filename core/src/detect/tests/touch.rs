@@ -20,13 +20,13 @@ fn first_touch_is_the_first() {
             (Vec2::new(0.0, 0.0), 2.0),
             (Vec2::new(0.3, -0.9), 0.0),
         ] {
-            let (motion, mut course) = Motion::<f64, Unbent>::turning(turn);
+            let (curve, mut extent) = BalanceCurve::<f64, Pinned>::turning(turn);
             let moving = Moving {
-                motion: &motion,
+                curve: &curve,
                 shift,
-                keeps: &[],
+                lasting: &[],
             };
-            let found = at.first_touch(&scene, &mut course, &moving);
+            let found = at.first_touch(&scene, &mut extent, &moving);
             let then = |part: f64| Placed {
                 point: at.point + shift * part,
                 orientation: at.orientation.plus(turn * part),
@@ -44,10 +44,10 @@ fn first_touch_is_the_first() {
                 "{pose:?} {shift:?} {turn}"
             );
             let (Some(pair), Some((part, _))) = (found, first) else {
-                assert_eq!(course.end.part(), 1.0);
+                assert_eq!(extent.end.part(), 1.0);
                 continue;
             };
-            let end = course.end.part();
+            let end = extent.end.part();
             assert!(
                 end <= part + 1e-9 && end >= part - 1.01 / f64::from(STEPS),
                 "{end} {part}"
@@ -84,14 +84,14 @@ fn first_touch_on_many_turns_is_the_first() {
             (Vec2::new(0.0, 0.0), 60.0),
             (Vec2::new(0.03, -0.09), -120.0),
         ] {
-            let (motion, mut course) = Motion::<Fixed, Unbent>::turning(number(turn));
+            let (curve, mut extent) = BalanceCurve::<Fixed, Pinned>::turning(number(turn));
             let moving = Moving {
-                motion: &motion,
+                curve: &curve,
                 shift: vec(shift),
-                keeps: &[],
+                lasting: &[],
             };
-            let found = at.first_touch(&scene, &mut course, &moving);
-            let end = f64::from(course.end.part().to_si(1.0));
+            let found = at.first_touch(&scene, &mut extent, &moving);
+            let end = f64::from(extent.end.part().to_si(1.0));
             assert!(found.is_some() || end == 1.0, "{end}");
             for i in 0..=STEPS {
                 let part = end * f64::from(i) / f64::from(STEPS);

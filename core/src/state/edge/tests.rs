@@ -57,7 +57,7 @@ fn calm_edge_presses_beyond_the_rounding() {
                     angle: Angle::default(),
                 }
             };
-            let rounding = |off: f64| pivot.stance(&scene, &pressed(off)).rounding();
+            let rounding = |off: f64| pivot.load(&scene, &pressed(off)).rounding();
             let unit = rounding(rounding(0.0));
             for times in [0.5, 1.0, 1.5, 2.0] {
                 // Above the second one the numbers are not exact enough for the bound itself.
@@ -68,8 +68,8 @@ fn calm_edge_presses_beyond_the_rounding() {
                 let is_calm = edge.clone().follow(&scene, &grip);
                 assert_eq!(is_calm, times > 1.0, "{span} {begin} {times}");
                 if begin == 0.0 {
-                    let stance = pivot.stance(&scene, &grip);
-                    let reaction = edge.reaction(&scene, &stance, &Way::slide(Vec2::ZERO));
+                    let load = pivot.load(&scene, &grip);
+                    let reaction = edge.reaction(&scene, &load, &Displacement::slide(Vec2::ZERO));
                     let [_, second] = reaction.parts;
                     let off = second.start / second.rounding - times;
                     assert!(off.abs() < 1e-12, "{span} {times}");

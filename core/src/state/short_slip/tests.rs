@@ -57,8 +57,8 @@ impl Case {
             hand: self.hand(),
             angle: Angle::from_radians(self.phi()),
         };
-        let stance = pivot.stance(&scene, &grip);
-        ShortSlip::find(&scene, (&pivot, &stance), &grip, self.sign)
+        let load = pivot.load(&scene, &grip);
+        ShortSlip::find(&scene, (&pivot, &load), &grip, self.sign)
     }
 
     fn hand(&self) -> Vec2<f64> {
@@ -248,7 +248,7 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
         let swing = 1.25 * arm * guess;
         let widest = 1.25 * (swing + guess);
         assert!(
-            farthest <= slip.reach && slip.reach <= 1.3 * widest,
+            farthest <= slip.travel_bound && slip.travel_bound <= 1.3 * widest,
             "{case:?} {slip:?}"
         );
         assert!(

@@ -45,15 +45,15 @@ fn rounding_of_place_and_angle_is_balanced() {
                     let pivot = state
                         .pivot
                         .moved(place * EPSILON * foot, 2.0 * angle * EPSILON);
-                    let stance = pivot.stance(&scene, &grip);
+                    let load = pivot.load(&scene, &grip);
                     assert!(
-                        state.is_balanced(&stance),
+                        state.is_balanced(&load),
                         "{stiffness} {foot} {turn} {place} {angle}: {}",
-                        stance.moment()
+                        load.moment()
                     );
                 }
                 let far = state.pivot.moved(0.0, 1e-6);
-                assert!(!state.is_balanced(&far.stance(&scene, &grip)));
+                assert!(!state.is_balanced(&far.load(&scene, &grip)));
             }
         }
     }
@@ -76,12 +76,8 @@ fn angle_within_the_tolerance_is_balanced() {
             (-4.0, false),
         ] {
             let pivot = state.pivot.moved(0.0, times * TOLERANCE);
-            let stance = pivot.stance(&scene, &grip);
-            assert_eq!(
-                state.is_balanced(&stance),
-                is_balanced,
-                "{stiffness} {times}"
-            );
+            let load = pivot.load(&scene, &grip);
+            assert_eq!(state.is_balanced(&load), is_balanced, "{stiffness} {times}");
         }
     }
 }
@@ -97,14 +93,14 @@ fn rounding_of_the_place_does_not_drive() {
             let grip = pulling(&state, &scene, Vec2::new(sign * mu, -1.0));
             for ulps in [-1.0, 0.0, 1.0] {
                 let pivot = state.pivot.moved(ulps * EPSILON * foot, 0.0);
-                let stance = pivot.stance(&scene, &grip);
-                let off = SingleVertex::found_to(&stance);
+                let load = pivot.load(&scene, &grip);
+                let off = SingleVertex::found_to(&load);
                 assert!(
-                    !state.is_driven_beyond(&scene, &stance, (sign, off)),
+                    !state.is_driven_beyond(&scene, &load, (sign, off)),
                     "{foot} {sign}"
                 );
             }
-            let far = state.pivot.moved(-sign * 1e-6, 0.0).stance(&scene, &grip);
+            let far = state.pivot.moved(-sign * 1e-6, 0.0).load(&scene, &grip);
             let off = SingleVertex::found_to(&far);
             assert!(
                 state.is_driven_beyond(&scene, &far, (sign, off)),
@@ -127,16 +123,13 @@ fn neutral_balance_is_not_driven() {
             hand: Vec2::new(5.0, -1.0),
             angle: Angle::default(),
         };
-        let stance = state.pivot.stance(&scene, &grip);
-        assert_eq!(stance.stability(), 1.0 - lever);
-        assert_eq!(state.is_driven(&scene, &stance, 1.0), is_stable);
-        assert!(!state.is_driven(&scene, &stance, -1.0));
+        let load = state.pivot.load(&scene, &grip);
+        assert_eq!(load.stability(), 1.0 - lever);
+        assert_eq!(state.is_driven(&scene, &load, 1.0), is_stable);
+        assert!(!state.is_driven(&scene, &load, -1.0));
         let normal = 1.0 + lever;
         for (off, is_driven) in [(normal, false), (normal - 0.125, is_stable)] {
-            assert_eq!(
-                state.is_driven_beyond(&scene, &stance, (1.0, off)),
-                is_driven
-            );
+            assert_eq!(state.is_driven_beyond(&scene, &load, (1.0, off)), is_driven);
         }
     }
 }
@@ -152,8 +145,8 @@ fn vertex_is_held_where_it_presses_beyond_doubt() {
             hand: Vec2::new(0.0, 0.5 - press * EPSILON),
             angle: Angle::default(),
         };
-        let stance = state.pivot.stance(&scene, &grip);
-        assert_eq!(state.holds(&scene, &stance, 0.0), holds, "{press}");
+        let load = state.pivot.load(&scene, &grip);
+        assert_eq!(state.holds(&scene, &load, 0.0), holds, "{press}");
     }
 }
 
@@ -172,22 +165,19 @@ fn slip_that_stops_is_over() {
         let normal = 0.2 + random.next().abs();
         let pull = 0.6 * normal + 2.0 * random.next().abs();
         let grip = pulling(&state, &scene, Vec2::new(pull, -normal));
-        let stance = state.pivot.stance(&scene, &grip);
-        if stance.stability() < 0.005 {
+        let load = state.pivot.load(&scene, &grip);
+        if load.stability() < 0.005 {
             continue;
         }
-        let about = ShortSlip::find(&scene, (&state.pivot, &stance), &grip, 1.0);
+        let about = ShortSlip::find(&scene, (&state.pivot, &load), &grip, 1.0);
         let moved = state.slide(&scene, &grip, 1.0);
         if moved.trigger != Trigger::Stopped || moved.unsure {
             continue;
         }
         assert!(!moved.unbalanced, "{seed}: {moved:?}");
-        let stance = state.pivot.stance(&scene, &grip);
-        let excess = stance.force.x + MU_D * stance.force.y;
-        assert!(
-            excess.abs() < 1e-9 && stance.moment().abs() < 1e-9,
-            "{seed}"
-        );
+        let load = state.pivot.load(&scene, &grip);
+        let excess = load.force.x + MU_D * load.force.y;
+        assert!(excess.abs() < 1e-9 && load.moment().abs() < 1e-9, "{seed}");
         count += 1;
         longer += usize::from(matches!(about, Err(Some(about)) if moved.slip > 4.0 * about));
     }

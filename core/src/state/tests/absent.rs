@@ -49,8 +49,8 @@ fn point_on_one_surface_has_one_contact() {
             for moved in moved {
                 assert_eq!(moved.trigger, Trigger::Undriven, "{begin:?}");
             }
-            let stance = pivot(0.0).stance(&scene, &grip);
-            assert!(state.reactions(&scene, &stance).is_empty());
+            let load = pivot(0.0).load(&scene, &grip);
+            assert!(state.reactions(&scene, &load).is_empty());
             assert_eq!(state, begin);
         }
     }

@@ -5,7 +5,7 @@ extern crate std;
 use super::*;
 use crate::fixtures::{Random, sampled};
 use crate::geometry::Vec2;
-use crate::state::bracing::Bracing;
+use crate::state::fixed_pose::FixedPose;
 
 /// A block flat on a floor and against a wall, or on the floor below a ceiling, pushed and turned.
 #[test]
@@ -25,14 +25,14 @@ fn every_motion_is_tried_once() {
         let count = 2 + usize::from(random.next() > 0.0) + usize::from(random.next() > 0.0);
         let contacts: Pairs = contacts.into_iter().take(count).collect();
         let pivot = pivot(0.0);
-        let bracing = Bracing::new(room, &pivot, &contacts);
+        let fixed_pose = FixedPose::new(room, &pivot, &contacts);
         let middle = Vec2::new(0.4, 0.3);
         let grip = Grip {
             holding_point: middle,
             hand: middle + random.vector(),
             angle: Angle::from_radians(random.next()),
         };
-        let test = |attempt: usize| bracing.test(room, &grip, attempt);
+        let test = |attempt: usize| fixed_pose.test(room, &grip, attempt);
         let first = test(0);
         if first == Trigger::Balanced {
             continue;
@@ -44,13 +44,13 @@ fn every_motion_is_tried_once() {
             .take_while(|t| **t != Trigger::Undriven)
             .count();
         let (motions, rest) = tried.split_at(motions);
-        for (i, motion) in motions.iter().enumerate() {
-            let before = motions[..i].iter().filter(|m| *m == motion).count();
+        for (i, curve) in motions.iter().enumerate() {
+            let before = motions[..i].iter().filter(|m| *m == curve).count();
             // Of two contacts that slide together it is asked twice: whether they press on the way, and in balance.
             let is_twice =
-                matches!(motion, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
-            assert!(before <= usize::from(is_twice), "{seed}: {motion:?}");
-            assert_ne!(*motion, Trigger::Balanced);
+                matches!(curve, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
+            assert!(before <= usize::from(is_twice), "{seed}: {curve:?}");
+            assert_ne!(*curve, Trigger::Balanced);
         }
         assert!(
             !rest.is_empty() && rest.iter().all(|t| *t == Trigger::Undriven),

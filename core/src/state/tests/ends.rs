@@ -37,7 +37,7 @@ fn end_of_a_way_is_in_balance() {
             if moved.trigger != Trigger::Balanced || moved.unsure {
                 continue;
             }
-            let placed = match state.carrier() {
+            let placed = match state.anchor() {
                 Ok(pivot) => pivot.placed(&point),
                 Err(pose) => Placed {
                     point: pose.position + pose.orientation.rotation().apply(to.holding_point),
@@ -46,7 +46,7 @@ fn end_of_a_way_is_in_balance() {
                     on: None,
                 },
             };
-            let moment = Stance::new(&point, placed, &to).moment();
+            let moment = Load::new(&point, placed, &to).moment();
             assert!(moment.abs() < 1e-6, "{seed}: {moment}");
             count[i] += 1;
         }

@@ -40,7 +40,7 @@ fn honest(
         }
         seen[1] += usize::from(counts.unsure > 0);
         assert_eq!(moved.trigger, end.trigger, "{most}");
-        let off = (is.position - should.position).reach();
+        let off = (is.position - should.position).length_bound();
         let turned = is.orientation.angle().minus(should.orientation.angle());
         assert!(off + turned.abs() < 1e-9, "{most}: {is:?} {should:?}");
     }
@@ -72,7 +72,7 @@ fn free_body_says_so() {
             let held = from.lerp(&to, moved.part).hand + point.weight();
             let pose = state.pose(&point);
             let holds = pose.position + pose.orientation.rotation().apply(to.holding_point);
-            assert!((held - holds).reach() < 1e-12, "{turn} {most}");
+            assert!((held - holds).length_bound() < 1e-12, "{turn} {most}");
         }
     }
 }

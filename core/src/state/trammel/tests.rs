@@ -119,7 +119,7 @@ fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> us
 
 /// Slide, turn and velocities, N_1, N_2 and delta at x of a trammel.
 fn quantities(trammel: &Trammel<f64>, x: f64) -> ([f64; 2], [f64; 2], [f64; 3]) {
-    let p = trammel.sense.motion.at(x);
+    let p = trammel.sense.curve.at(x);
     let found = trammel.quantities(&p, 1.0);
     let per = 1.0 / (found.resistance.value * trammel.per_load);
     let [n1, n2] = found.normals.map(|n| n.value * per);
@@ -179,8 +179,11 @@ fn contacts_stay_on_their_surfaces() {
             let (_, velocities, _) = quantities(trammel, x);
             for i in 0..2 {
                 let surface = trammel.surfaces[i];
-                let way = contacts(x)[i] - begin[i];
-                assert!(surface.normal.dot(way).abs() < 1e-12, "{seed} {x} {i}");
+                let displacement = contacts(x)[i] - begin[i];
+                assert!(
+                    surface.normal.dot(displacement).abs() < 1e-12,
+                    "{seed} {x} {i}"
+                );
                 let step = (contacts(x + 1e-5)[i] - contacts(x - 1e-5)[i]) * 0.5e5;
                 assert!(
                     (surface.tangent.dot(step) - velocities[i]).abs() < 1e-8,
@@ -195,19 +198,19 @@ fn contacts_stay_on_their_surfaces() {
 fn slopes_are_derivatives_and_bounds_hold() {
     driven(Demand::AtTheEnd, |_, trammel, seed| {
         let all = |x: f64| {
-            let q = trammel.quantities(&trammel.sense.motion.at(x), 1.0);
+            let q = trammel.quantities(&trammel.sense.curve.at(x), 1.0);
             let [n1, n2] = q.normals;
             let [v1, v2] = q.velocities;
             [q.imbalance, n1, n2, q.resistance, v1, v2]
         };
         for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
             let (before, at, after) = (all(x - 1e-5), all(x), all(x + 1e-5));
-            for (i, jet) in at.iter().enumerate() {
+            for (i, bounded) in at.iter().enumerate() {
                 let slope = (after[i].value - before[i].value) * 0.5e5;
                 let bent = (after[i].slope - before[i].slope) * 0.5e5;
-                assert!((slope - jet.slope).abs() < 1e-7, "{seed} {i}");
-                let sizes = [jet.value, jet.slope, bent];
-                for (size, bound) in sizes.into_iter().zip(jet.bounds) {
+                assert!((slope - bounded.slope).abs() < 1e-7, "{seed} {i}");
+                let sizes = [bounded.value, bounded.slope, bent];
+                for (size, bound) in sizes.into_iter().zip(bounded.bounds) {
                     assert!(size.abs() <= bound + 1e-7, "{seed} {i} {size} {bound}");
                 }
             }
@@ -287,8 +290,11 @@ fn slip_is_told_as_it_is() {
         let (scene, grip) = (&case.scene, &case.grip);
         let mut state = case.state.clone();
         let moved = state.slide(scene, grip);
-        let way = state.pivot.foot - case.state.pivot.foot;
-        assert!((way - moved.slip).abs() < 1e-9, "{seed}: {way} {moved:?}");
+        let displacement = state.pivot.foot - case.state.pivot.foot;
+        assert!(
+            (displacement - moved.slip).abs() < 1e-9,
+            "{seed}: {displacement} {moved:?}"
+        );
         match moved.trigger {
             Trigger::Stopped => {
                 assert!(

@@ -36,7 +36,7 @@ fn short_slip_ends_in_balance() {
         let (force, moment) = case.load(slip.slide * case.sign, slip.turn);
         // A rounding of the slide is so much of them.
         let [_, _, _, decay] = beginning(&case);
-        let size = 1.0 + case.force.reach() + case.stiffness + decay;
+        let size = 1.0 + case.force.length_bound() + case.stiffness + decay;
         let [left, excess] = [moment, case.excess(force)].map(|x| x.abs() / size);
         assert!(
             left < 8.0 * EPSILON && excess < 8.0 * EPSILON,
@@ -93,8 +93,8 @@ fn slip_begins_at_the_balance() {
                 hand: balanced + Vec2::new(sign * more, 0.0),
                 angle: Angle::from_radians(turn),
             };
-            let stance = pivot.stance(&scene, &grip);
-            let found = ShortSlip::find(&scene, (&pivot, &stance), &grip, sign);
+            let load = pivot.load(&scene, &grip);
+            let found = ShortSlip::find(&scene, (&pivot, &load), &grip, sign);
             let about = found.map_or_else(|about| about, |slip| Some(slip.slide * sign));
             assert_eq!(about.is_some(), slips, "{sign} {more} {turn}");
             let off = about.map_or(0.0, |about| about - more);

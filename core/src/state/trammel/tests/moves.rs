@@ -82,15 +82,15 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
         for along in [0.0, 0.25, -1.0 / 1024.0] {
             let arm = Vec2::new(number(along), number(0.0625));
             for sense in [Fixed::ONE, -Fixed::ONE] {
-                let motion = Trammel::<Fixed>::motion(&surfaces, arm, sense);
+                let curve = Trammel::<Fixed>::curve(&surfaces, arm, sense);
                 for k in 0..20 {
-                    let place = motion.at(number(libm::ldexp(1.0, -k)));
+                    let place = curve.at(number(libm::ldexp(1.0, -k)));
                     let (slide, turn) = (real(place.part()), real(place.turn));
                     let (sin, cos) = libm::sincos(turn);
                     let r = vector(arm);
                     let turned = Vec2::new(cos * r.x - sin * r.y, sin * r.x + cos * r.y);
-                    let way = vector(surfaces[0].tangent) * slide + turned - r;
-                    let left = vector(surfaces[1].normal).dot(way);
+                    let displacement = vector(surfaces[0].tangent) * slide + turned - r;
+                    let left = vector(surfaces[1].normal).dot(displacement);
                     let is_far = slide.abs() > 1.0;
                     assert!(is_far || left.abs() < 1e-7, "{exponent} {along} {k} {left}");
                 }

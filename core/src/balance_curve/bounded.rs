@@ -1,23 +1,23 @@
 //! A motion's turn and slide as quantities with their bounds, for the events of a trammel.
 
-use super::{Motion, Place};
-use crate::jet::Jet;
-use crate::moment::Bend;
+use super::{BalanceCurve, Place};
+use crate::bounded::Bounded;
+use crate::moment::SecondHarmonic;
 use crate::real::Real;
 
-impl<R: Real, B: Bend<R>> Motion<R, B> {
+impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     /// cos ϑ and sin ϑ.
-    pub(crate) fn rotation_jets(&self, p: &Place<R>) -> (Jet<R>, Jet<R>) {
+    pub(crate) fn rotation_bounded(&self, p: &Place<R>) -> (Bounded<R>, Bounded<R>) {
         let rate = self.rate.abs();
         let bounds = [R::ONE, rate, rate * rate];
         let cosine = R::ONE - p.versine;
         (
-            Jet {
+            Bounded {
                 value: cosine,
                 slope: -p.sine * self.rate,
                 bounds,
             },
-            Jet {
+            Bounded {
                 value: p.sine,
                 slope: cosine * self.rate,
                 bounds,
@@ -26,13 +26,13 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     }
 
     /// dϑ/dx
-    pub(crate) fn rate_jet(&self) -> Jet<R> {
-        Jet::constant(self.rate)
+    pub(crate) fn rate_bounded(&self) -> Bounded<R> {
+        Bounded::constant(self.rate)
     }
 
     /// ϑ, up to x = `window`.
-    pub(crate) fn turn_jet(&self, p: &Place<R>, window: R) -> Jet<R> {
-        Jet {
+    pub(crate) fn turn_bounded(&self, p: &Place<R>, window: R) -> Bounded<R> {
+        Bounded {
             value: p.turn,
             slope: self.rate,
             bounds: [self.rate.abs() * window, self.rate.abs(), R::ZERO],
@@ -40,9 +40,9 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     }
 
     /// tau of a kinematic motion, up to x = `window`.
-    pub(crate) fn part_jet(&self, p: &Place<R>, window: R) -> Jet<R> {
-        let most = self.hold.reach();
-        Jet {
+    pub(crate) fn part_bounded(&self, p: &Place<R>, window: R) -> Bounded<R> {
+        let most = self.hold.length_bound();
+        Bounded {
             value: p.part(),
             slope: p.h_slope,
             bounds: [most * window, most, most * self.rate.abs()],
@@ -50,10 +50,10 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     }
 
     /// dtau/dx of a kinematic motion.
-    pub(crate) fn part_velocity(&self, p: &Place<R>) -> Jet<R> {
+    pub(crate) fn part_velocity(&self, p: &Place<R>) -> Bounded<R> {
         let rate = self.rate.abs();
-        let most = self.hold.reach();
-        Jet {
+        let most = self.hold.length_bound();
+        Bounded {
             value: p.h_slope,
             slope: self.second(p).0,
             bounds: [most, most * rate, most * rate * rate],

@@ -11,8 +11,8 @@ mod flat;
 const LITTLE: f64 = 1e-12;
 
 impl Random {
-    fn screw(&mut self) -> Screw<f64> {
-        Screw {
+    fn wrench(&mut self) -> Wrench2<f64> {
+        Wrench2 {
             force: self.vector(),
             moment: self.next(),
         }
@@ -20,14 +20,14 @@ impl Random {
 }
 
 /// Contacts at levers on surfaces of an angle, with a coefficient of friction.
-fn support(contacts: &[(Vec2<f64>, f64, f64)]) -> (Support<f64>, Vec<Screw<f64>, MAX_EDGES>) {
-    let mut support = Support::default();
+fn cone(contacts: &[(Vec2<f64>, f64, f64)]) -> (WrenchCone<f64>, Vec<Wrench2<f64>, MAX_EDGES>) {
+    let mut cone = WrenchCone::default();
     let mut edges = Vec::new();
     for &(lever, angle, mu) in contacts {
         let (sin, cos) = libm::sincos(angle);
         let (normal, tangent) = (Vec2::new(-sin, cos), Vec2::new(cos, sin));
         let size = libm::hypot(1.0, mu);
-        support.add(&Bearing {
+        cone.add(&Bearing {
             lever,
             normal,
             tangent,
@@ -36,35 +36,35 @@ fn support(contacts: &[(Vec2<f64>, f64, f64)]) -> (Support<f64>, Vec<Screw<f64>,
         for sign in [1.0, -1.0] {
             let force = (normal + tangent * (mu * sign)) * (1.0 / size);
             let moment = lever.x * force.y - lever.y * force.x;
-            edges.push(Screw { force, moment }).expect("room");
+            edges.push(Wrench2 { force, moment }).expect("room");
         }
     }
-    (support, edges)
+    (cone, edges)
 }
 
 /// How far a load is from what the edges bear: the least that parts of theirs leave of it, by descent over one part after the
 /// other. Nothing where that is too slow.
-fn outside(edges: &[Screw<f64>], load: Screw<f64>) -> Option<f64> {
+fn outside(edges: &[Wrench2<f64>], load: Wrench2<f64>) -> Option<f64> {
     let mut parts = [0.0_f64; MAX_EDGES];
-    let mut rest = load.scaled(-1.0);
+    let mut remainder = load.scaled(-1.0);
     for _ in 0..20_000 {
         let mut moved = 0.0_f64;
         for (part, edge) in parts.iter_mut().zip(edges) {
-            let step = (rest.dot(*edge) / edge.dot(*edge)).max(-*part);
+            let step = (remainder.dot(*edge) / edge.dot(*edge)).max(-*part);
             *part += step;
             moved = moved.max(step.abs());
-            rest = sum(rest, *edge, [1.0, -step]);
+            remainder = sum(remainder, *edge, [1.0, -step]);
         }
         if moved < 1e-12 {
-            return Some(rest.size());
+            return Some(remainder.size());
         }
     }
     None
 }
 
 /// The sum of two loads, each so many times.
-fn sum(a: Screw<f64>, b: Screw<f64>, [n, m]: [f64; 2]) -> Screw<f64> {
-    Screw {
+fn sum(a: Wrench2<f64>, b: Wrench2<f64>, [n, m]: [f64; 2]) -> Wrench2<f64> {
+    Wrench2 {
         force: a.force * n + b.force * m,
         moment: a.moment * n + b.moment * m,
     }
@@ -92,31 +92,31 @@ fn load_yields_where_no_reactions_balance_it() {
     for seed in sampled(0..400, 97) {
         let mut random = Random(seed);
         let smooth = seed % 4 == 0;
-        let (support, edges) = support(&contacts(&mut random, smooth));
+        let (cone, edges) = cone(&contacts(&mut random, smooth));
         // Borne by some part of every edge, or, for contacts without friction, of each contact.
-        let mut from = Screw {
+        let mut from = Wrench2 {
             force: Vec2::ZERO,
             moment: 0.0,
         };
         for edge in &edges {
             from = sum(from, *edge, [1.0, -0.2 - random.next().abs()]);
         }
-        let to = random.screw().scaled(3.0);
+        let to = random.wrench().scaled(3.0);
         let axes =
-            [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)].map(|(x, y, moment)| Screw {
+            [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)].map(|(x, y, moment)| Wrench2 {
                 force: Vec2::new(x, y),
                 moment,
             });
         let mut both = axes.iter().flat_map(|axis| [*axis, axis.scaled(-1.0)]);
-        if both.all(|load| support.bearers(load, LITTLE).is_some()) {
+        if both.all(|load| cone.bearers(load, LITTLE).is_some()) {
             // Jammed: whatever comes is borne.
-            assert!(support.bearers(to, LITTLE).is_some());
+            assert!(cone.bearers(to, LITTLE).is_some());
             continue;
         }
         let rounding = 1e-9;
-        assert_eq!(support.first_yield(from, from, rounding), None, "{seed}");
+        assert_eq!(cone.first_yield(from, from, rounding), None, "{seed}");
         let on_way = |part: f64| outside(&edges, sum(from, to, [1.0 - part, part]));
-        let Some(part) = support.first_yield(from, to, rounding) else {
+        let Some(part) = cone.first_yield(from, to, rounding) else {
             assert!(outside(&edges, to).is_none_or(|off| off < 1e-6), "{seed}");
             found[0] += 1;
             continue;
@@ -134,7 +134,7 @@ fn load_yields_where_no_reactions_balance_it() {
             "{seed} {part} {after:?}"
         );
         assert!(
-            support.bearers(to, LITTLE).is_none() && support.left(to, LITTLE) > 1e-9,
+            cone.bearers(to, LITTLE).is_none() && cone.left(to, LITTLE) > 1e-9,
             "{seed}"
         );
     }
@@ -149,25 +149,25 @@ fn load_yields_where_no_reactions_balance_it() {
 fn shares_of_what_is_borne_add_up_to_it() {
     for seed in sampled(0..400, 97) {
         let mut random = Random(seed);
-        let (support, edges) = support(&contacts(&mut random, false));
-        let load = random.screw();
+        let (cone, edges) = cone(&contacts(&mut random, false));
+        let load = random.wrench();
         let off = outside(&edges, load);
-        let is_borne = support
+        let is_borne = cone
             .bearers(load, LITTLE)
-            .is_some_and(|bearers| support.bears_on(bearers, load, LITTLE));
+            .is_some_and(|bearers| cone.bears_on(bearers, load, LITTLE));
         assert!(
             off.is_none_or(|off| is_borne == (off < 1e-9)),
             "{seed} {off:?}"
         );
-        let mut rest = load;
-        for (pair, edges) in support.share(load, LITTLE).iter().zip(edges.chunks(2)) {
+        let mut remainder = load;
+        for (pair, edges) in cone.share(load, LITTLE).iter().zip(edges.chunks(2)) {
             for (part, edge) in pair.iter().zip(edges) {
                 assert!(*part >= -1e-12, "{seed} {part}");
-                rest = sum(rest, *edge, [1.0, *part]);
+                remainder = sum(remainder, *edge, [1.0, *part]);
             }
         }
-        let left = rest.size();
-        assert!((left - support.left(load, LITTLE)).abs() < 1e-9, "{seed}");
+        let left = remainder.size();
+        assert!((left - cone.left(load, LITTLE)).abs() < 1e-9, "{seed}");
         if is_borne {
             assert!(left < 1e-9, "{seed}: {left}");
         } else if let Some(off) = off {
@@ -183,24 +183,24 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
     for seed in sampled(0..2000, 97) {
         let mut random = Random(seed);
         let contacts: Vec<_, 4> = contacts(&mut random, false).into_iter().take(2).collect();
-        let (support, edges) = support(&contacts);
-        let load = random.screw();
-        if support.bearers(load, LITTLE).is_none() {
+        let (cone, edges) = cone(&contacts);
+        let load = random.wrench();
+        if cone.bearers(load, LITTLE).is_none() {
             continue;
         }
-        let shares = support.share(load, LITTLE);
+        let shares = cone.share(load, LITTLE);
         let forces: Vec<_, 2> = (shares.iter().zip(edges.chunks(2)))
             .map(|(part, edge)| edge[0].force * part[0] + edge[1].force * part[1])
             .collect();
-        let way = contacts[1].0 * (1.0 / contacts[1].0.length());
+        let solution = contacts[1].0 * (1.0 / contacts[1].0.length());
         // The parts of the two edges fall to zero at the ends of the interval.
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for ((force, pair), sign) in forces.iter().zip(edges.chunks(2)).zip([1.0, -1.0]) {
             let (plus, minus) = (pair[0].force, pair[1].force);
             let per = 1.0 / plus.cross(minus);
             for (at, rate) in [
-                (force.cross(minus) * per, way.cross(minus) * per * sign),
-                (plus.cross(*force) * per, plus.cross(way) * per * sign),
+                (force.cross(minus) * per, solution.cross(minus) * per * sign),
+                (plus.cross(*force) * per, plus.cross(solution) * per * sign),
             ] {
                 let end = -at / rate;
                 if rate > 0.0 {
@@ -221,8 +221,8 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
     assert!(cfg!(miri) || count > 30, "{count}");
 }
 
-fn screw(x: f64, y: f64, moment: f64) -> Screw<f64> {
-    Screw {
+fn wrench(x: f64, y: f64, moment: f64) -> Wrench2<f64> {
+    Wrench2 {
         force: Vec2::new(x, y),
         moment,
     }
@@ -232,25 +232,25 @@ fn screw(x: f64, y: f64, moment: f64) -> Screw<f64> {
 /// body begins to turn about the contact there.
 #[test]
 fn without_friction_an_edge_bears_what_presses_between_its_ends() {
-    let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(2.0, 0.0), 0.0, 0.0)]);
+    let (cone, _) = cone(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(2.0, 0.0), 0.0, 0.0)]);
     for (from, to, part, contact) in [
         (-1.0, -3.0, 0.5, 1),
         (-0.5, 1.5, 0.25, 0),
         (-1.9, -2.1, 0.5, 1),
     ] {
-        let [from, to] = [from, to].map(|moment| screw(0.0, -1.0, moment));
-        let found = support.first_yield(from, to, 1e-9);
+        let [from, to] = [from, to].map(|moment| wrench(0.0, -1.0, moment));
+        let found = cone.first_yield(from, to, 1e-9);
         assert!(
             found.is_some_and(|at| (at - part).abs() < 1e-12),
             "{found:?}"
         );
-        let yields = support.yields(to, 1e-9, &|_| true);
+        let yields = cone.yields(to, 1e-9, &|_| true);
         assert_eq!(yields, Some(Yield::Pivot { contact }));
-        assert_eq!(support.first_yield(from, from, 1e-9), None);
+        assert_eq!(cone.first_yield(from, from, 1e-9), None);
     }
     // Along the floor they bear nothing.
     assert_eq!(
-        support.first_yield(screw(1e-3, -1.0, -1.0), screw(1e-3, -1.0, -1.0), 1e-9),
+        cone.first_yield(wrench(1e-3, -1.0, -1.0), wrench(1e-3, -1.0, -1.0), 1e-9),
         Some(0.0)
     );
 }
@@ -261,16 +261,16 @@ fn without_friction_a_slot_bears_what_lies_across_it() {
     const ROUNDING: f64 = 1e-3;
     let half = core::f64::consts::PI;
     for (angles, down, up) in [([0.0, half], true, true), ([0.0, 0.0], true, false)] {
-        let (support, _) = support(&angles.map(|angle| (Vec2::ZERO, angle, 0.0)));
-        let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+        let (cone, _) = cone(&angles.map(|angle| (Vec2::ZERO, angle, 0.0)));
+        let bears = |load| cone.first_yield(load, load, ROUNDING).is_none();
         for size in [0.01, 1.0, 30.0] {
-            assert_eq!(bears(screw(0.0, -size, 0.0)), down);
-            assert_eq!(bears(screw(0.0, size, 0.0)), up);
+            assert_eq!(bears(wrench(0.0, -size, 0.0)), down);
+            assert_eq!(bears(wrench(0.0, size, 0.0)), up);
             for off in [0.5 * ROUNDING, -0.5 * ROUNDING] {
-                assert!(bears(screw(off, -size, 0.0)) && bears(screw(0.0, -size, off)));
+                assert!(bears(wrench(off, -size, 0.0)) && bears(wrench(0.0, -size, off)));
             }
             for off in [2.0 * ROUNDING, -2.0 * ROUNDING, 1.0] {
-                assert!(!bears(screw(off, -size, 0.0)) && !bears(screw(0.0, -size, off)));
+                assert!(!bears(wrench(off, -size, 0.0)) && !bears(wrench(0.0, -size, off)));
             }
         }
     }

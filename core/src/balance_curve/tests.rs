@@ -2,13 +2,13 @@
 //! must hold as far as they are given for, and be no looser than the terms that they are sums of.
 
 use super::*;
+use crate::bounded::Bounded;
 use crate::fixtures::{Random, sampled, searches};
-use crate::jet::Jet;
 use crate::moment::Gliding;
 
+mod bounded;
 mod cases;
 mod ends;
-mod jets;
 
 impl Random {
     /// Of sizes from 0.03 to 10.
@@ -19,20 +19,20 @@ impl Random {
     fn numbers(&mut self) -> Vec2<f64> {
         Vec2::new(self.number(), self.number())
     }
-    fn moment<B: Bend<f64>>(&mut self) -> Moment<f64, B> {
+    fn moment<H: SecondHarmonic<f64>>(&mut self) -> Moment<f64, H> {
         Moment {
             couple: 0.0,
             stiffness: self.number().abs(),
             hold: self.numbers(),
-            bend: B::gliding((self.number(), self.number())),
+            harmonic: H::gliding((self.number(), self.number())),
             tolerance: 0.0,
         }
     }
-    fn motion<B: Bend<f64>>(&mut self) -> Motion<f64, B> {
-        Motion::balanced(&self.moment::<B>(), self.numbers(), self.number())
+    fn curve<H: SecondHarmonic<f64>>(&mut self) -> BalanceCurve<f64, H> {
+        BalanceCurve::balanced(&self.moment::<H>(), self.numbers(), self.number())
     }
-    fn kinematic(&mut self) -> Motion<f64> {
-        Motion::kinematic(self.number(), self.numbers())
+    fn kinematic(&mut self) -> BalanceCurve<f64> {
+        BalanceCurve::kinematic(self.number(), self.numbers())
     }
     fn margin(&mut self) -> Margin<f64> {
         Margin {
@@ -89,17 +89,17 @@ fn level(margin: &Margin<f64>, p: &Place<f64>, tau: f64) -> f64 {
 }
 
 /// The largest derivatives of H and D on the whole turn, of the orders 1 to 3.
-fn turns<B: Bend<f64>>(motion: &Motion<f64, B>) -> [[f64; 3]; 2] {
-    let once = (0.0, core::f64::consts::TAU / motion.rate.abs());
-    let second = |x: f64| motion.second(&motion.at(x));
+fn turns<H: SecondHarmonic<f64>>(curve: &BalanceCurve<f64, H>) -> [[f64; 3]; 2] {
+    let once = (0.0, core::f64::consts::TAU / curve.rate.abs());
+    let second = |x: f64| curve.second(&curve.at(x));
     [
         [
-            largest(|x| motion.at(x).h_slope, once),
+            largest(|x| curve.at(x).h_slope, once),
             largest(|x| second(x).0, once),
             largest(|x| derivatives(|x| second(x).0, x)[0], once),
         ],
         [
-            largest(|x| motion.at(x).d_slope, once),
+            largest(|x| curve.at(x).d_slope, once),
             largest(|x| second(x).1, once),
             largest(|x| derivatives(|x| second(x).1, x)[0], once),
         ],
@@ -112,7 +112,7 @@ macro_rules! test_both {
         #[test]
         fn $case() {
             for seed in sampled(1..=200, 29) {
-                cases::$case::<Unbent>(&mut Random(seed));
+                cases::$case::<Pinned>(&mut Random(seed));
                 cases::$case::<Gliding<f64>>(&mut Random(seed));
             }
         }
@@ -124,20 +124,20 @@ test_both! {
     slopes_are_derivatives,
     fold_is_where_the_part_stops_growing,
     margin_is_bounded,
-    course_ends_at_its_first_event,
+    extent_ends_at_its_first_event,
     balance_is_polished_and_bent,
 }
 
 /// The springs of a hand that turns by `dphi` against a load of `kappa`.
-fn turning(kappa: f64, dphi: f64) -> Motion<f64> {
+fn turning(kappa: f64, dphi: f64) -> BalanceCurve<f64> {
     let moment = Moment {
         couple: 0.0,
         stiffness: 1.0,
         hold: Vec2::new(kappa, 0.0),
-        bend: Unbent,
+        harmonic: Pinned,
         tolerance: 0.0,
     };
-    Motion::balanced(&moment, Vec2::ZERO, dphi)
+    BalanceCurve::balanced(&moment, Vec2::ZERO, dphi)
 }
 
 /// STATICS 11: u + kappa sin u = delta folds on its way from 0.
@@ -150,13 +150,13 @@ fn turn_of_the_hand_ends_at_the_fold() {
         (5.0, 1.772_154_247_6, 6.671_133_733_2),
     ] {
         for turn in [1.01 * delta, 1.5 * delta, 10.0 * delta] {
-            let course = turning(kappa, turn).course();
-            assert!(course.folds && !course.unsure, "{kappa}");
+            let extent = turning(kappa, turn).extent();
+            assert!(extent.folds && !extent.unsure, "{kappa}");
             // A double root: half of the digits.
-            assert!((course.end.turn - fold).abs() < 1e-6, "{kappa}");
-            assert!((course.end.part() * turn - delta).abs() < 1e-9, "{kappa}");
+            assert!((extent.end.turn - fold).abs() < 1e-6, "{kappa}");
+            assert!((extent.end.part() * turn - delta).abs() < 1e-9, "{kappa}");
         }
-        let course = turning(kappa, 0.99 * delta).course();
-        assert!(!course.folds && course.end.turn < fold);
+        let extent = turning(kappa, 0.99 * delta).extent();
+        assert!(!extent.folds && extent.end.turn < fold);
     }
 }

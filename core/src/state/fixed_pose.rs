@@ -8,18 +8,18 @@ use super::trammel::Demand;
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::grip::Grip;
 use crate::list::gather;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::support::{Bearing, Support, Yield};
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
+use crate::wrench_cone::{Bearing, WrenchCone, Yield};
 
 /// The contacts, placed by a pivot that is the first of them.
-pub(super) struct Bracing<R: Real> {
+pub(super) struct FixedPose<R: Real> {
     pivot: Pivot<R>,
     contacts: Pairs,
-    support: Support<R>,
+    cone: WrenchCone<R>,
 }
 
 /// An incipient motion: the contacts that last, and the direction in which the first of them slides.
@@ -49,13 +49,13 @@ fn keep<R: Real>((contacts, sliding): Mode<R>) -> Trigger<R> {
     Trigger::Keep { contacts, sliding }
 }
 
-impl<R: Real> Bracing<R> {
+impl<R: Real> FixedPose<R> {
     pub(super) fn new(scene: &impl World<R>, pivot: &Pivot<R>, contacts: &Pairs) -> Self {
         let placed = pivot.placed(scene);
-        let mut support = Support::default();
+        let mut cone = WrenchCone::default();
         for contact in contacts {
             let surface = scene.surface(contact.surface);
-            support.add(&Bearing {
+            cone.add(&Bearing {
                 lever: placed.arm(scene, contact.vertex),
                 normal: surface.normal,
                 tangent: surface.tangent,
@@ -65,7 +65,7 @@ impl<R: Real> Bracing<R> {
         Self {
             pivot: *pivot,
             contacts: contacts.clone(),
-            support,
+            cone,
         }
     }
 
@@ -77,25 +77,25 @@ impl<R: Real> Bracing<R> {
         grip: &Grip<R>,
         bearers: &mut [u8; 3],
     ) -> bool {
-        let stance = self.pivot.stance(scene, grip);
-        if !stance.is_carried() {
+        let load = self.pivot.load(scene, grip);
+        if !load.is_representable() {
             return false;
         }
-        let load = stance.load();
-        let little = Self::little(&stance, R::ZERO);
-        if self.support.bears_on(*bearers, load, little) {
+        let wrench = load.wrench();
+        let little = Self::little(&load, R::ZERO);
+        if self.cone.bears_on(*bearers, wrench, little) {
             return true;
         }
-        let found = self.support.bearers(load, little);
+        let found = self.cone.bearers(wrench, little);
         *bearers = found.unwrap_or(*bearers);
         found.is_some()
     }
 
     /// To the end of the hand's way, or to where the load is not borne any more.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        let [before, after] = [from, to].map(|grip| self.pivot.stance(scene, grip));
+        let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
         let rounding = (before.rounding() + after.rounding()).doubled();
-        match (self.support).first_yield(before.load(), after.load(), rounding) {
+        match (self.cone).first_yield(before.wrench(), after.wrench(), rounding) {
             // Facets may be told apart less well than reactions.
             None => Moved::by(self.test(scene, to, 0)),
             Some(part) => {
@@ -112,13 +112,13 @@ impl<R: Real> Bracing<R> {
 
     /// At rest, or what begins. `attempt`: how many motions were tried in vain.
     pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
-        let stance = self.pivot.stance(scene, grip);
-        let (load, rounding) = (stance.load(), stance.rounding().doubled().doubled());
-        let holds = || self.support.first_yield(load, load, rounding).is_none();
+        let load = self.pivot.load(scene, grip);
+        let (wrench, rounding) = (load.wrench(), load.rounding().doubled().doubled());
+        let holds = || self.cone.first_yield(wrench, wrench, rounding).is_none();
         // At the edge of a cone a load may be borne and beyond a facet by a rounding.
-        let little = Self::little(&stance, R::ZERO);
-        let is_borne = self.support.bearers(load, little).is_some();
-        if is_borne || (holds() && self.support.left(load, little) <= little) {
+        let little = Self::little(&load, R::ZERO);
+        let is_borne = self.cone.bearers(wrench, little).is_some();
+        if is_borne || (holds() && self.cone.left(wrench, little) <= little) {
             Trigger::Balanced
         } else {
             self.give_way(scene, (grip, grip), attempt)
@@ -127,15 +127,15 @@ impl<R: Real> Bracing<R> {
 
     /// True if there are reactions that balance the load, to what the end of a slip is found to.
     pub(super) fn is_at_rest(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
-        let stance = self.pivot.stance(scene, grip);
-        let little = Self::little(&stance, stance.tolerance.doubled().doubled());
-        self.support.left(stance.load(), little) <= little
+        let load = self.pivot.load(scene, grip);
+        let little = Self::little(&load, load.tolerance.doubled().doubled());
+        self.cone.left(load.wrench(), little) <= little
     }
 
     /// What reactions may leave of a load: a `part` of its size and what is as small as a gap that counts as closed. At the
     /// edge of a cone nothing is driven yet.
-    fn little(stance: &Stance<R>, part: R) -> R {
-        stance.rounding() * R::from_int(4) + stance.size() * (R::TOUCH + part)
+    fn little(load: &Load<R>, part: R) -> R {
+        load.rounding() * R::from_int(4) + load.size() * (R::TOUCH + part)
     }
 
     /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
@@ -145,19 +145,17 @@ impl<R: Real> Bracing<R> {
         (grip, ahead): (&Grip<R>, &Grip<R>),
         attempt: usize,
     ) -> Trigger<R> {
-        let stance = self.pivot.stance(scene, grip);
+        let load = self.pivot.load(scene, grip);
         let is_consistent = |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; which way it goes, shows ahead.
             let grip = if mode.1.is_none() { ahead } else { grip };
             self.is_consistent(scene, grip, mode)
         };
-        let facet = self
-            .support
-            .yields(stance.load(), stance.rounding(), &|yields| {
-                // At the bound itself the drive is zero.
-                let mode = self.mode_of(yields);
-                is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
-            });
+        let facet = self.cone.yields(load.wrench(), load.rounding(), &|yields| {
+            // At the bound itself the drive is zero.
+            let mode = self.mode_of(yields);
+            is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
+        });
         let mut in_vain = attempt;
         let mut is_next = |begins: bool| {
             let is = begins && in_vain == 0;
@@ -176,7 +174,7 @@ impl<R: Real> Bracing<R> {
                     _ => ([i, k], Some(sign)),
                 };
                 let begins = match begin {
-                    Begin::Open => self.is_pulled(scene, &stance),
+                    Begin::Open => self.is_pulled(scene, &load),
                     Begin::SlideTogetherInBalance => {
                         self.twist(scene, grip, &mode, Demand::AtTheEnd).is_some()
                     }
@@ -207,10 +205,10 @@ impl<R: Real> Bracing<R> {
     }
 
     /// The load pulls every contact off.
-    fn is_pulled(&self, scene: &impl World<R>, stance: &Stance<R>) -> bool {
+    fn is_pulled(&self, scene: &impl World<R>, load: &Load<R>) -> bool {
         self.contacts.iter().all(|c| {
             let normal = scene.surface(c.surface).normal;
-            normal.dot(stance.force) > R::ZERO
+            normal.dot(load.force) > R::ZERO
         })
     }
 
@@ -243,9 +241,9 @@ impl<R: Real> Bracing<R> {
     }
 
     /// Reactions, which are statically indeterminate.
-    pub(super) fn reactions(&self, scene: &impl World<R>, stance: &Stance<R>) -> Reactions<R> {
-        let little = Self::little(stance, R::ZERO);
-        let shares = self.support.share(stance.load(), little);
+    pub(super) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+        let little = Self::little(load, R::ZERO);
+        let shares = self.cone.share(load.wrench(), little);
         let pairs = self.contacts.iter().zip(&shares);
         gather(pairs.map(|(contact, &[plus, minus])| {
             let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);

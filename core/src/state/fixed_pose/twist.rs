@@ -1,11 +1,11 @@
 //! The motions that can begin where contacts do not bear the load: with which velocities, whether the load drives them, and
 //! whether every contact that does not last opens.
 
-use super::{Bracing, Mode};
+use super::{FixedPose, Mode};
 use crate::contact::Pair;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
-use crate::load::Stance;
+use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::trammel::{Demand, Trammel};
@@ -18,7 +18,7 @@ pub(super) struct Twist<R> {
     turn: R,
 }
 
-impl<R: Real> Bracing<R> {
+impl<R: Real> FixedPose<R> {
     /// Driven by the load, and no gap of another contact closes.
     pub(super) fn is_consistent(
         &self,
@@ -27,7 +27,7 @@ impl<R: Real> Bracing<R> {
         mode: &Mode<R>,
     ) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate >= -Self::rest())
+        slowest.is_some_and(|rate| rate >= -Self::standstill())
     }
 
     /// Driven by the load, and every gap of another contact opens.
@@ -38,11 +38,11 @@ impl<R: Real> Bracing<R> {
         mode: &Mode<R>,
     ) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate > Self::rest())
+        slowest.is_some_and(|rate| rate > Self::standstill())
     }
 
     /// Velocities below this are none.
-    fn rest() -> R {
+    fn standstill() -> R {
         R::from_int(64) * R::EPSILON
     }
 
@@ -69,38 +69,38 @@ impl<R: Real> Bracing<R> {
     ) -> Option<Twist<R>> {
         let ([first, second], sliding) = *mode;
         let [a, b] = [first, second].map(|i| self.contact(i));
-        let stance = self.pivot.stance(scene, grip);
+        let load = self.pivot.load(scene, grip);
         match sliding {
             None => {
                 let pressed = [a, b].iter().any(|c| {
                     let normal = scene.surface(c.surface).normal;
-                    normal.dot(stance.force) < R::ZERO
+                    normal.dot(load.force) < R::ZERO
                 });
-                pressed.then(|| self.pivoting(scene, &stance, a))?
+                pressed.then(|| self.pivoting(scene, &load, a))?
             }
             Some(sign) if a == b => {
-                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
-                let about = pivot.stance(scene, grip);
+                let pivot = Pivot::at(scene, &load.placed.pose(), a);
+                let about = pivot.load(scene, grip);
                 let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
                 let stability = about.stability();
                 if stability <= R::ZERO {
                     return None;
                 }
                 let turn = -about.lever.cross(along.velocity) / stability;
-                let arm = stance.placed.arm(scene, a.vertex);
+                let arm = load.placed.arm(scene, a.vertex);
                 Some(Twist {
                     velocity: along.velocity - arm.turned() * turn,
                     turn,
                 })
             }
             Some(sign) if a.surface == b.surface => {
-                self.sliding(&stance, &scene.surface(a.surface), sign)
+                self.sliding(&load, &scene.surface(a.surface), sign)
             }
             Some(_) if a.vertex == b.vertex => None,
             Some(_) => {
-                let pivot = Pivot::at(scene, &stance.placed.pose(), a);
+                let pivot = Pivot::at(scene, &load.placed.pose(), a);
                 let (slide, turn) = Trammel::driven(scene, (&pivot, b), grip, demand)?.twist();
-                let arm = stance.placed.arm(scene, a.vertex);
+                let arm = load.placed.arm(scene, a.vertex);
                 Some(Twist {
                     velocity: scene.surface(a.surface).tangent * slide - arm.turned() * turn,
                     turn,
@@ -110,20 +110,20 @@ impl<R: Real> Bracing<R> {
     }
 
     /// A turn about one contact, in the direction of the moment about it.
-    fn pivoting(&self, scene: &impl World<R>, stance: &Stance<R>, about: Pair) -> Option<Twist<R>> {
-        let arm = stance.placed.arm(scene, about.vertex);
-        let moment = stance.moment() - arm.cross(stance.force);
+    fn pivoting(&self, scene: &impl World<R>, load: &Load<R>, about: Pair) -> Option<Twist<R>> {
+        let arm = load.placed.arm(scene, about.vertex);
+        let moment = load.moment() - arm.cross(load.force);
         let turn = moment.sign();
-        (moment.abs() > stance.rounding()).then_some(Twist {
+        (moment.abs() > load.rounding()).then_some(Twist {
             velocity: -(arm.turned() * turn),
             turn,
         })
     }
 
     /// A slide of one contact, or of an edge, along sign·t.
-    fn sliding(&self, stance: &Stance<R>, surface: &Surface<R>, sign: R) -> Option<Twist<R>> {
-        let (normal, friction) = surface.reaction(stance.force);
-        let rounding = stance.rounding();
+    fn sliding(&self, load: &Load<R>, surface: &Surface<R>, sign: R) -> Option<Twist<R>> {
+        let (normal, friction) = surface.reaction(load.force);
+        let rounding = load.rounding();
         let driven =
             normal > R::ZERO && (surface.friction).is_driven(normal, friction, sign, rounding);
         driven.then_some(Twist {

@@ -13,10 +13,10 @@ where
     for seed in sampled(0..400, 97) {
         let most = [0.5, 5.0, 60.0][seed as usize % 3];
         let angle = number::<R>(most * Random(seed).next()) / R::from_int(3);
-        let (motion, course) = Motion::<R, Unbent>::turning(angle);
-        assert!(course.end.turn == angle, "{angle:?}: {course:?}");
-        assert!((course.end.part() - R::ONE).abs() <= R::EPSILON * R::from_int(4));
-        let half = motion.at(course.end.x.halved());
+        let (curve, extent) = BalanceCurve::<R, Pinned>::turning(angle);
+        assert!(extent.end.turn == angle, "{angle:?}: {extent:?}");
+        assert!((extent.end.part() - R::ONE).abs() <= R::EPSILON * R::from_int(4));
+        let half = curve.at(extent.end.x.halved());
         assert!(
             (half.turn.doubled() - angle).abs()
                 <= R::rounding(angle.abs().max(R::ONE)) * R::from_int(4)
@@ -44,17 +44,17 @@ fn margin(start: f64, along: f64) -> Margin<f64> {
 #[test]
 fn margin_is_linear_without_a_turn() {
     for h in [0.5, 1.0, 2.0] {
-        let motion = Motion::<f64>::kinematic(0.0, Vec2::new(h, 0.0));
+        let curve = BalanceCurve::<f64>::kinematic(0.0, Vec2::new(h, 0.0));
         for along in [-3.0, -1.5, -0.9, -0.6, -0.4, 0.0, 0.5] {
-            let mut course = motion.course_to(1.0);
-            let stops = motion.stop_at(&margin(1.0, along), &mut course);
+            let mut extent = curve.extent_to(1.0);
+            let stops = curve.stop_at(&margin(1.0, along), &mut extent);
             assert_eq!(stops, 1.0 + along * h < 0.0, "{h} {along}");
             let end = if stops { -1.0 / along } else { h };
-            assert!((course.end.part() - end).abs() < 1e-15, "{h} {along}");
+            assert!((extent.end.part() - end).abs() < 1e-15, "{h} {along}");
         }
         for start in [1e-3, 0.0, -1e-3] {
-            let mut course = motion.course_to(1.0);
-            assert!(!motion.stop_at(&margin(start, 0.0), &mut course));
+            let mut extent = curve.extent_to(1.0);
+            assert!(!curve.stop_at(&margin(start, 0.0), &mut extent));
         }
     }
 }
@@ -63,14 +63,14 @@ fn margin_is_linear_without_a_turn() {
 #[test]
 fn margin_that_lasts_to_the_fold_is_no_search() {
     let delta = 3.826_445_910_0;
-    let motion = turning(2.0, 10.0 * delta);
-    let mut course = motion.course();
-    assert!(course.folds && (course.end.part() - 0.1).abs() < 1e-9);
-    let (stops, counts) = searches::counted(|| motion.stop_at(&margin(1.0, -5.0), &mut course));
+    let curve = turning(2.0, 10.0 * delta);
+    let mut extent = curve.extent();
+    assert!(extent.folds && (extent.end.part() - 0.1).abs() < 1e-9);
+    let (stops, counts) = searches::counted(|| curve.stop_at(&margin(1.0, -5.0), &mut extent));
     assert!(!stops && counts.searches == 0);
-    let (stops, counts) = searches::counted(|| motion.stop_at(&margin(1.0, -20.0), &mut course));
+    let (stops, counts) = searches::counted(|| curve.stop_at(&margin(1.0, -20.0), &mut extent));
     assert!(stops && counts.searches == 1);
-    assert!((course.end.part() - 0.05).abs() < 1e-12);
+    assert!((extent.end.part() - 0.05).abs() < 1e-12);
 }
 
 /// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole way lies between
@@ -84,18 +84,18 @@ fn margin_is_used_up_between_neighbouring_turns() {
                 couple: 0.0,
                 stiffness: 0.0,
                 hold: Vec2::new(pull, 0.0),
-                bend: Unbent,
+                harmonic: Pinned,
                 tolerance: 0.0,
             };
-            let motion = Motion::balanced(&moment, Vec2::new(cos, sin), 0.0);
+            let curve = BalanceCurve::balanced(&moment, Vec2::new(cos, sin), 0.0);
             for (start, along, stops) in [(0.0, -0.1, true), (0.5, -0.7, true), (0.5, -0.3, false)]
             {
                 let margin = margin(start, along);
-                let mut course = motion.course();
-                let shortened = motion.stop_at(&margin, &mut course);
-                let (until, ended) = motion.course_until(Some(&margin));
+                let mut extent = curve.extent();
+                let shortened = curve.stop_at(&margin, &mut extent);
+                let (until, ended) = curve.extent_until(Some(&margin));
                 assert_eq!((shortened, ended), (stops, stops), "{pull} {angle} {along}");
-                assert!(!course.unsure && !until.unsure);
+                assert!(!extent.unsure && !until.unsure);
             }
         }
     }
@@ -103,33 +103,33 @@ fn margin_is_used_up_between_neighbouring_turns() {
 
 /// Where the search for the end gives up, the course says so, whatever ends it then; it is somewhere before the end.
 #[test]
-fn course_that_gives_up_says_so() {
-    let motion = turning(0.9, 30.0);
-    let whole = motion.course();
+fn extent_that_gives_up_says_so() {
+    let curve = turning(0.9, 30.0);
+    let whole = curve.extent();
     let turning_margin = Margin {
         turning: Vec2::new(0.5, -1.0),
         ..margin(1.0, -0.5)
     };
     let mut ended = whole;
-    assert!(motion.stop_at(&turning_margin, &mut ended) && !ended.unsure);
+    assert!(curve.stop_at(&turning_margin, &mut ended) && !ended.unsure);
     let mut seen = [0; 4];
     for most in 1..60 {
-        let (course, counts) = searches::giving_up(most, || motion.course());
-        assert_eq!(course.unsure, counts.unsure > 0, "{most}");
-        assert!(!course.folds && course.end.x <= whole.end.x);
-        seen[usize::from(course.unsure)] += 1;
+        let (extent, counts) = searches::giving_up(most, || curve.extent());
+        assert_eq!(extent.unsure, counts.unsure > 0, "{most}");
+        assert!(!extent.folds && extent.end.x <= whole.end.x);
+        seen[usize::from(extent.unsure)] += 1;
         // A margin that is used up far before the end.
         let mut stopped = whole;
-        let stop = || motion.stop_at(&turning_margin, &mut stopped);
+        let stop = || curve.stop_at(&turning_margin, &mut stopped);
         let (stops, counts) = searches::giving_up(most, stop);
         assert!(stops);
         assert_eq!(stopped.unsure, counts.unsure > 0, "{most}");
         assert!(stopped.end.x <= ended.end.x * (1.0 + 1e-9));
         seen[2 + usize::from(stopped.unsure)] += 1;
         // What is not sure of the course stays so.
-        let mut stopped = course;
-        if motion.stop_at(&turning_margin, &mut stopped) {
-            assert_eq!(stopped.unsure, course.unsure, "{most}");
+        let mut stopped = extent;
+        if curve.stop_at(&turning_margin, &mut stopped) {
+            assert_eq!(stopped.unsure, extent.unsure, "{most}");
         }
     }
     assert!(seen.iter().all(|count| *count > 0), "{seen:?}");

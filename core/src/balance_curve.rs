@@ -12,18 +12,18 @@
 //! Everything that can end the motion is a [`Margin`].
 
 use crate::geometry::Vec2;
-use crate::moment::{Bend, Moment, Unbent};
+use crate::moment::{Moment, Pinned, SecondHarmonic};
 use crate::real::Real;
-use crate::search::{Found, Look, Slope, first_zero};
+use crate::search::{Found, Samples, Slope, first_zero};
 
-mod jets;
+mod bounded;
 mod margin;
 
 pub(crate) use margin::Margin;
 
 /// The curve x -> (tau, ϑ), x >= 0, in units of D(0) / rate.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion<R, B = Unbent> {
+pub(crate) struct BalanceCurve<R, H = Pinned> {
     /// ϑ = rate x
     rate: R,
     /// k
@@ -33,7 +33,7 @@ pub(crate) struct Motion<R, B = Unbent> {
     /// zp = (Yp, Xp)
     drive: Vec2<R>,
     /// The second harmonic of H.
-    bend: B,
+    harmonic: H,
     /// Places are found to within this x; 0: as far as the digits go.
     tolerance: R,
 }
@@ -66,36 +66,38 @@ impl<R: Real> Place<R> {
 
 /// The way to the end of a motion: the place that ends it and what does.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Course<R> {
+pub(crate) struct Extent<R> {
     pub(crate) end: Place<R>,
     /// |tau| stays below this.
-    pub(crate) reach: R,
+    pub(crate) part_bound: R,
     /// tau only grows.
     pub(crate) rises: bool,
     pub(crate) folds: bool,
     pub(crate) unsure: bool,
 }
 
-impl<R: Real> Course<R> {
+impl<R: Real> Extent<R> {
     /// tau at the end; however little is left of H and D there, no more than it can be.
     pub(crate) fn part(&self) -> R {
-        let part = self.reach.min(self.end.part());
+        let part = self.part_bound.min(self.end.part());
         if self.rises { part.max(R::ZERO) } else { part }
     }
 }
 
-impl<R: Real, B: Bend<R>> Motion<R, B> {
+impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     /// Balanced about the contact: the moment with k and z0, zp of the module's text, and the hand's turn dphi.
-    pub(crate) fn balanced(moment: &Moment<R, B>, drive: Vec2<R>, dphi: R) -> Self {
+    pub(crate) fn balanced(moment: &Moment<R, H>, drive: Vec2<R>, dphi: R) -> Self {
         let Moment {
             stiffness,
             hold,
-            bend,
+            harmonic,
             ..
         } = *moment;
         let start = stiffness * dphi + drive.y;
         // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
-        let largest = bend.bound(stiffness + hold.reach(), 1).max(drive.reach());
+        let largest = harmonic
+            .bound(stiffness + hold.length_bound(), 1)
+            .max(drive.length_bound());
         let size = start.abs().max(largest.halved().halved());
         if size == R::ZERO {
             return Self::straight();
@@ -106,7 +108,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             stiffness: stiffness.in_units(unit),
             hold: hold.in_units(unit),
             drive: drive.in_units(unit),
-            bend: bend.in_units(unit),
+            harmonic: harmonic.in_units(unit),
             tolerance: R::ZERO,
         }
     }
@@ -121,18 +123,18 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
 
     /// A turn by `angle` in proportion to tau, and its course to tau = 1. Its units of x are of few radians, as curvatures go
     /// with their square.
-    pub(crate) fn turning(angle: R) -> (Self, Course<R>) {
+    pub(crate) fn turning(angle: R) -> (Self, Extent<R>) {
         let unit = angle.abs().halved().max(R::ONE).unit();
-        let motion = Self {
+        let curve = Self {
             stiffness: R::ONE.in_units(unit),
             ..Self::kinematic(angle.in_units(unit), Vec2::ZERO)
         };
-        let course = motion.course_to(unit);
+        let extent = curve.extent_to(unit);
         let end = Place {
             turn: angle,
-            ..course.end
+            ..extent.end
         };
-        (motion, Course { end, ..course })
+        (curve, Extent { end, ..extent })
     }
 
     /// ϑ = rate x, tau = [sin ϑ hold.x + (1 - cos ϑ) hold.y] / rate.
@@ -142,7 +144,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             stiffness: R::ZERO,
             hold,
             drive: Vec2::ZERO,
-            bend: B::NONE,
+            harmonic: H::NONE,
             tolerance: R::ZERO,
         }
     }
@@ -159,7 +161,8 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
 
     /// A bound of H' / D(0).
     fn whole(&self) -> R {
-        self.bend.bound(self.stiffness + self.hold.reach(), 1)
+        self.harmonic
+            .bound(self.stiffness + self.hold.length_bound(), 1)
     }
 
     /// The sign of the turn.
@@ -175,7 +178,7 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             versine: R::ZERO,
             sine: R::ZERO,
             h: R::ZERO,
-            h_slope: (self.bend).slope(self.stiffness + self.hold.x, (R::ONE, R::ZERO)),
+            h_slope: (self.harmonic).slope(self.stiffness + self.hold.x, (R::ONE, R::ZERO)),
             d: R::ONE,
             d_slope: -self.drive.x,
         }
@@ -202,8 +205,8 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             turn,
             versine,
             sine,
-            h: x * self.bend.rises(per_turn, sine_part, (cosine, sine)),
-            h_slope: self.bend.slope(
+            h: x * self.harmonic.rises(per_turn, sine_part, (cosine, sine)),
+            h_slope: self.harmonic.slope(
                 self.stiffness + cosine * self.hold.x + sine * self.hold.y,
                 (cosine, sine),
             ),
@@ -217,27 +220,27 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         let cosine = R::ONE - p.versine;
         let first = cosine * self.hold.y - p.sine * self.hold.x;
         (
-            self.rate * self.bend.second(first, (cosine, p.sine)),
+            self.rate * self.harmonic.second(first, (cosine, p.sine)),
             self.rate * (p.sine * self.drive.x - cosine * self.drive.y),
         )
     }
 
     /// To tau = 1, or to the fold before it, where ϑ would have to jump.
-    pub(crate) fn course(&self) -> Course<R> {
-        self.course_until(None).0
+    pub(crate) fn extent(&self) -> Extent<R> {
+        self.extent_until(None).0
     }
 
     /// The same, or to where a margin is used up, if that is earlier: true if it is.
-    pub(crate) fn course_until(&self, margin: Option<&Margin<R>>) -> (Course<R>, bool) {
-        let (z0, zp) = (self.hold.reach(), self.drive.reach());
+    pub(crate) fn extent_until(&self, margin: Option<&Margin<R>>) -> (Extent<R>, bool) {
+        let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
         let margin = margin.map(|margin| {
             let margin = margin.scaled();
-            (margin, self.bow(&margin))
+            (margin, self.curvature_bound(&margin))
         });
         let rate = self.rate.abs();
-        let bent = self.bend.bound(z0, 2);
+        let curvature = self.harmonic.bound(z0, 2);
         // How much H' and H' - D' change at most.
-        let (change, changes) = (rate * bent, rate * (bent + zp));
+        let (change, changes) = (rate * curvature, rate * (curvature + zp));
         let per = |change: R| {
             if change > R::ZERO {
                 R::ONE / change
@@ -264,9 +267,9 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
                 curvature: changes,
                 rounding: R::EPSILON,
             };
-            let margin =
-                (margin.as_ref()).map(|(margin, bow)| self.slope(margin, &p, (bow, window)));
-            Look {
+            let margin = (margin.as_ref())
+                .map(|(margin, curvature_bound)| self.slope(margin, &p, (curvature_bound, window)));
+            Samples {
                 functions: [fold, margin, Some(end)],
                 window,
             }
@@ -281,27 +284,27 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             end.d = end.d.max(R::EPSILON);
             end.h = end.d;
         }
-        let course = Course {
+        let extent = Extent {
             end,
-            reach: R::ONE,
+            part_bound: R::ONE,
             rises: true,
             folds: which == 0,
             unsure,
         };
         let margin = margin.as_ref().map(|(margin, _)| margin);
-        let ends = which == 1 || margin.is_some_and(|m| !course.folds && m.is_used_up(&course));
-        (course, ends)
+        let ends = which == 1 || margin.is_some_and(|m| !extent.folds && m.is_used_up(&extent));
+        (extent, ends)
     }
 
     /// dtau/dx D²: zero at a fold.
     fn fold(&self, p: &Place<R>, window: R) -> Slope<R> {
-        let (z0, zp) = (self.hold.reach(), self.drive.reach());
+        let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
         let rate = self.rate.abs();
         let whole = self.whole();
         let (h2, d2) = self.second(p);
         let d_most = p.d.abs() + window * zp;
-        let bent = self.bend.bound(z0, 3);
-        let curved = bent * (rate * d_most + zp) + zp * (whole + rate * d_most);
+        let curvature = self.harmonic.bound(z0, 3);
+        let curved = curvature * (rate * d_most + zp) + zp * (whole + rate * d_most);
         Slope {
             value: p.h_slope * p.d - p.h * p.d_slope,
             slope: h2 * p.d - p.h * d2,
@@ -311,10 +314,10 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     }
 
     /// The course of a motion whose end is known: x from 0 to `x`.
-    pub(crate) fn course_to(&self, x: R) -> Course<R> {
-        Course {
+    pub(crate) fn extent_to(&self, x: R) -> Extent<R> {
+        Extent {
             end: self.at(x),
-            reach: x * self.whole(),
+            part_bound: x * self.whole(),
             rises: false,
             folds: false,
             unsure: false,

@@ -1,12 +1,12 @@
 //! One leg of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a leg and
 //! shortens it to the first event.
 
+use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::Pair;
 use crate::detect::{Moving, Placed};
 use crate::geometry::Vec2;
-use crate::grip::{Grip, Way};
-use crate::moment::{Bend, Downhill, Moment, Unbent};
-use crate::motion::{Course, Margin, Motion};
+use crate::grip::{Displacement, Grip};
+use crate::moment::{Downhill, Moment, Pinned, SecondHarmonic};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
@@ -14,76 +14,81 @@ use crate::world::World;
 
 /// The curve, its course so far, the trigger at its end.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Leg<R, B = Unbent> {
-    motion: Motion<R, B>,
-    course: Course<R>,
+pub(super) struct Segment<R, H = Pinned> {
+    curve: BalanceCurve<R, H>,
+    extent: Extent<R>,
     trigger: Trigger<R>,
     /// Nothing ends it before the end of its way.
     goes_on: bool,
 }
 
-impl<R: Real, B: Bend<R>> Leg<R, B> {
+impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
     /// The whole of a turn in proportion to tau.
     pub(super) fn turning(angle: R, trigger: Trigger<R>) -> Self {
-        let (motion, course) = Motion::turning(angle);
-        Self::of(motion, course, trigger)
+        let (curve, extent) = BalanceCurve::turning(angle);
+        Self::of(curve, extent, trigger)
     }
 
     /// A way of tau = x without a turn.
     pub(super) fn straight(x: R, trigger: Trigger<R>) -> Self {
-        let motion = Motion::straight();
-        let course = motion.course_to(x);
-        Self::of(motion, course, trigger)
+        let curve = BalanceCurve::straight();
+        let extent = curve.extent_to(x);
+        Self::of(curve, extent, trigger)
     }
 
     /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.
     pub(super) fn balanced(
-        moment: &Moment<R, B>,
-        (lever, way): (Vec2<R>, &Way<R>),
+        moment: &Moment<R, H>,
+        (lever, displacement): (Vec2<R>, &Displacement<R>),
         trigger: Trigger<R>,
     ) -> Self {
-        let motion = Self::motion(moment, lever, way);
-        Self::of(motion, motion.course(), trigger)
+        let curve = Self::curve(moment, lever, displacement);
+        Self::of(curve, curve.extent(), trigger)
     }
 
     /// The same, to where a margin is used up, if that is earlier: what usually ends it, in one search with the others.
     pub(super) fn balanced_until(
-        moment: &Moment<R, B>,
-        (lever, way): (Vec2<R>, &Way<R>),
+        moment: &Moment<R, H>,
+        (lever, displacement): (Vec2<R>, &Displacement<R>),
         trigger: Trigger<R>,
         (margin, ends): (&Margin<R>, Trigger<R>),
     ) -> Self {
-        let motion = Self::motion(moment, lever, way);
-        let (course, ended) = motion.course_until(Some(margin));
-        let leg = Self::of(motion, course, if ended { ends } else { trigger });
+        let curve = Self::curve(moment, lever, displacement);
+        let (extent, ended) = curve.extent_until(Some(margin));
+        let segment = Self::of(curve, extent, if ended { ends } else { trigger });
         Self {
-            goes_on: leg.goes_on && !ended,
-            ..leg
+            goes_on: segment.goes_on && !ended,
+            ..segment
         }
     }
 
-    fn motion(moment: &Moment<R, B>, lever: Vec2<R>, way: &Way<R>) -> Motion<R, B> {
-        let drive = lever.conj_mul(way.hand);
-        Motion::balanced(moment, drive, way.turn).to_within(moment.tolerance, way.hand.reach())
+    fn curve(
+        moment: &Moment<R, H>,
+        lever: Vec2<R>,
+        displacement: &Displacement<R>,
+    ) -> BalanceCurve<R, H> {
+        let drive = lever.conj_mul(displacement.hand);
+        BalanceCurve::balanced(moment, drive, displacement.turn)
+            .to_within(moment.tolerance, displacement.hand.length_bound())
     }
 
-    fn of(motion: Motion<R, B>, course: Course<R>, trigger: Trigger<R>) -> Self {
-        let trigger = if course.folds {
-            Trigger::Fold(motion.direction())
+    fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {
+        let trigger = if extent.folds {
+            Trigger::Fold(curve.direction())
         } else {
             trigger
         };
         Self {
-            motion,
-            course,
+            curve,
+            extent,
             trigger,
-            goes_on: !course.folds,
+            goes_on: !extent.folds,
         }
     }
 
     /// Ends where the margin is used up, if that is earlier.
     pub(super) fn stop_at(&mut self, margin: &Margin<R>, trigger: Trigger<R>) {
-        if self.motion.stop_at(margin, &mut self.course) {
+        if self.curve.stop_at(margin, &mut self.extent) {
             self.trigger = trigger;
             self.goes_on = false;
         }
@@ -94,14 +99,14 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         &mut self,
         scene: &impl World<R>,
         placed: &Placed<R>,
-        (shift, keeps): (Vec2<R>, &[Pair]),
+        (shift, lasting): (Vec2<R>, &[Pair]),
     ) {
         let moving = Moving {
-            motion: &self.motion,
+            curve: &self.curve,
             shift,
-            keeps,
+            lasting,
         };
-        if let Some(pair) = placed.first_touch(scene, &mut self.course, &moving) {
+        if let Some(pair) = placed.first_touch(scene, &mut self.extent, &moving) {
             self.trigger = Trigger::Touch(pair);
             self.goes_on = false;
         }
@@ -114,18 +119,18 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
 
     /// tau at the end.
     pub(super) fn part(&self) -> R {
-        self.course.part()
+        self.extent.part()
     }
 
     /// ϑ at the end.
     pub(super) fn turn(&self) -> R {
-        self.course.end.turn
+        self.extent.end.turn
     }
 
     pub(super) fn moved(&self) -> Moved<R> {
         Moved {
             part: self.part(),
-            unsure: self.course.unsure,
+            unsure: self.extent.unsure,
             ..Moved::by(self.trigger)
         }
     }
@@ -140,7 +145,7 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
         *pivot = pivot.moved(R::ZERO, self.turn());
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
-            let moment = pivot.stance(scene, to).pinned::<B>();
+            let moment = pivot.load(scene, to).pinned::<H>();
             let polished = pivot.moved(R::ZERO, moment.polish());
             // Within a tolerance touches were looked for up to the end of the leg only.
             let is_exact = moment.tolerance == R::ZERO;
@@ -155,13 +160,13 @@ impl<R: Real, B: Bend<R>> Leg<R, B> {
     pub(super) fn turn_downhill(
         scene: &impl World<R>,
         pivot: &mut Pivot<R>,
-        keeps: &[Pair],
+        lasting: &[Pair],
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let mut leg = Self::turning(downhill.turn, Trigger::Balanced);
-        leg.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, keeps));
-        *pivot = pivot.moved(R::ZERO, leg.turn());
-        let moved = leg.moved();
+        let mut segment = Self::turning(downhill.turn, Trigger::Balanced);
+        segment.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, lasting));
+        *pivot = pivot.moved(R::ZERO, segment.turn());
+        let moved = segment.moved();
         Moved {
             snapped: downhill.snapped,
             unsure: moved.unsure || downhill.unsure,

@@ -2,33 +2,33 @@
 
 use heapless::Vec;
 
-use super::{MAX_EDGES, Support};
+use super::{MAX_EDGES, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::list::gather;
 use crate::real::Real;
-use crate::wrench2::Screw;
+use crate::wrench2::Wrench2;
 
-impl<R: Real> Support<R> {
+impl<R: Real> WrenchCone<R> {
     /// True if three edges alone bear a load but for a little.
-    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Screw<R>, little: R) -> bool {
+    pub(crate) fn bears_on(&self, edges: [u8; 3], load: Wrench2<R>, little: R) -> bool {
         self.bearing(edges.map(usize::from), load, little).is_some()
     }
 
     /// Three edges that bear a load but for a little.
-    pub(crate) fn bearers(&self, load: Screw<R>, little: R) -> Option<[u8; 3]> {
+    pub(crate) fn bearers(&self, load: Wrench2<R>, little: R) -> Option<[u8; 3]> {
         let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
         let mut triples = self.triples().map(small);
         triples.find(|&edges| self.bears_on(edges, load, little))
     }
 
     /// What the reactions that come nearest to bearing a load leave of it.
-    pub(crate) fn left(&self, load: Screw<R>, little: R) -> R {
+    pub(crate) fn left(&self, load: Wrench2<R>, little: R) -> R {
         self.parts(load, little).1
     }
 
     /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it, but
     /// for a little, on three edges. For two contacts that is the middle of the interval of (E5).
-    pub(crate) fn share(&self, load: Screw<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
+    pub(crate) fn share(&self, load: Wrench2<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
         let (parts, _) = self.parts(load, little);
         let pairs = parts.chunks_exact(2);
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
@@ -36,7 +36,7 @@ impl<R: Real> Support<R> {
 
     /// As [`Self::share`], edge by edge, and what that leaves of the load. Reactions beyond all numbers are told as the largest
     /// number where they bear a fraction of the load.
-    fn parts(&self, load: Screw<R>, little: R) -> (Parts<R>, R) {
+    fn parts(&self, load: Wrench2<R>, little: R) -> (Parts<R>, R) {
         let nearest = self.nearest(load, little);
         if nearest.beyond && nearest.left > little {
             let step = R::from_int(16);
@@ -59,52 +59,52 @@ impl<R: Real> Support<R> {
     }
 
     /// The mean of all ways, or what comes nearest, as far as numbers go.
-    fn nearest(&self, load: Screw<R>, little: R) -> Nearest<R> {
+    fn nearest(&self, load: Wrench2<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
-        let mut ways = 0_i32;
+        let mut solutions = 0_i32;
         let mut large = None;
-        for way in self.triples().filter_map(|t| self.bearing(t, load, little)) {
-            if way.iter().all(|&(_, part)| part < R::RANGE) {
-                ways = ways.saturating_add(1);
-                add(&mut parts, &way);
+        for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
+            if solution.iter().all(|&(_, part)| part < R::RANGE) {
+                solutions = solutions.saturating_add(1);
+                add(&mut parts, &solution);
             } else {
-                large = Some(way);
+                large = Some(solution);
             }
         }
-        if let (0, Some(way)) = (ways, large) {
-            add(&mut parts, &way);
+        if let (0, Some(solution)) = (solutions, large) {
+            add(&mut parts, &solution);
         }
-        let share = R::ONE / R::from_int(ways.max(1));
+        let share = R::ONE / R::from_int(solutions.max(1));
         for part in &mut parts {
             *part = *part * share;
         }
         // Takes out the rounding; where no three edges bear the load, this is the nearest that up to three come to it.
         let mut beyond = false;
-        let mut rest = self.rest(load, &parts);
-        let mut left = rest.size();
+        let mut remainder = self.remainder(load, &parts);
+        let mut left = remainder.size();
         for _ in 0..2 {
-            let triple = self.triples().filter_map(|t| self.on_three(t, rest));
-            let triple = triple.map(|(way, _)| way);
-            let pair = self.pairs().filter_map(|p| self.on_two(p, rest));
-            let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, rest));
+            let triple = self.triples().filter_map(|t| self.on_three(t, remainder));
+            let triple = triple.map(|(solution, _)| solution);
+            let pair = self.pairs().filter_map(|p| self.on_two(p, remainder));
+            let single = (0..self.edges.len()).filter_map(|i| self.on_one(i, remainder));
             let mut better = None;
-            let ways = triple
+            let solutions = triple
                 .map(gather::<_, 3>)
                 .chain(pair.map(gather))
                 .chain(single.map(gather));
-            for way in ways {
-                beyond |= way.iter().any(|&(_, part)| part >= R::HUGE);
+            for solution in solutions {
+                beyond |= solution.iter().any(|&(_, part)| part >= R::HUGE);
                 let mut trial = parts.clone();
-                add(&mut trial, &way);
-                let rest = self.rest(load, &trial);
-                let size = rest.size();
+                add(&mut trial, &solution);
+                let remainder = self.remainder(load, &trial);
+                let size = remainder.size();
                 if size < left {
                     left = size;
-                    better = Some((trial, rest));
+                    better = Some((trial, remainder));
                 }
             }
             match better {
-                Some(better) => (parts, rest) = better,
+                Some(better) => (parts, remainder) = better,
                 None => break,
             }
         }
@@ -122,11 +122,11 @@ impl<R: Real> Support<R> {
     /// What parts of the edges leave of a load.
     // Once in an image.
     #[inline(never)]
-    fn rest(&self, load: Screw<R>, parts: &Parts<R>) -> Screw<R> {
+    fn remainder(&self, load: Wrench2<R>, parts: &Parts<R>) -> Wrench2<R> {
         let edges = self.edges.iter().zip(parts);
-        edges.fold(load, |rest, (edge, &part)| Screw {
-            force: rest.force + edge.screw.force * part,
-            moment: rest.moment + edge.screw.moment * part,
+        edges.fold(load, |remainder, (edge, &part)| Wrench2 {
+            force: remainder.force + edge.wrench.force * part,
+            moment: remainder.moment + edge.wrench.moment * part,
         })
     }
 
@@ -141,8 +141,8 @@ impl<R: Real> Support<R> {
         pairs.flat_map(move |[i, j]| (j.saturating_add(1)..n).map(move |k| [i, j, k]))
     }
 
-    fn screw(&self, edge: usize) -> Option<Screw<R>> {
-        self.edges.get(edge).map(|edge| edge.screw)
+    fn wrench(&self, edge: usize) -> Option<Wrench2<R>> {
+        self.edges.get(edge).map(|edge| edge.wrench)
     }
 
     /// The parts of three edges that bear a load. Those of edges that lie almost in a plane are hardly known: what they leave is
@@ -151,33 +151,34 @@ impl<R: Real> Support<R> {
     pub(super) fn bearing(
         &self,
         edges: [usize; 3],
-        load: Screw<R>,
+        load: Wrench2<R>,
         little: R,
     ) -> Option<[(usize, R); 3]> {
-        let (way, volume) = self.on_three(edges, load)?;
-        let presses = |way: &[(usize, R); 3]| {
-            way.iter()
+        let (solution, volume) = self.on_three(edges, load)?;
+        let presses = |solution: &[(usize, R); 3]| {
+            solution
+                .iter()
                 .all(|&(_, part)| part >= R::ZERO && part < R::HUGE)
         };
-        if !presses(&way) {
+        if !presses(&solution) {
             return None;
         }
         if volume > Self::sharp() {
-            return Some(way);
+            return Some(solution);
         }
-        let rest_of = |way: &[(usize, R); 3]| {
+        let remainder_of = |solution: &[(usize, R); 3]| {
             let mut parts = self.none();
-            add(&mut parts, way);
-            self.rest(load, &parts)
+            add(&mut parts, solution);
+            self.remainder(load, &parts)
         };
         // In finer steps.
         let fine = R::from_int(256);
-        let (more, _) = self.on_three(edges, rest_of(&way).scaled(fine))?;
-        let mut refined = way;
+        let (more, _) = self.on_three(edges, remainder_of(&solution).scaled(fine))?;
+        let mut refined = solution;
         for (part, (_, more)) in refined.iter_mut().zip(more) {
             part.1 = part.1 + more / fine;
         }
-        let is_borne = presses(&refined) && rest_of(&refined).size() <= little;
+        let is_borne = presses(&refined) && remainder_of(&refined).size() <= little;
         is_borne.then_some(refined)
     }
 
@@ -188,32 +189,32 @@ impl<R: Real> Support<R> {
     }
 
     /// The parts of three edges that balance a load, and the volume of the edges.
-    fn on_three(&self, [i, j, k]: [usize; 3], load: Screw<R>) -> Option<([(usize, R); 3], R)> {
-        let (a, b, c) = (self.screw(i)?, self.screw(j)?, self.screw(k)?);
+    fn on_three(&self, [i, j, k]: [usize; 3], load: Wrench2<R>) -> Option<([(usize, R); 3], R)> {
+        let (a, b, c) = (self.wrench(i)?, self.wrench(j)?, self.wrench(k)?);
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
-        let part = |face: Screw<R>| -face.dot(load) / volume;
+        let part = |face: Wrench2<R>| -face.dot(load) / volume;
         let usable = volume.abs() > Self::tolerance();
         usable.then(|| {
-            let way = [(i, part(bc)), (j, part(ca)), (k, part(ab))];
-            (way, volume.abs())
+            let solution = [(i, part(bc)), (j, part(ca)), (k, part(ab))];
+            (solution, volume.abs())
         })
     }
 
     /// The parts of two edges that come nearest to bearing a load.
-    fn on_two(&self, [i, k]: [usize; 2], load: Screw<R>) -> Option<[(usize, R); 2]> {
-        let (a, b) = (self.screw(i)?, self.screw(k)?);
+    fn on_two(&self, [i, k]: [usize; 2], load: Wrench2<R>) -> Option<[(usize, R); 2]> {
+        let (a, b) = (self.wrench(i)?, self.wrench(k)?);
         let normal = a.cross(b);
         let area = normal.size();
-        let unit = normal.over(area);
-        let part = |face: Screw<R>| -face.dot(unit) / area;
+        let plane = normal.over(area);
+        let part = |face: Wrench2<R>| -face.dot(plane) / area;
         let usable = area > Self::parallel();
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
     }
 
     /// The part of one edge that comes nearest to bearing a load.
-    fn on_one(&self, i: usize, load: Screw<R>) -> Option<[(usize, R); 1]> {
-        let edge = self.screw(i)?;
+    fn on_one(&self, i: usize, load: Wrench2<R>) -> Option<[(usize, R); 1]> {
+        let edge = self.wrench(i)?;
         Some([(i, -edge.dot(load) / edge.dot(edge))])
     }
 }

@@ -8,13 +8,13 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 /// Value and slope at a place; suprema of |f|, |f'|, |f''| over the motion.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Jet<R> {
+pub(crate) struct Bounded<R> {
     pub(crate) value: R,
     pub(crate) slope: R,
     pub(crate) bounds: [R; 3],
 }
 
-impl<R: Real> Jet<R> {
+impl<R: Real> Bounded<R> {
     /// The same everywhere.
     pub(crate) fn constant(value: R) -> Self {
         Self {
@@ -35,7 +35,7 @@ impl<R: Real> Jet<R> {
     }
 }
 
-impl<R: Real> Add for Jet<R> {
+impl<R: Real> Add for Bounded<R> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds, b.bounds);
@@ -47,7 +47,7 @@ impl<R: Real> Add for Jet<R> {
     }
 }
 
-impl<R: Real> Neg for Jet<R> {
+impl<R: Real> Neg for Bounded<R> {
     type Output = Self;
     fn neg(self) -> Self {
         Self {
@@ -58,14 +58,14 @@ impl<R: Real> Neg for Jet<R> {
     }
 }
 
-impl<R: Real> Sub for Jet<R> {
+impl<R: Real> Sub for Bounded<R> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
         self + (-b)
     }
 }
 
-impl<R: Real> Mul for Jet<R> {
+impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds, b.bounds);
@@ -83,22 +83,22 @@ impl<R: Real> Mul for Jet<R> {
 
 /// A vector of such quantities.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct JetVec<R> {
-    pub(crate) x: Jet<R>,
-    pub(crate) y: Jet<R>,
+pub(crate) struct BoundedVec<R> {
+    pub(crate) x: Bounded<R>,
+    pub(crate) y: Bounded<R>,
 }
 
-impl<R: Real> JetVec<R> {
+impl<R: Real> BoundedVec<R> {
     pub(crate) fn constant(v: Vec2<R>) -> Self {
         Self {
-            x: Jet::constant(v.x),
-            y: Jet::constant(v.y),
+            x: Bounded::constant(v.x),
+            y: Bounded::constant(v.y),
         }
     }
-    pub(crate) fn cross(self, b: Self) -> Jet<R> {
+    pub(crate) fn cross(self, b: Self) -> Bounded<R> {
         self.x * b.y - self.y * b.x
     }
-    pub(crate) fn scaled(self, k: Jet<R>) -> Self {
+    pub(crate) fn scaled(self, k: Bounded<R>) -> Self {
         Self {
             x: self.x * k,
             y: self.y * k,
@@ -106,7 +106,7 @@ impl<R: Real> JetVec<R> {
     }
 }
 
-impl<R: Real> Add for JetVec<R> {
+impl<R: Real> Add for BoundedVec<R> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         Self {
@@ -116,7 +116,7 @@ impl<R: Real> Add for JetVec<R> {
     }
 }
 
-impl<R: Real> Sub for JetVec<R> {
+impl<R: Real> Sub for BoundedVec<R> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
         Self {
@@ -131,10 +131,10 @@ mod tests {
     use super::*;
 
     /// c exp(a x) for x <= 0: it and its derivatives are largest at 0.
-    fn exponential(c: f64, a: f64, x: f64) -> Jet<f64> {
+    fn exponential(c: f64, a: f64, x: f64) -> Bounded<f64> {
         let value = c * libm::exp(a * x);
         let size = c.abs();
-        Jet {
+        Bounded {
             value,
             slope: a * value,
             bounds: [size, size * a, size * a * a],
@@ -142,8 +142,12 @@ mod tests {
     }
 
     #[track_caller]
-    fn same(is: Jet<f64>, should: Jet<f64>) {
-        let numbers = |jet: Jet<f64>| [jet.value, jet.slope].into_iter().chain(jet.bounds);
+    fn same(is: Bounded<f64>, should: Bounded<f64>) {
+        let numbers = |bounded: Bounded<f64>| {
+            [bounded.value, bounded.slope]
+                .into_iter()
+                .chain(bounded.bounds)
+        };
         for (is, should) in numbers(is).zip(numbers(should)) {
             assert!((is - should).abs() < 1e-12, "{is} {should}");
         }
@@ -163,7 +167,7 @@ mod tests {
                 let value = f.value + g.value;
                 same(
                     sum,
-                    Jet {
+                    Bounded {
                         value,
                         slope,
                         bounds,
@@ -172,13 +176,13 @@ mod tests {
                 let (value, slope) = (f.value - g.value, other);
                 same(
                     difference,
-                    Jet {
+                    Bounded {
                         value,
                         slope,
                         bounds,
                     },
                 );
-                same(f * Jet::constant(-2.0), exponential(-2.0 * c, a, x));
+                same(f * Bounded::constant(-2.0), exponential(-2.0 * c, a, x));
             }
         }
     }
@@ -187,7 +191,7 @@ mod tests {
     #[test]
     fn vectors_go_by_part() {
         let x = -0.4;
-        let vector = |a: f64| JetVec {
+        let vector = |a: f64| BoundedVec {
             x: exponential(2.0, a, x),
             y: exponential(3.0, 2.0 * a, x),
         };
@@ -198,16 +202,16 @@ mod tests {
         same((u + v).y, u.y + v.y);
         same((u - v).x, u.x - v.x);
         same((u - v).y, u.y - v.y);
-        let still = JetVec::constant(Vec2::new(2.0, -3.0));
-        same(still.y, Jet::constant(-3.0));
+        let still = BoundedVec::constant(Vec2::new(2.0, -3.0));
+        same(still.y, Bounded::constant(-3.0));
         assert_eq!((still.x.value, still.x.bounds), (2.0, [2.0, 0.0, 0.0]));
     }
 
     #[test]
     fn zero_is_searched_for_in_the_direction_of_a_sign() {
-        let jet = exponential(-2.0, 0.5, -1.0);
-        let slope = jet.as_slope(-1.0);
-        assert_eq!((slope.value, slope.slope), (-jet.value, -jet.slope));
+        let bounded = exponential(-2.0, 0.5, -1.0);
+        let slope = bounded.as_slope(-1.0);
+        assert_eq!((slope.value, slope.slope), (-bounded.value, -bounded.slope));
         assert_eq!(slope.curvature, 0.5);
         assert!((2.0..=16.0).contains(&(slope.rounding / f64::EPSILON)));
     }

@@ -8,7 +8,7 @@ use crate::scene::{Description, Scene, SurfaceDescription};
 use crate::state::tests::{pair, scene};
 
 /// A triangle each of whose vertices is on a surface of its own, pushed.
-fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, Bracing<f64>, Grip<f64>)> {
+fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f64>)> {
     let vertices = [[0.0, 0.0], [1.0, 0.0], [0.4, 0.3]];
     let pose = Pose {
         position: random.vector(),
@@ -41,13 +41,13 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, Bracing<f64>, Grip<f64
     let scene = scene.ok()?;
     let pivot = Pivot::at(&scene, &pose, pair(0, 0));
     let contacts = [pair(0, 0), pair(1, 1), pair(2, 2)];
-    let bracing = Bracing::new(&scene, &pivot, &contacts.into_iter().collect());
+    let fixed_pose = FixedPose::new(&scene, &pivot, &contacts.into_iter().collect());
     let grip = Grip {
         holding_point: random.vector(),
         hand: pose.position + random.vector() * 2.0,
         angle: pose.orientation.angle().plus(random.next()),
     };
-    Some((scene, bracing, grip))
+    Some((scene, fixed_pose, grip))
 }
 
 const STEP: f64 = 1e-6;
@@ -57,11 +57,11 @@ const STEP: f64 = 1e-6;
 fn lasting_contacts_stay_on_their_surfaces() {
     let mut seen = [0; 3];
     for seed in sampled(0..3000, 97) {
-        let Some((scene, bracing, grip)) = case(&mut Random(seed)) else {
+        let Some((scene, fixed_pose, grip)) = case(&mut Random(seed)) else {
             continue;
         };
-        let placed = bracing.pivot.placed(&scene);
-        let load = bracing.pivot.stance(&scene, &grip).load();
+        let placed = fixed_pose.pivot.placed(&scene);
+        let wrench = fixed_pose.pivot.load(&scene, &grip).wrench();
         let pairs = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
         let signs = [None, Some(1.0), Some(-1.0)];
         for ((i, k), sliding) in pairs.iter().flat_map(|&p| signs.map(|s| (p, s))) {
@@ -69,9 +69,9 @@ fn lasting_contacts_stay_on_their_surfaces() {
                 continue;
             }
             let mode = ([i, k], sliding);
-            let opens = bracing.opens(&scene, &grip, &mode);
-            let is_consistent = bracing.is_consistent(&scene, &grip, &mode);
-            let Some(twist) = bracing.twist(&scene, &grip, &mode, Demand::Pressed) else {
+            let opens = fixed_pose.opens(&scene, &grip, &mode);
+            let is_consistent = fixed_pose.is_consistent(&scene, &grip, &mode);
+            let Some(twist) = fixed_pose.twist(&scene, &grip, &mode, Demand::Pressed) else {
                 assert!(!opens && !is_consistent);
                 continue;
             };
@@ -79,26 +79,26 @@ fn lasting_contacts_stay_on_their_surfaces() {
                 let arm = placed.arm(&scene, c.vertex);
                 twist.velocity + arm.turned() * twist.turn
             };
-            let [a, b] = [i, k].map(|i| bracing.contact(i));
+            let [a, b] = [i, k].map(|i| fixed_pose.contact(i));
             for c in [a, b] {
                 let along = scene.surface(c.surface).normal.dot(velocity(c));
                 assert!(along.abs() < 1e-12, "{seed} {mode:?}");
             }
-            let power = load.force.dot(twist.velocity) + load.moment * twist.turn;
+            let power = wrench.force.dot(twist.velocity) + wrench.moment * twist.turn;
             match sliding {
                 None => {
-                    assert!(velocity(a).reach() < 1e-12 && power > 0.0, "{seed}");
+                    assert!(velocity(a).length_bound() < 1e-12 && power > 0.0, "{seed}");
                     seen[0] += 1;
                 }
                 Some(sign) if a == b => {
                     let tangent = scene.surface(a.surface).tangent;
                     let off = velocity(a) - tangent * sign;
-                    assert!(off.reach() < 1e-12, "{seed}");
-                    assert!(load.force.dot(velocity(a)) > 0.0, "{seed}");
+                    assert!(off.length_bound() < 1e-12, "{seed}");
+                    assert!(wrench.force.dot(velocity(a)) > 0.0, "{seed}");
                     let moment = |step: f64| {
                         let about = Pivot::at(&scene, &placed.pose(), a);
                         let moved = about.moved(sign * step, twist.turn * step);
-                        moved.stance(&scene, &grip).moment()
+                        moved.load(&scene, &grip).moment()
                     };
                     let change = (moment(STEP) - moment(-STEP)) / (2.0 * STEP);
                     assert!(
@@ -112,7 +112,7 @@ fn lasting_contacts_stay_on_their_surfaces() {
                     seen[2] += 1;
                 }
             }
-            let others = bracing.contacts.iter().filter(|c| **c != a && **c != b);
+            let others = fixed_pose.contacts.iter().filter(|c| **c != a && **c != b);
             let rates = others.map(|&c| scene.surface(c.surface).normal.dot(velocity(c)));
             let slowest = rates.fold(f64::INFINITY, f64::min);
             if slowest.abs() > 1e-9 {
@@ -135,7 +135,7 @@ fn slide_along_a_slot_neither_opens_nor_closes() {
         let slot = scene(&[(angle, [0.0, 0.6 + 2e-6])]);
         let contacts = [pair(0, 0), pair(1, 0), pair(2, 1), pair(3, 1)];
         let pivot = crate::fixtures::pivot(0.0);
-        let bracing = Bracing::new(&slot, &pivot, &contacts.into_iter().collect());
+        let fixed_pose = FixedPose::new(&slot, &pivot, &contacts.into_iter().collect());
         for seed in sampled(0..200, 29) {
             let mut random = Random(seed);
             let middle = Vec2::new(0.4, 0.3);
@@ -147,12 +147,15 @@ fn slide_along_a_slot_neither_opens_nor_closes() {
             for (i, k) in [(0, 2), (1, 3)] {
                 for sign in [1.0, -1.0] {
                     let mode = ([i, k], Some(sign));
-                    if bracing
+                    if fixed_pose
                         .twist(&slot, &grip, &mode, Demand::Pressed)
                         .is_some()
                     {
-                        assert!(bracing.is_consistent(&slot, &grip, &mode), "{angle} {seed}");
-                        assert!(!bracing.opens(&slot, &grip, &mode), "{angle} {seed}");
+                        assert!(
+                            fixed_pose.is_consistent(&slot, &grip, &mode),
+                            "{angle} {seed}"
+                        );
+                        assert!(!fixed_pose.opens(&slot, &grip, &mode), "{angle} {seed}");
                         count += 1;
                     }
                 }

@@ -10,7 +10,7 @@ use heapless::Vec;
 use crate::contact::MAX_CONTACTS;
 use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::wrench2::Screw;
+use crate::wrench2::Wrench2;
 pub(crate) use facets::Yield;
 
 const MAX_EDGES: usize = 2 * MAX_CONTACTS;
@@ -29,7 +29,7 @@ pub(crate) struct Bearing<R> {
 /// One edge of the friction cone of a contact.
 #[derive(Clone, Copy, Debug)]
 struct Edge<R> {
-    screw: Screw<R>,
+    wrench: Wrench2<R>,
     contact: usize,
     /// Its part along t.
     friction: R,
@@ -37,18 +37,18 @@ struct Edge<R> {
 
 /// The cone of bearable wrenches.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Support<R: Real> {
+pub(crate) struct WrenchCone<R: Real> {
     edges: Vec<Edge<R>, MAX_EDGES>,
     /// Of the contacts, from the pivot.
     levers: Vec<Vec2<R>, MAX_CONTACTS>,
 }
 
-impl<R: Real> Support<R> {
+impl<R: Real> WrenchCone<R> {
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
         for &(n, t) in &bearing.edges {
             let force = bearing.normal * n + bearing.tangent * t;
             let edge = Edge {
-                screw: Screw {
+                wrench: Wrench2 {
                     force,
                     moment: bearing.lever.cross(force),
                 },

@@ -1,11 +1,11 @@
 //! What can end a motion: a margin, linear in tau and of first order in cos ϑ, sin ϑ, and its first zero on the course
 //! (STATICS 3.2, 3.3).
 
-use super::{Course, Motion, Place};
+use super::{BalanceCurve, Extent, Place};
 use crate::geometry::Vec2;
-use crate::moment::Bend;
+use crate::moment::SecondHarmonic;
 use crate::real::Real;
-use crate::search::{Found, Look, Slope, first_zero};
+use crate::search::{Found, Samples, Slope, first_zero};
 
 /// A quantity that is positive while the motion is allowed: E = start + along·tau - u (1 - cos ϑ) + v sin ϑ.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ impl<R: Real> Margin<R> {
 
     /// In units of about its largest part.
     pub(super) fn scaled(&self) -> Self {
-        let size = (self.start.abs().max(self.along.abs())).max(self.turning.reach());
+        let size = (self.start.abs().max(self.along.abs())).max(self.turning.length_bound());
         if size == R::ZERO {
             return *self;
         }
@@ -56,8 +56,8 @@ impl<R: Real> Margin<R> {
 
     /// True beyond doubt at the end of a course, of a margin in units of its own. Where the body swings round at the first pull,
     /// tau grows between neighbouring x and D is as small as its rounding: of E·D a search sees nothing then.
-    pub(super) fn is_used_up(&self, course: &Course<R>) -> bool {
-        let end = self.at(&course.end) + self.along * course.part();
+    pub(super) fn is_used_up(&self, extent: &Extent<R>) -> bool {
+        let end = self.at(&extent.end) + self.along * extent.part();
         end < self.start.min(R::ZERO) - self.rounding * R::from_int(8)
     }
 
@@ -67,27 +67,27 @@ impl<R: Real> Margin<R> {
 }
 
 /// A bound of the second derivative of E·D, of first order in E less its part along tau, in D and in how far it must hold.
-pub(super) struct Bow<R> {
+pub(super) struct CurvatureBound<R> {
     per_d: R,
     per_e: R,
     per_window: R,
     least: R,
 }
 
-impl<R: Real> Bow<R> {
+impl<R: Real> CurvatureBound<R> {
     /// From a place on, as far as a window.
     fn bound(&self, (e, d): (R, R), window: R) -> R {
         self.least + self.per_d * d.abs() + self.per_e * e.abs() + self.per_window * window
     }
 }
 
-impl<R: Real, B: Bend<R>> Motion<R, B> {
+impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     /// E·D and its slope at a place, and its curvature from there as far as a window.
     pub(super) fn slope(
         &self,
         margin: &Margin<R>,
         p: &Place<R>,
-        (bow, window): (&Bow<R>, R),
+        (curvature_bound, window): (&CurvatureBound<R>, R),
     ) -> Slope<R> {
         let cosine = R::ONE - p.versine;
         let e = margin.at(p);
@@ -95,41 +95,42 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
         Slope {
             value: e * p.d + margin.along * p.h + margin.credit(),
             slope: self.rate * turning * p.d + e * p.d_slope + margin.along * p.h_slope,
-            curvature: bow.bound((e, p.d), window),
+            curvature: curvature_bound.bound((e, p.d), window),
             rounding: margin.rounding,
         }
     }
 
     /// How the second derivative of E·D is bounded.
-    pub(super) fn bow(&self, margin: &Margin<R>) -> Bow<R> {
+    pub(super) fn curvature_bound(&self, margin: &Margin<R>) -> CurvatureBound<R> {
         let rate = self.rate.abs();
-        let (z0, zp) = (self.hold.reach(), self.drive.reach());
-        let swing = rate * margin.turning.reach();
+        let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
+        let swing = rate * margin.turning.length_bound();
         let per_d = rate * swing;
-        let bent = self.bend.bound(z0, 2);
-        Bow {
+        let curvature = self.harmonic.bound(z0, 2);
+        CurvatureBound {
             per_d,
             per_e: rate * zp,
-            least: (swing * zp).doubled() + rate * (margin.along.abs() * bent),
+            least: (swing * zp).doubled() + rate * (margin.along.abs() * curvature),
             per_window: (per_d * zp).doubled(),
         }
     }
 
     /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
-    pub(crate) fn stop_at(&self, margin: &Margin<R>, course: &mut Course<R>) -> bool {
-        let limit = course.end;
+    pub(crate) fn stop_at(&self, margin: &Margin<R>, extent: &mut Extent<R>) -> bool {
+        let limit = extent.end;
         // The farthest that it can fall on the way: the ordinary frame is done here.
-        let fall = margin.along.abs() * course.reach + margin.turning.reach() * limit.turn.abs();
+        let fall = margin.along.abs() * extent.part_bound
+            + margin.turning.length_bound() * limit.turn.abs();
         if margin.start - fall > margin.rounding {
             return false;
         }
-        if margin.start - self.fall(margin, course) > margin.rounding {
+        if margin.start - self.fall(margin, extent) > margin.rounding {
             return false;
         }
         let found = if self.rate == R::ZERO {
             self.linear_zero(margin, &limit)
         } else {
-            self.curved_zero(margin, course)
+            self.curved_zero(margin, extent)
         };
         let (end, unsure) = match found {
             Found::Nothing { .. } => return false,
@@ -137,26 +138,26 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
             Found::Zero { x, .. } => (self.at(x), false),
             Found::Unsure { x, .. } => (self.at(x), true),
         };
-        *course = Course {
+        *extent = Extent {
             end,
             folds: false,
-            unsure: course.unsure || unsure,
-            ..*course
+            unsure: extent.unsure || unsure,
+            ..*extent
         };
         true
     }
 
     /// How far a margin can fall on a course: by what goes with tau, and by the turn below the chord between its ends, from
     /// which it strays by a sagitta.
-    fn fall(&self, margin: &Margin<R>, course: &Course<R>) -> R {
-        let (along, limit) = (margin.along, &course.end);
-        let falls = if course.rises {
-            (-along).max(R::ZERO) * course.part()
+    fn fall(&self, margin: &Margin<R>, extent: &Extent<R>) -> R {
+        let (along, limit) = (margin.along, &extent.end);
+        let falls = if extent.rises {
+            (-along).max(R::ZERO) * extent.part()
         } else {
-            along.abs() * course.reach
+            along.abs() * extent.part_bound
         };
         let chord = (margin.start - margin.at(limit)).max(R::ZERO);
-        let sagitta = margin.turning.reach() * (limit.turn * limit.turn);
+        let sagitta = margin.turning.length_bound() * (limit.turn * limit.turn);
         falls + chord + sagitta.halved().halved().halved()
     }
 
@@ -175,15 +176,15 @@ impl<R: Real, B: Bend<R>> Motion<R, B> {
     }
 
     /// The first zero of a margin on a course.
-    fn curved_zero(&self, margin: &Margin<R>, course: &Course<R>) -> Found<R> {
+    fn curved_zero(&self, margin: &Margin<R>, extent: &Extent<R>) -> Found<R> {
         let margin = &margin.scaled();
-        let bow = self.bow(margin);
-        let limit = course.end.x;
+        let curvature_bound = self.curvature_bound(margin);
+        let limit = extent.end.x;
         let found = first_zero((limit, self.tolerance), |x| {
-            Look::far([self.slope(margin, &self.at(x), (&bow, limit - x))])
+            Samples::far([self.slope(margin, &self.at(x), (&curvature_bound, limit - x))])
         });
         match found {
-            Found::Nothing { .. } if margin.is_used_up(course) => {
+            Found::Nothing { .. } if margin.is_used_up(extent) => {
                 Found::Zero { x: limit, which: 0 }
             }
             found => found,

@@ -29,23 +29,26 @@ fn little<R: Real>() -> R {
 }
 
 /// What parts of edges leave of a load.
-fn rest<R: Real>(load: Screw<R>, parts: impl Iterator<Item = (Screw<R>, R)>) -> Screw<R> {
-    parts.fold(load, |rest, (edge, part)| Screw {
-        force: rest.force + edge.force * part,
-        moment: rest.moment + edge.moment * part,
+fn remainder<R: Real>(
+    load: Wrench2<R>,
+    parts: impl Iterator<Item = (Wrench2<R>, R)>,
+) -> Wrench2<R> {
+    parts.fold(load, |remainder, (edge, part)| Wrench2 {
+        force: remainder.force + edge.force * part,
+        moment: remainder.moment + edge.moment * part,
     })
 }
 
 /// Two contacts up to a distance apart, on surfaces of any angles.
-fn two_contacts<R: Real>(random: &mut Random, distance: f64) -> Support<R>
+fn two_contacts<R: Real>(random: &mut Random, distance: f64) -> WrenchCone<R>
 where
     R::Si: From<f32>,
 {
-    let mut support = Support::default();
-    support.add(&contact(Vec2::ZERO, 3.0 * random.next()));
+    let mut cone = WrenchCone::default();
+    cone.add(&contact(Vec2::ZERO, 3.0 * random.next()));
     let lever = random.vector() * distance;
-    support.add(&contact(lever, 3.0 * random.next()));
-    support
+    cone.add(&contact(lever, 3.0 * random.next()));
+    cone
 }
 
 /// Two contacts close together: what three edges of theirs add up to is borne on these and shared out.
@@ -57,32 +60,32 @@ where
     let mut count = 0;
     for seed in sampled(0..600, 97) {
         let mut random = Random(seed);
-        let support = two_contacts::<R>(&mut random, 1.0 / 256.0);
-        let edges = [0, 1, 2].map(|i: usize| support.edges[i].screw);
+        let cone = two_contacts::<R>(&mut random, 1.0 / 256.0);
+        let edges = [0, 1, 2].map(|i: usize| cone.edges[i].wrench);
         let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
-        if volume <= Support::<R>::tolerance() || volume > Support::<R>::sharp() {
+        if volume <= WrenchCone::<R>::tolerance() || volume > WrenchCone::<R>::sharp() {
             continue;
         }
         let load = edges.iter().fold(
-            Screw {
+            Wrench2 {
                 force: Vec2::ZERO,
                 moment: R::ZERO,
             },
             |load, edge| {
                 let part: R = number(0.7 + 0.2 * random.next());
-                Screw {
+                Wrench2 {
                     force: load.force - edge.force * part,
                     moment: load.moment - edge.moment * part,
                 }
             },
         );
         // Even flatter ones are refined by what is left alone.
-        let is_refined = volume > Support::<R>::tolerance() * R::from_int(64);
+        let is_refined = volume > WrenchCone::<R>::tolerance() * R::from_int(64);
         assert!(
-            !is_refined || support.bears_on([0, 1, 2], load, little),
+            !is_refined || cone.bears_on([0, 1, 2], load, little),
             "{seed}"
         );
-        let left = support.left(load, little);
+        let left = cone.left(load, little);
         assert!(left <= R::EPSILON * R::from_int(16), "{seed}: {left:?}");
         count += 1;
     }
@@ -105,20 +108,23 @@ where
     let mut count = 0;
     for seed in sampled(0..4000, 97) {
         let mut random = Random(seed);
-        let support = two_contacts::<R>(&mut random, 1.0 / 64.0);
-        let load = Screw {
+        let cone = two_contacts::<R>(&mut random, 1.0 / 64.0);
+        let load = Wrench2 {
             force: Vec2::new(number(random.next() * 1e-3), number(random.next() * 1e-3)),
             moment: number(random.next() * 1e-5),
         };
-        for edges in support.triples() {
-            let Some(way) = support.bearing(edges, load, little) else {
+        for edges in cone.triples() {
+            let Some(solution) = cone.bearing(edges, load, little) else {
                 continue;
             };
-            let edge = |k: usize| support.edges[k].screw;
-            let rest = rest(load, way.iter().map(|&(k, part)| (edge(k), part)));
+            let edge = |k: usize| cone.edges[k].wrench;
+            let remainder = remainder(load, solution.iter().map(|&(k, part)| (edge(k), part)));
             // Three parts, each to 2^8 roundings.
             let bound = R::EPSILON * R::from_int(64) * R::from_int(12);
-            assert!(rest.size() <= bound, "{seed}: {way:?} {rest:?}");
+            assert!(
+                remainder.size() <= bound,
+                "{seed}: {solution:?} {remainder:?}"
+            );
             count += 1;
         }
     }
@@ -141,30 +147,33 @@ where
     let mut found = [0; 2];
     for seed in sampled(0..4000, 97) {
         let mut random = Random(seed);
-        let mut support = Support::<R>::default();
+        let mut cone = WrenchCone::<R>::default();
         let angle = 3.0 * random.next();
-        support.add(&contact(Vec2::ZERO, angle));
+        cone.add(&contact(Vec2::ZERO, angle));
         let lever = random.vector() * (1.0 / 4096.0);
-        support.add(&contact(lever, angle + 0.5 * random.next()));
-        let load = Screw {
+        cone.add(&contact(lever, angle + 0.5 * random.next()));
+        let load = Wrench2 {
             force: Vec2::new(number(random.next()), number(random.next())),
             moment: number(random.next() * 1e-3),
         };
-        for edges in support.triples() {
-            let edge = |k: usize| support.edges[k].screw;
+        for edges in cone.triples() {
+            let edge = |k: usize| cone.edges[k].wrench;
             let volume = edge(edges[0]).dot(edge(edges[1]).cross(edge(edges[2])));
-            if volume.abs() > Support::<R>::sharp() {
+            if volume.abs() > WrenchCone::<R>::sharp() {
                 continue;
             }
-            let way = support.bearing(edges, load, little);
-            found[usize::from(way.is_some())] += 1;
-            let Some(way) = way else { continue };
-            let rest = rest(load, way.iter().map(|&(k, part)| (edge(k), part)));
+            let solution = cone.bearing(edges, load, little);
+            found[usize::from(solution.is_some())] += 1;
+            let Some(solution) = solution else { continue };
+            let remainder = remainder(load, solution.iter().map(|&(k, part)| (edge(k), part)));
             assert!(
-                way.iter().all(|&(_, part)| part >= R::ZERO),
-                "{seed}: {way:?}"
+                solution.iter().all(|&(_, part)| part >= R::ZERO),
+                "{seed}: {solution:?}"
             );
-            assert!(rest.size() <= little, "{seed}: {way:?} {rest:?}");
+            assert!(
+                remainder.size() <= little,
+                "{seed}: {solution:?} {remainder:?}"
+            );
         }
     }
     assert!(
@@ -182,8 +191,8 @@ fn flat_cones_bear_no_more_than_they_can() {
 
 /// Two contacts close together, one against the other, with a load, in `f64` and in fixed point, and what is told there.
 struct Clamp {
-    exact: Support<f64>,
-    load: Screw<f64>,
+    exact: WrenchCone<f64>,
+    load: Wrench2<f64>,
     /// Of each contact.
     told: Vec<f64, MAX_CONTACTS>,
     /// What it leaves of the load.
@@ -195,30 +204,30 @@ fn clamp(seed: u64) -> Clamp {
     let angle = 3.0 * random.next();
     let opposite = angle + core::f64::consts::PI + 0.3 * random.next();
     let lever = random.vector() * (1.0 / 16.0);
-    let (mut exact, mut support) = (Support::<f64>::default(), Support::<Fixed>::default());
+    let (mut exact, mut cone) = (WrenchCone::<f64>::default(), WrenchCone::<Fixed>::default());
     for (lever, angle) in [(Vec2::ZERO, angle), (lever, opposite)] {
         exact.add(&contact(lever, angle));
-        support.add(&contact(lever, angle));
+        cone.add(&contact(lever, angle));
     }
     // A large one is borne by reactions that differ by as much.
     let size = if seed.is_multiple_of(2) { 2.0 } else { 12.0 };
     let [x, y, moment] = [size, size, 8.0].map(|most| (most * random.next()) as f32);
-    let load = Screw {
+    let load = Wrench2 {
         force: Vec2::new(number(x.into()), number(y.into())),
         moment: number(moment.into()),
     };
-    let parts = support.share(load, little());
-    let edges = support.edges.iter().map(|edge| edge.screw);
-    let rest = rest(load, edges.zip(parts.iter().flatten().copied()));
+    let parts = cone.share(load, little());
+    let edges = cone.edges.iter().map(|edge| edge.wrench);
+    let remainder = remainder(load, edges.zip(parts.iter().flatten().copied()));
     Clamp {
         exact,
-        load: screw(x.into(), y.into(), moment.into()),
+        load: wrench(x.into(), y.into(), moment.into()),
         told: gather(
             parts
                 .iter()
                 .map(|[plus, minus]| f64::from((*plus + *minus).to_si(1.0))),
         ),
-        left: rest.size().to_si(1.0).into(),
+        left: remainder.size().to_si(1.0).into(),
     }
 }
 
@@ -232,12 +241,13 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
     for seed in sampled(0..4000, 97) {
         let clamp = clamp(seed);
         let triples = clamp.exact.triples();
-        let ways: Vec<_, 4> = triples
+        let solutions: Vec<_, 4> = triples
             .filter_map(|edges| clamp.exact.bearing(edges, clamp.load, LITTLE))
             .collect();
-        let largest = |way: &[(usize, f64); 3]| way.iter().fold(0.0, |a: f64, (_, b)| a.max(*b));
+        let largest =
+            |solution: &[(usize, f64); 3]| solution.iter().fold(0.0, |a: f64, (_, b)| a.max(*b));
         // Beyond 4096 the cone is flat to the rounding.
-        if ways.is_empty() || ways.iter().any(|way| largest(way) > 4096.0) {
+        if solutions.is_empty() || solutions.iter().any(|solution| largest(solution) > 4096.0) {
             continue;
         }
         let at_rail = clamp.told.iter().any(|sum| *sum > 127.0);
@@ -248,7 +258,7 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
             clamp.told,
             clamp.left
         );
-        let is_small = ways.iter().any(|way| largest(way) < 15.0);
+        let is_small = solutions.iter().any(|solution| largest(solution) < 15.0);
         assert!(
             balances || !is_small,
             "{seed}: {:?} {}",
@@ -256,8 +266,8 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
             clamp.left
         );
         for (contact, sum) in clamp.told.iter().enumerate() {
-            let of_contact = ways.iter().map(|way| {
-                let parts = way.iter().filter(|(edge, _)| edge / 2 == contact);
+            let of_contact = solutions.iter().map(|solution| {
+                let parts = solution.iter().filter(|(edge, _)| edge / 2 == contact);
                 parts.map(|(_, part)| part).sum::<f64>()
             });
             let (least, most) = of_contact.fold((f64::INFINITY, 0.0_f64), |(least, most), sum| {

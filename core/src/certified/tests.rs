@@ -3,7 +3,7 @@
 use super::*;
 use crate::fixtures::{sampled, unloaded};
 use crate::geometry::Angle;
-use crate::moment::Unbent;
+use crate::moment::Pinned;
 
 /// A balance at the end of the hand's way, and what the way added to z.
 #[derive(Clone, Copy, Debug)]
@@ -17,21 +17,21 @@ struct Case {
 
 impl Case {
     /// The moment on a body that is turned by an angle.
-    fn moment(&self, turn: f64) -> Moment<f64, Unbent> {
+    fn moment(&self, turn: f64) -> Moment<f64, Pinned> {
         let (sin, cos) = libm::sincos(turn);
         let Vec2 { x, y } = self.hold;
         Moment {
             couple: self.now - y - self.stiffness * turn,
             stiffness: self.stiffness,
             hold: Vec2::new(x * cos + y * sin, y * cos - x * sin),
-            bend: Unbent,
+            harmonic: Pinned,
             tolerance: 0.0,
         }
     }
 
-    fn calm(&self) -> Option<Calm<f64>> {
+    fn certified(&self) -> Option<CertifiedTurn<f64>> {
         let start = Orientation::new(Angle::default());
-        Calm::turn(&self.moment(0.0), self.drive, start, |orientation| {
+        CertifiedTurn::turn(&self.moment(0.0), self.drive, start, |orientation| {
             self.moment(orientation.angle().radians())
         })
     }
@@ -44,7 +44,7 @@ impl Case {
     /// The balance next to the unturned body at a part of the way, by halving.
     fn balance(&self, part: f64, within: f64) -> f64 {
         let Vec2 { x, y } = self.hold(part);
-        let load = |turn: f64| {
+        let pull = |turn: f64| {
             let (sin, cos) = libm::sincos(turn);
             // The way begins in balance.
             self.now * part - self.stiffness * turn + y * (cos - 1.0) - x * sin
@@ -52,7 +52,7 @@ impl Case {
         let (mut low, mut high) = (-within, within);
         for _ in 0..80 {
             let middle = 0.5 * (low + high);
-            if load(middle) > 0.0 {
+            if pull(middle) > 0.0 {
                 low = middle;
             } else {
                 high = middle;
@@ -105,13 +105,13 @@ fn frame_is_calm_where_kantorovich_says_so() {
         let (step, bend) = (case.now.abs() / least, (hold + pull) / least);
         let conditions = [pull / least * 2.0, step * 4.0, bend * step * 4.0];
         let most = conditions.iter().fold(0.0, |a: f64, b| a.max(*b));
-        let calm = case.calm().is_some();
+        let certified = case.certified().is_some();
         if least <= 0.0 || most > 1.0 {
-            assert!(!calm, "{case:?}");
+            assert!(!certified, "{case:?}");
         } else if most <= 0.4 {
-            assert!(calm, "{case:?}");
+            assert!(certified, "{case:?}");
         }
-        found[usize::from(calm)] += 1;
+        found[usize::from(certified)] += 1;
     }
     assert!(
         cfg!(miri) || found.iter().all(|count| *count > 100),
@@ -123,18 +123,26 @@ fn frame_is_calm_where_kantorovich_says_so() {
 #[test]
 fn calm_turn_keeps_the_balance_and_its_bounds() {
     for case in cases() {
-        let Some(calm) = case.calm() else { continue };
-        let end = calm.orientation.angle().radians();
+        let Some(certified) = case.certified() else {
+            continue;
+        };
+        let end = certified.orientation.angle().radians();
         assert!((end - case.balance(1.0, 0.6)).abs() < 1e-12, "{case:?}");
         for i in 0..=10 {
             let part = f64::from(i) / 10.0;
             let (turn, hold) = (case.balance(part, 0.6), case.hold(part));
-            assert!(turn.abs() <= calm.reach * part + 1e-12, "{case:?}");
+            assert!(
+                turn.abs() <= certified.turn_bound * part + 1e-12,
+                "{case:?}"
+            );
             let (sin, cos) = libm::sincos(turn);
             let stability = case.stiffness + hold.x * cos + hold.y * sin;
-            assert!(stability * calm.per_least >= 1.0 - 1e-12, "{case:?}");
+            assert!(stability * certified.per_least >= 1.0 - 1e-12, "{case:?}");
             let size = libm::hypot(hold.x, hold.y);
-            assert!(size <= calm.bend * stability * (1.0 + 1e-12), "{case:?}");
+            assert!(
+                size <= certified.bend * stability * (1.0 + 1e-12),
+                "{case:?}"
+            );
         }
     }
 }
@@ -144,20 +152,22 @@ fn calm_turn_keeps_the_balance_and_its_bounds() {
 fn balance_bends_no_more_than_promised() {
     const STEP: f64 = 1e-3;
     for case in cases() {
-        let Some(calm) = case.calm() else { continue };
+        let Some(certified) = case.certified() else {
+            continue;
+        };
         // About a pivot at a distance of 1 from the holding point, along x.
         let lever = Vec2::new(1.0, 0.0);
-        let way = Way {
+        let displacement = Displacement {
             hand: case.drive,
             turn: (case.now - case.drive.y) / case.stiffness,
         };
-        let stance = Stance {
+        let load = Load {
             lever,
             hold: case.hold,
             stiffness: case.stiffness,
             ..unloaded()
         };
-        let bow = calm.bow(&stance, &way);
+        let curvature_bound = certified.curvature_bound(&load, &displacement);
         let mut most = 0.0_f64;
         for i in 1..10 {
             let part = f64::from(i) / 10.0;
@@ -167,18 +177,27 @@ fn balance_bends_no_more_than_promised() {
             let change = (after - 2.0 * now + before) / (STEP * STEP);
             most = most.max(rate * rate + change.abs());
         }
-        assert!(most <= bow * (1.0 + 1e-6) + 1e-9, "{case:?}: {most} {bow}");
+        assert!(
+            most <= curvature_bound * (1.0 + 1e-6) + 1e-9,
+            "{case:?}: {most} {curvature_bound}"
+        );
         if case.drive == Vec2::ZERO {
-            assert!(most <= calm.swing() * (1.0 + 1e-6) + 1e-9, "{case:?}");
+            assert!(most <= certified.swing() * (1.0 + 1e-6) + 1e-9, "{case:?}");
         }
         let least = case.stiffness + case.hold.x - case.drive.x.max(0.0);
         let (pull, hold) = (case.drive, case.hold);
         let p = libm::hypot(pull.x, pull.y) / least;
         let bend = libm::hypot(hold.x, hold.y) / least + p;
-        let r = p + case.stiffness * way.turn.abs() / least;
+        let r = p + case.stiffness * displacement.turn.abs() / least;
         let formula = r * r + bend * r * r + 2.0 * p * r;
-        assert!(bow <= 4.0 * formula + 1e-12, "{case:?}: {bow} {formula}");
-        assert!(bow >= formula * (1.0 - 1e-12), "{case:?}: {bow} {formula}");
+        assert!(
+            curvature_bound <= 4.0 * formula + 1e-12,
+            "{case:?}: {curvature_bound} {formula}"
+        );
+        assert!(
+            curvature_bound >= formula * (1.0 - 1e-12),
+            "{case:?}: {curvature_bound} {formula}"
+        );
     }
 }
 
@@ -191,8 +210,8 @@ fn conditions_hold_up_to_their_bounds() {
         hold: Vec2::ZERO,
         drive: Vec2::new(0.0, pull),
     };
-    assert!(case(0.0, 0.5).calm().is_some());
-    assert!(case(0.0, 0.5_f64.next_up()).calm().is_none());
+    assert!(case(0.0, 0.5).certified().is_some());
+    assert!(case(0.0, 0.5_f64.next_up()).certified().is_none());
     // 1 over the stability is reckoned half as much again as it is.
     let step = |now: f64| now * 1.5 + <f64 as Real>::MICRO;
     let (mut low, mut high) = (0.0_f64, 0.25);
@@ -205,21 +224,21 @@ fn conditions_hold_up_to_their_bounds() {
         }
     }
     assert_eq!(step(low), 0.25);
-    assert!(case(low, 0.0).calm().is_some());
-    assert!(case(high, 0.0).calm().is_none());
+    assert!(case(low, 0.0).certified().is_some());
+    assert!(case(high, 0.0).certified().is_none());
 }
 
 /// A frame whose load is not carried is left to the search, which says so.
 #[test]
-fn calm_load_is_carried() {
-    for (load, calm) in [(0.9, true), (1.1, false)] {
+fn calm_load_is_representable() {
+    for (pull, certified) in [(0.9, true), (1.1, false)] {
         let case = Case {
             now: 0.0,
             stiffness: 1.0,
-            hold: Vec2::new(load * <f64 as Real>::LOAD, 0.0),
+            hold: Vec2::new(pull * <f64 as Real>::LOAD, 0.0),
             drive: Vec2::ZERO,
         };
-        assert_eq!(case.calm().is_some(), calm, "{load}");
+        assert_eq!(case.certified().is_some(), certified, "{pull}");
     }
 }
 
@@ -235,15 +254,15 @@ fn tolerance_bounds_what_is_left_of_the_turn() {
                 ..case.moment(turn)
             };
             let then = |orientation: Orientation<f64>| moment(orientation.angle().radians());
-            let Some(calm) = Calm::turn(&moment(0.0), case.drive, start, then) else {
+            let Some(certified) = CertifiedTurn::turn(&moment(0.0), case.drive, start, then) else {
                 continue;
             };
-            let turn = calm.orientation.angle().radians();
+            let turn = certified.orientation.angle().radians();
             assert!(
                 (turn - case.balance(1.0, 0.6)).abs() <= tolerance,
                 "{case:?}"
             );
-            if calm.reach <= tolerance {
+            if certified.turn_bound <= tolerance {
                 assert_eq!(turn, 0.0, "{case:?}");
                 left_out += 1;
             }

@@ -15,7 +15,7 @@ fn facet_is_known_as_exactly_as_its_edges_are_apart() {
         (0.125, 0.125),
         (1.0 / 64.0, 1.0 / 64.0),
     ] {
-        let (support, _) = support(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(span, 0.0), 0.0, 0.0)]);
+        let (cone, _) = cone(&[(Vec2::ZERO, 0.0, 0.0), (Vec2::new(span, 0.0), 0.0, 0.0)]);
         for (times, yields) in [
             (0.5, false),
             (1.0, false),
@@ -23,8 +23,8 @@ fn facet_is_known_as_exactly_as_its_edges_are_apart() {
             (-1.0, false),
             (-2.0, true),
         ] {
-            let load = screw(times * ROUNDING / sharp, -1.0, -0.5 * span);
-            let found = support.first_yield(load, load, ROUNDING);
+            let load = wrench(times * ROUNDING / sharp, -1.0, -0.5 * span);
+            let found = cone.first_yield(load, load, ROUNDING);
             assert_eq!(found, yields.then_some(0.0), "{span} {times}");
         }
     }
@@ -38,9 +38,9 @@ fn without_friction_contacts_slide_as_the_load_moves_them() {
     for seed in sampled(0..2000, 97) {
         let mut random = Random(seed);
         let contacts = contacts(&mut random, true);
-        let (support, edges) = support(&contacts);
-        let load = random.screw();
-        let yields = support.yields(load, 1e-12, &|_| true);
+        let (cone, edges) = cone(&contacts);
+        let load = random.wrench();
+        let yields = cone.yields(load, 1e-12, &|_| true);
         let Some(Yield::Slide { first, second }) = yields else {
             continue;
         };
@@ -71,10 +71,10 @@ fn without_friction_contacts_slide_as_the_load_moves_them() {
 #[test]
 fn single_contact_leaves_what_is_across() {
     for lever in [0.0, 0.5, 3.0] {
-        let (support, edges) = support(&[(Vec2::new(lever, 0.0), 0.0, 0.0)]);
+        let (cone, edges) = cone(&[(Vec2::new(lever, 0.0), 0.0, 0.0)]);
         for (along, across) in [(1.0, 0.1), (2.0, -0.3), (0.25, 0.0)] {
-            let load = sum(edges[0], screw(across, 0.0, 0.0), [-along, 1.0]);
-            let left = support.left(load, LITTLE);
+            let load = sum(edges[0], wrench(across, 0.0, 0.0), [-along, 1.0]);
+            let left = cone.left(load, LITTLE);
             assert!(
                 (left - f64::abs(across)).abs() < 1e-12,
                 "{lever} {along} {left}"
@@ -88,12 +88,12 @@ fn single_contact_leaves_what_is_across() {
 #[test]
 fn slot_bears_to_within_the_rounding() {
     for lever in [0.0, 3.0, -8.0] {
-        let line = screw(0.0, 1.0, lever);
+        let line = wrench(0.0, 1.0, lever);
         for angles in [[0.0, core::f64::consts::PI], [0.0, 0.0]] {
-            let (support, _) = support(&angles.map(|angle| (Vec2::new(lever, 0.0), angle, 0.0)));
-            let bears = |load| support.first_yield(load, load, ROUNDING).is_none();
+            let (cone, _) = cone(&angles.map(|angle| (Vec2::new(lever, 0.0), angle, 0.0)));
+            let bears = |load| cone.first_yield(load, load, ROUNDING).is_none();
             for (off, is_borne) in [(0.75, true), (-0.75, true), (1.5, false), (-1.5, false)] {
-                let load = sum(line, screw(off * ROUNDING, 0.0, 0.0), [-1.0, 1.0]);
+                let load = sum(line, wrench(off * ROUNDING, 0.0, 0.0), [-1.0, 1.0]);
                 assert_eq!(bears(load), is_borne, "{lever} {off}");
             }
             let pull = |times: f64| line.scaled(times * ROUNDING / line.size());
@@ -105,9 +105,9 @@ fn slot_bears_to_within_the_rounding() {
 
 #[test]
 fn load_is_scaled_in_all_parts() {
-    let load = screw(1.0, -2.0, 3.0);
+    let load = wrench(1.0, -2.0, 3.0);
     for k in [-1.0, 0.25, 8.0] {
-        assert_eq!(load.scaled(k), screw(k, -2.0 * k, 3.0 * k));
+        assert_eq!(load.scaled(k), wrench(k, -2.0 * k, 3.0 * k));
         assert_eq!(load.over(k), load.scaled(1.0 / k));
     }
 }
@@ -122,23 +122,17 @@ fn blunt_edges_bear_to_the_rounding() {
         let lever = random.vector() * 1e-7;
         let mut angle = || 3.0 * random.next();
         let contacts = [(Vec2::ZERO, angle(), 0.5), (lever, angle(), 0.5)];
-        let (support, edges) = support(&contacts);
+        let (cone, edges) = cone(&contacts);
         let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
         if volume < 1e-9 {
             continue;
         }
-        let mut load = screw(0.0, 0.0, 0.0);
+        let mut load = wrench(0.0, 0.0, 0.0);
         for edge in &edges[..3] {
             load = sum(load, *edge, [1.0, -0.6 - 0.4 * random.next()]);
         }
-        assert!(
-            support.bears_on([0, 1, 2], load, LEAVES),
-            "{seed}: {volume}"
-        );
-        assert!(
-            support.left(load, LEAVES) <= 2.0 * LEAVES,
-            "{seed}: {volume}"
-        );
+        assert!(cone.bears_on([0, 1, 2], load, LEAVES), "{seed}: {volume}");
+        assert!(cone.left(load, LEAVES) <= 2.0 * LEAVES, "{seed}: {volume}");
         count += 1;
     }
     assert!(cfg!(miri) || count > 100, "{count}");

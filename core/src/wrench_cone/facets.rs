@@ -1,9 +1,9 @@
 //! The facets of the cone: where a load leaves it, and which motion then begins. A contact none of whose edges lie in the
 //! facet opens, one with both edges in it sticks, one with a single edge in it slides.
 
-use super::{Edge, Support};
+use super::{Edge, WrenchCone};
 use crate::real::Real;
-use crate::wrench2::Screw;
+use crate::wrench2::Wrench2;
 
 /// The incipient motion at a facet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,9 +17,9 @@ pub(crate) enum Yield<R> {
     },
 }
 
-impl<R: Real> Support<R> {
+impl<R: Real> WrenchCone<R> {
     /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
-    pub(crate) fn first_yield(&self, from: Screw<R>, to: Screw<R>, rounding: R) -> Option<R> {
+    pub(crate) fn first_yield(&self, from: Wrench2<R>, to: Wrench2<R>, rounding: R) -> Option<R> {
         let (mut first, mut has_facets) = (None, false);
         self.each_facet(&mut |normal, sharpness, _| {
             has_facets = true;
@@ -43,8 +43,8 @@ impl<R: Real> Support<R> {
 
     /// Without facets all edges lie in one line, as of contacts without friction on opposite sides of a slot: they bear what
     /// lies in that line against one of them, and nothing else.
-    fn is_on_line(&self, load: Screw<R>, rounding: R) -> bool {
-        let mut edges = self.edges.iter().map(|edge| edge.screw);
+    fn is_on_line(&self, load: Wrench2<R>, rounding: R) -> bool {
+        let mut edges = self.edges.iter().map(|edge| edge.wrench);
         edges.any(|edge| {
             let size = edge.size();
             edge.dot(load) <= rounding * size && edge.cross(load).size() <= rounding * size
@@ -54,7 +54,7 @@ impl<R: Real> Support<R> {
     /// The incipient motion at the facet that a load violates most, among those that `allows` lets pass.
     pub(crate) fn yields(
         &self,
-        load: Screw<R>,
+        load: Wrench2<R>,
         rounding: R,
         allows: &dyn Fn(&Yield<R>) -> bool,
     ) -> Option<Yield<R>> {
@@ -70,7 +70,7 @@ impl<R: Real> Support<R> {
     }
 
     /// What moves when two edges alone bear the load, and it crosses their facet of an inner normal.
-    fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Screw<R>) -> Yield<R> {
+    fn incipient(&self, a: &Edge<R>, b: &Edge<R>, normal: Wrench2<R>) -> Yield<R> {
         if a.contact == b.contact {
             Yield::Pivot { contact: a.contact }
         } else {
@@ -83,44 +83,44 @@ impl<R: Real> Support<R> {
 
     /// The direction along t in which the contact of an edge slides when the load crosses the facet of an inner normal:
     /// against the friction; without friction the normal is the motion itself.
-    fn slides(&self, edge: &Edge<R>, normal: Screw<R>) -> R {
+    fn slides(&self, edge: &Edge<R>, normal: Wrench2<R>) -> R {
         if edge.friction != R::ZERO {
             return -edge.friction.sign();
         }
         // Of a force along t, which is a quarter turn from n.
-        let force = -edge.screw.force.turned();
+        let force = -edge.wrench.force.turned();
         let lever = self.levers.get(edge.contact).copied().unwrap_or_default();
         let moment = lever.cross(force);
-        normal.dot(Screw { force, moment }).sign()
+        normal.dot(Wrench2 { force, moment }).sign()
     }
 
     /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
     /// incipient motion when the load crosses it.
-    fn each_facet(&self, visit: &mut dyn FnMut(Screw<R>, R, Yield<R>)) {
+    fn each_facet(&self, visit: &mut dyn FnMut(Wrench2<R>, R, Yield<R>)) {
         for (i, a) in self.edges.iter().enumerate() {
             for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
-                let normal = a.screw.cross(b.screw);
+                let normal = a.wrench.cross(b.wrench);
                 let size = normal.size();
                 if size <= Self::tolerance() {
                     continue;
                 }
-                let (unit, sharpness) = (normal.over(size), size.min(R::ONE));
+                let (plane, sharpness) = (normal.over(size), size.min(R::ONE));
                 let (mut inner, mut outer) = (true, true);
                 for (j, edge) in self.edges.iter().enumerate() {
                     if j != i && j != k {
-                        let side = unit.dot(edge.screw);
+                        let side = plane.dot(edge.wrench);
                         inner &= side >= -Self::tolerance();
                         outer &= side <= Self::tolerance();
                     }
                 }
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
                     if faces {
-                        let normal = unit.scaled(sign);
+                        let normal = plane.scaled(sign);
                         visit(normal, sharpness, self.incipient(a, b, normal));
                     }
                 }
                 if inner && outer {
-                    self.each_end((unit, sharpness), [a, b], visit);
+                    self.each_end((plane, sharpness), [a, b], visit);
                 }
             }
         }
@@ -129,15 +129,15 @@ impl<R: Real> Support<R> {
     /// A cone that lies in a plane, of two contacts without friction, ends at single edges, too: beyond one the other opens.
     fn each_end(
         &self,
-        (plane, sharpness): (Screw<R>, R),
+        (plane, sharpness): (Wrench2<R>, R),
         edges: [&Edge<R>; 2],
-        visit: &mut dyn FnMut(Screw<R>, R, Yield<R>),
+        visit: &mut dyn FnMut(Wrench2<R>, R, Yield<R>),
     ) {
         for edge in edges {
-            let across = plane.cross(edge.screw);
-            let unit = across.over(across.size());
-            for normal in [unit, unit.scaled(-R::ONE)] {
-                let is_end = |other: &Edge<R>| normal.dot(other.screw) >= -Self::tolerance();
+            let across = plane.cross(edge.wrench);
+            let end = across.over(across.size());
+            for normal in [end, end.scaled(-R::ONE)] {
+                let is_end = |other: &Edge<R>| normal.dot(other.wrench) >= -Self::tolerance();
                 if self.edges.iter().all(is_end) {
                     let contact = edge.contact;
                     visit(normal, sharpness, Yield::Pivot { contact });
