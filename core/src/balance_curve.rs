@@ -1,6 +1,6 @@
-//! How the body moves while a contact state lasts, as one curve (STATICS 3.3). While the hand goes its way by the part tau
+//! How the body moves while a contact state lasts, as one curve (STATICS 3.3). While the hand goes along its path by the part tau
 //! (or, hand frozen, while the contact slides by the part tau), the body turns by ϑ such that the moment about the
-//! contact stays zero. That balance is linear in tau,
+//! contact stays zero. That balance is linear in tau (E7), with the second harmonic of a foot that glides as in (E11),
 //!
 //! ```text
 //! H(ϑ) = tau D(ϑ)      H = kϑ + (1 - cos ϑ) X0 + sin ϑ Y0      D = k dphi + cos ϑ Xp - sin ϑ Yp
@@ -32,7 +32,7 @@ pub(crate) struct BalanceCurve<R, H = Pinned> {
     hold: Vec2<R>,
     /// zp = (Yp, Xp)
     drive: Vec2<R>,
-    /// The second harmonic of H.
+    /// The second harmonic of H(ϑ).
     harmonic: H,
     /// Places are found to within this x; 0: as far as the digits go.
     tolerance: R,
@@ -58,13 +58,13 @@ pub(crate) struct Place<R> {
 }
 
 impl<R: Real> Place<R> {
-    /// tau
+    /// tau = H / D, (E7).
     pub(crate) fn part(&self) -> R {
         self.h / self.d
     }
 }
 
-/// The way to the end of a motion: the place that ends it and what does.
+/// How far a motion goes: the place that ends it and what does.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent<R> {
     pub(crate) end: Place<R>,
@@ -94,7 +94,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             ..
         } = *moment;
         let start = stiffness * dphi + drive.y;
-        // With a quarter of the largest part neither the way to the end nor the bounds of the curvatures grow large.
+        // With a quarter of the largest part neither the distance to the end nor the bounds of the curvatures grow large.
         let largest = harmonic
             .bound(stiffness + hold.length_bound(), 1)
             .max(drive.length_bound());
@@ -121,7 +121,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// A turn by `angle` in proportion to tau, and its course to tau = 1. Its units of x are of few radians, as curvatures go
+    /// A turn by `angle` in proportion to tau, and its extent to tau = 1. Its units of x are of few radians, as curvatures go
     /// with their square.
     pub(crate) fn turning(angle: R) -> (Self, Extent<R>) {
         let unit = angle.abs().halved().max(R::ONE).unit();
@@ -149,7 +149,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// The same with its places found only to within a tolerance, in ϑ (rad) and in the way of a point that goes
+    /// The same with its places found only to within a tolerance, in ϑ (rad) and in the displacement of a point that goes
     /// `shift` at tau = 1.
     pub(crate) fn to_within(self, tolerance: R, shift: R) -> Self {
         let swiftest = self.whole() * shift;
@@ -200,6 +200,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let (sine_part, versine_part) = (sinc * c, sinc * s);
         let with = |z: Vec2<R>| R::sum_of_products(sine_part, z.x, versine_part, z.y);
         let per_turn = self.stiffness + with(self.hold);
+        // H and D of (E7); H of a foot that glides is that of (E11).
         Place {
             x,
             turn,
@@ -313,7 +314,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// The course of a motion whose end is known: x from 0 to `x`.
+    /// The extent of a motion whose end is known: x from 0 to `x`.
     pub(crate) fn extent_to(&self, x: R) -> Extent<R> {
         Extent {
             end: self.at(x),

@@ -1,5 +1,5 @@
 //! A quantity on a motion with its slope and bounds of its size, slope and curvature, so that products of such quantities
-//! carry the bound that the certified search needs.
+//! come with the bound that the certified search needs.
 
 use crate::geometry::Vec2;
 use crate::real::{Real, along};

@@ -1,4 +1,4 @@
-//! The calm frame (STATICS 3.4): the hand goes a short way and nothing happens, the body only turns a little about the
+//! The certified frame (STATICS 3.4): the hand goes a short path and nothing happens, the body only turns a little about the
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
@@ -9,24 +9,24 @@ use crate::moment::{Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::World;
 
-/// A turn that keeps the balance all the way, and how much anything can stray on it.
+/// A turn in balance along the whole path of the hand, and how much anything can stray on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CertifiedTurn<R> {
     /// The body's after the turn.
     pub(crate) orientation: Orientation<R>,
-    /// No turn on the way is larger (rad).
+    /// No turn on the path is larger (rad).
     pub(crate) turn_bound: R,
-    /// At least 1 over the stability anywhere on the way.
+    /// At least 1 over the stability anywhere on the path.
     per_least: R,
-    /// At most |z| over the stability anywhere on the way.
+    /// The bend of (E8): at most |z| over the stability anywhere on the path.
     bend: R,
 }
 
-/// Corrections of the angle before a frame is not called calm.
+/// Corrections of the angle before a frame is left uncertified.
 const MAX_CORRECTIONS: usize = 4;
 
 impl<R: Real> CertifiedTurn<R> {
-    /// About a pinned point, with the hand at the end `to` of its way: `stance` is the body's load there before it turns.
+    /// About a pinned point, with the hand at the end `to` of its path: `load` is that on the body there before it turns.
     pub(crate) fn pinned<H: SecondHarmonic<R>>(
         scene: &impl World<R>,
         load: &Load<R>,
@@ -35,21 +35,21 @@ impl<R: Real> CertifiedTurn<R> {
     ) -> Option<Self> {
         let drive = load.lever.conj_mul(displacement.hand);
         let moment = load.pinned::<H>();
-        Self::turn(&moment, drive, load.placed.orientation, |orientation| {
+        Self::of(&moment, drive, load.placed.orientation, |orientation| {
             load.turned(scene, orientation, to).pinned()
         })
     }
 
-    /// With the hand at the end of its way: `moment` is that on the body in an orientation before it turns, balanced at the
-    /// beginning, `drive` what the way adds to z, `then` the moment in another orientation. Nothing where the balance may
-    /// fold or change much on the way (E8).
-    pub(crate) fn turn<H: SecondHarmonic<R>>(
+    /// With the hand at the end of its path: `moment` is that on the body in an orientation before it turns, balanced at the
+    /// beginning, `drive` what the displacement adds to z, `then` the moment in another orientation. Nothing where the balance may
+    /// fold or change much on the path (E8).
+    pub(crate) fn of<H: SecondHarmonic<R>>(
         moment: &Moment<R, H>,
         drive: Vec2<R>,
         mut orientation: Orientation<R>,
         then: impl Fn(Orientation<R>) -> Moment<R, H>,
     ) -> Option<Self> {
-        // The least stability and the largest |z| of the way.
+        // The least stability and the largest |z| of the path.
         let least = moment.stability() - drive.x.max(R::ZERO);
         let pull = drive.length_bound();
         let size = moment.curvature_bound() + pull;
@@ -62,7 +62,7 @@ impl<R: Real> CertifiedTurn<R> {
         if per_least >= R::HUGE {
             return None;
         }
-        // Newton's step and how much the balance bends: with the condition of Kantorovich a balance is at most two steps
+        // Newton's step and how much the balance bends, the curvature of the moment over its stability: with the condition of Kantorovich a balance is at most two steps
         // away.
         let quarter = R::HALF.halved();
         let (step, bend) = (moment.now().abs() * per_least + R::MICRO, size * per_least);
@@ -94,12 +94,12 @@ impl<R: Real> CertifiedTurn<R> {
         None
     }
 
-    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = reach / 2 there.
+    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = turn_bound / 2 there.
     pub(crate) fn swing(&self) -> R {
         self.turn_bound * (self.turn_bound + self.bend * self.turn_bound.halved().halved())
     }
 
-    /// By half of this times its lever a point strays at most from the straight line between the ends of its way: a bound
+    /// By half of this times its lever a point strays at most from the straight line between the ends of its path: a bound
     /// of ϑ'² + |ϑ''| in tau.
     pub(crate) fn curvature_bound(&self, load: &Load<R>, displacement: &Displacement<R>) -> R {
         let drive = load.lever.conj_mul(displacement.hand).length_bound() * self.per_least;

@@ -3,7 +3,7 @@
 
 use heapless::Vec;
 
-/// At most this many contacts are carried at once; further ones are not reported.
+/// At most this many contacts at once; further ones are not reported.
 pub const MAX_CONTACTS: usize = 8;
 
 /// A contact: a feature of the body on a feature of the surroundings; here a vertex on a half-plane.

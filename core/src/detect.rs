@@ -98,7 +98,7 @@ impl<R: Real> Placed<R> {
         list
     }
 
-    /// True if no vertex can have come to a surface on a way of the point that ended here, and no gap was negative at its beginning:
+    /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
     /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
     pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {
         self.room(scene, None) > (self.radius(scene, None) * curvature_bound).halved()
@@ -166,7 +166,7 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The first vertex to reach a surface on a motion, other than the contacts that it keeps. The course is
+    /// The first vertex to reach a surface on a motion, other than the contacts that last. The extent is
     /// shortened to there.
     pub(crate) fn first_touch<H: SecondHarmonic<R>>(
         &self,

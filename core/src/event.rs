@@ -1,4 +1,4 @@
-//! What a frame is told by: the contact state, what happened, what limited the answer.
+//! How a frame is described: the contact state, what happened, what limited the answer.
 
 /// At most this many events of one frame are reported; a run of equal events counts once.
 pub const MAX_EVENTS: usize = 16;
@@ -63,7 +63,7 @@ pub enum Event {
     Snap,
     /// A contact more: three or more fix the body.
     Jam,
-    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not reported.
     Grasp,
     /// The hand let go of the body.
     Release,
@@ -106,8 +106,8 @@ pub enum Status {
     /// Nothing.
     #[default]
     Ok,
-    /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) tells apart: the rest of the frame was one
-    /// jump of the hand. Or, after 100 slips in a frame, slips too short to be told apart became a slide at mu_d (STATICS 7).
+    /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) distinguishes: the rest of the frame was one
+    /// jump of the hand. Or, after 100 slips in a frame, slips too short to be distinguished became a slide at mu_d (STATICS 7).
     EventLimit,
     /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
     IterationLimit,

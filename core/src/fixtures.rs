@@ -1,4 +1,4 @@
-//! What the tests of single functions share: random numbers, loads about as large as what is carried, a pivot without a load,
+//! What the tests of single functions share: random numbers, loads about as large as what is representable, a pivot without a load,
 //! bodies among planes, searches that are counted.
 
 use crate::contact::Pair;
@@ -38,7 +38,7 @@ pub(crate) fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I:
     all.step_by(if cfg!(miri) { of } else { 1 })
 }
 
-/// A pull and a couple, in parts of what a number type carries of both together: below it and above, each of either sign.
+/// A pull and a couple, in parts of what a number type represents of both together: below it and above, each of either sign.
 pub(crate) fn loads() -> impl Iterator<Item = (f64, f64)> {
     let sizes = [
         (0.4, 0.5),

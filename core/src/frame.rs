@@ -60,7 +60,7 @@ pub use scene::{SceneCommand, scene_bytes};
 /// The version of the format, the first byte of every frame.
 pub const VERSION: u8 = 1;
 
-/// A message with what every frame carries.
+/// A message with what every frame has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<M> {
     /// Goes up by one with every frame that is sent in its direction, of whatever type, and after 255 comes 0.
@@ -80,7 +80,7 @@ pub struct Reference {
     pub sequence: u8,
 }
 
-/// Follows the sequence numbers of received frames and tells how many were lost between them.
+/// Follows the sequence numbers of received frames and counts how many were lost between them.
 ///
 /// ```
 /// let mut line = stiction_core::frame::Sequence::new();

@@ -151,7 +151,7 @@ impl<R: Real> Angle<R> {
         let (turns, rest) = radians.turns();
         Self { turns, rest }
     }
-    /// The unwrapped angle (rad); beyond some turns it carries fewer digits than the pair.
+    /// The unwrapped angle (rad); beyond some turns it has fewer digits than the pair.
     pub fn radians(self) -> R {
         R::from_int(self.turns) * R::TAU + self.rest
     }

@@ -24,7 +24,7 @@ impl<R: Real> Grip<R> {
         (self.hand - held, scene.stiffness() * turn)
     }
 
-    /// The straight way of the hand: `self` at 0, `to` at 1.
+    /// The straight path of the hand: `self` at 0, `to` at 1.
     pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
         Self {
             holding_point: to.holding_point,
@@ -33,7 +33,7 @@ impl<R: Real> Grip<R> {
         }
     }
 
-    /// On the straight way of the hand to another grip, as far as there but at most so far.
+    /// On the straight path of the hand to another grip, as far as there but at most so far.
     pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
         let distance = self.displacement_to(to).size();
         self.lerp(
@@ -46,7 +46,7 @@ impl<R: Real> Grip<R> {
         )
     }
 
-    /// The way of the hand to another grip: displacement and turn.
+    /// The displacement of the hand to another grip, and its turn.
     pub(crate) fn displacement_to(&self, to: &Self) -> Displacement<R> {
         Displacement {
             hand: to.hand - self.hand,
@@ -55,7 +55,7 @@ impl<R: Real> Grip<R> {
     }
 }
 
-/// A way of the hand relative to the contact.
+/// A displacement of the hand and its turn, relative to the contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Displacement<R> {
     pub(crate) hand: Vec2<R>,
@@ -79,7 +79,7 @@ impl<R: Real> Displacement<R> {
         }
     }
 
-    /// What of it a foot that glides along a surface without friction does not follow.
+    /// What of it a foot that glides along a surface without friction does not go along with: n (n·dp) of (E11).
     pub(crate) fn pressing(&self, surface: &Surface<R>) -> Self {
         Self {
             hand: surface.normal * surface.normal.dot(self.hand),

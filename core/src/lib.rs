@@ -22,10 +22,10 @@
 //! TrackerSample --Projection--> Hand
 //!                                |  1 hand.rs        grasp, release, drop-outs
 //!                                v
-//!                              Grip                  the springs' other end (coupling.rs)
+//!                              Grip                  the springs' other end (grip.rs)
 //!                                |  2 detect.rs      gaps, the first touch
 //!                                |  3 state/*.rs     each state: advance, relax, slide
-//!                                |  4 transition.rs  (state, trigger) -> state, to rest
+//!                                |  4 settle.rs      (state, trigger) -> state, to rest
 //!                                v
 //!                              Output                pose, events, status; forces on demand
 //!                                |  6 frame.rs       to bytes and back, board and client

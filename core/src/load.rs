@@ -93,7 +93,7 @@ impl<R: Real> Load<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The number type certainly carries the pull, the turn and the moments of both.
+    /// The number type can certainly represent the pull, the turn and the moments of both.
     pub(crate) fn is_representable(&self) -> bool {
         self.hold.length_bound() + self.couple.abs() <= R::LOAD
             && self.spring.length_bound() + self.lever.length_bound() <= R::RANGE
@@ -153,7 +153,7 @@ impl<R: Real> Load<R> {
         self.force.length_bound() + self.lever.length_bound() + self.couple.abs()
     }
 
-    /// The part of the contact's reaction in a direction, on a way of the hand with the body turning about the point.
+    /// The part of the contact's reaction in a direction, on a path of the hand with the body turning about the point.
     pub(crate) fn reaction(&self, direction: Vec2<R>, displacement: &Displacement<R>) -> Margin<R> {
         Margin {
             start: -direction.dot(self.force),

@@ -1,4 +1,4 @@
-//! The events, slips, status and transitions of a step on their way to the output.
+//! The events, slips, status and transitions of a step, for the output.
 
 use crate::event::{Event, MAX_EVENTS, Status};
 use crate::real::Real;
@@ -31,7 +31,7 @@ impl<R: Real> Log<R> {
         self.longest_slip = self.longest_slip.max(length.abs());
         self.event(Event::Slip);
     }
-    /// The gravest status. What was ambiguous on the way but came to rest after all does not count.
+    /// The gravest status. What was ambiguous within the step but came to rest after all does not count.
     pub(crate) fn final_status(&self) -> Status {
         if self.ambiguous {
             self.status.max(Status::Ambiguous)

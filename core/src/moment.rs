@@ -14,7 +14,7 @@ pub(crate) use second_harmonic::{Gliding, Pinned, SecondHarmonic};
 pub(crate) struct Downhill<R> {
     /// The turn (rad), positive counter-clockwise.
     pub(crate) turn: R,
-    /// The way led over a fold: the moment grew before it fell to zero.
+    /// The turn led over a fold: the moment grew before it fell to zero.
     pub(crate) snapped: bool,
     /// The bound of steps was hit before the balance.
     pub(crate) unsure: bool,
@@ -74,7 +74,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         }
     }
 
-    /// The number type carries the moments of the load.
+    /// The number type can represent the moments of the load.
     pub(crate) fn is_representable(&self) -> bool {
         self.harmonic.bound(self.hold.length_bound(), 1) + self.couple.abs() <= R::LOAD
     }

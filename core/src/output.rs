@@ -1,4 +1,4 @@
-//! What the solver gives with every step: the pose for the renderer and what happened on the way. SI units, world frame, in the
+//! What the solver gives with every step: the pose for the renderer and what happened in the frame. SI units, world frame, in the
 //! float [`Real::Si`](crate::Real::Si) of the number type.
 
 use crate::event::{Event, MAX_EVENTS, StateKind, Status};
@@ -59,7 +59,7 @@ pub struct Output<F> {
     pub state: StateKind,
     /// Slips that ended at mu_d N in this frame. Where mu_s = mu_d, a slide up to the next event counts as one, or a few.
     pub slips: u32,
-    /// The longest of them (m) >= 0: the way of the (first) sliding vertex along its surface; 0 without a slip.
+    /// The longest of them (m) >= 0: the displacement of the (first) sliding vertex along its surface; 0 without a slip.
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,
@@ -69,7 +69,7 @@ pub struct Output<F> {
 }
 
 impl<F: Real> Output<F> {
-    /// What happened in this frame, in order; the first [`MAX_EVENTS`], a run of equal ones told once.
+    /// What happened in this frame, in order; the first [`MAX_EVENTS`], a run of equal ones reported once.
     pub fn events(&self) -> &[Event] {
         &self.events
     }

@@ -1,4 +1,4 @@
-//! What a number must do to carry the statics: one door to mathematics, so that every number type gives
+//! What a number must do for the statics: one door to mathematics, so that every number type gives
 //! the same bits on every machine and a type without a floating point unit fits behind the same solver.
 //!
 //! Inside the solver every quantity is non-dimensional (STATICS 10): lengths / L, forces / (k_h L),
@@ -53,11 +53,11 @@ pub trait Real:
     const EPSILON: Self;
     /// Gaps below this part of the body size close together (STATICS 7): 1e-10 in `f64`, 1e-6 in `f32`, 2^-19 in [`Fixed`].
     const TOUCH: Self;
-    /// Slips and hand travels below this part of the body size are not told apart (STATICS 7): 2^-19 in every type.
+    /// Slips and hand travels below this part of the body size are not distinguished (STATICS 7): 2^-19 in every type.
     const MICRO: Self;
     /// The farthest coordinate that is accepted, in body sizes: 1e12 in `f64`, 1e6 in `f32`, 16 in [`Fixed`].
     const RANGE: Self;
-    /// The largest moment of the springs that is carried, in k_h L²: 4 [`Self::RANGE`].
+    /// The largest moment of the springs that is accepted, in k_h L²: 4 [`Self::RANGE`].
     const LOAD: Self;
     /// The farthest that a hand may be turned from the body that it holds (rad): 1e5, in [`Fixed`] 64.
     const TURN: Self;

@@ -115,7 +115,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         Ok(scene)
     }
 
-    /// Coordinates beyond the range of the number type are refused: their sums would carry no digits.
+    /// Coordinates beyond the range of the number type are refused: their sums would have no digits left.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
         let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
         let allowed = Representable::by::<R>();

@@ -38,7 +38,7 @@ impl<R: Real> Slope<R> {
         }
     }
 
-    /// True if it has no zero within a step, as its lowest course, which is concave, is positive at both ends: cheaper
+    /// True if it has no zero within a step, as its lowest course, a parabola, which is concave, is positive at both ends: cheaper
     /// than to ask how far it has none.
     fn is_clear_of(&self, step: R) -> bool {
         let fall = (self.curvature * step).halved() - self.slope;

@@ -1,4 +1,4 @@
-//! The floats in which the solver takes and gives SI values, and their way from and to the f64 and the bits of a file.
+//! The floats in which the solver takes and gives SI values, and their conversion from and to the f64 and the bits of a file.
 
 use crate::geometry::Angle;
 use crate::hand::Hand;

@@ -45,7 +45,7 @@ pub use evolve::Evolution;
 /// let bounded = Solver::new(scene, Evolution::Path).with_event_limit(8).with_tolerance(1e-4);
 ///
 /// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips, of which the bounded solver
-/// // tells a few apart.
+/// // distinguishes a few.
 /// let (mut state, _) = exact.start(Hand::new(0.0, 0.04, 0.0));
 /// let mut twin = state.clone();
 /// let all = exact.step(&mut state, Hand::new(0.1, 0.04, 0.0));
@@ -69,7 +69,7 @@ pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     event_limit: u8,
 }
 
-/// The most events of one frame that are told apart; see [`Solver::with_event_limit`].
+/// The most events of one frame that are distinguished; see [`Solver::with_event_limit`].
 pub const MAX_EVENT_LIMIT: u8 = 128;
 
 /// The state of a run: plain data, at most 256 bytes in every number type. A copy of it is a snapshot; assigned back, the
@@ -116,7 +116,7 @@ pub struct State<R: Real> {
     /// The hand has taken hold before.
     was_held: bool,
     hand: Hand<R::Si>,
-    /// What keeps the pose from being a balance: of the grip, not of the frame, and so told until the hand moves.
+    /// What keeps the pose from being a balance: of the grip, not of the frame, and so reported until the hand moves.
     unrest: Status,
 }
 
@@ -157,7 +157,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// A bound on the work of a frame of path evolution: so many events of it are told apart, then the rest of it is one jump
+    /// A bound on the work of a frame of path evolution: so many events of it are distinguished, then the rest of it is one jump
     /// of the hand, to a balance all the same, and the status is [`Status::EventLimit`]. From 1 to [`MAX_EVENT_LIMIT`],
     /// which it is without this; what is beyond is taken as the nearer end.
     #[must_use]
@@ -305,7 +305,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.unrest = log.unrest();
     }
 
-    /// The number type carries the springs between a body and a hand: the pull, the turn, and the moment of both.
+    /// The number type can represent the springs between a body and a hand: the pull, the turn, and the moment of both.
     fn can_represent(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
         let placed = contact.placed(&self.scene);
         let pull = (grip.hand - placed.point).length_bound();

@@ -2,9 +2,9 @@
 //! a file of its own with the same verbs in the same order:
 //!
 //! * `contacts`, `pose`: what touches, and where the body is;
-//! * `follow`: a calm frame, in which certainly nothing happens before its end: goes with the hand, or says nothing and has
+//! * `follow`: a certified frame, in which nothing happens before its end: goes with the hand, or says nothing and has
 //!   not moved;
-//! * `advance`: follows the hand on a straight way, in balance, to the first event (path evolution);
+//! * `advance`: goes with the hand on a straight path, in balance, to the first event (path evolution);
 //! * `relax`: hand frozen, comes to balance without sliding and puts friction to the test;
 //! * `slide`: hand frozen, slides to the end of the slip;
 //! * `reactions`: the forces of the contacts at rest.
@@ -76,7 +76,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The pivot that carries the pose; without contact the pose itself.
+    /// The pivot that fixes the pose; without contact the pose itself.
     pub(crate) fn anchor(&self) -> Result<&Pivot<R>, &Pose<R>> {
         match self {
             Self::Free(s) => Err(&s.pose),
@@ -88,7 +88,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The body placed by the point that carries its pose.
+    /// The body placed by the point that fixes its pose.
     pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
         match self.anchor() {
             Ok(pivot) => pivot.placed(scene),
@@ -160,7 +160,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// From a fold of the branch, on in the direction of the sign. A free body finds its way from there by itself.
+    /// From a fold of the branch, on in the direction of the sign. A free body goes on from there by itself.
     pub(crate) fn snap<W: World<R>>(
         &mut self,
         scene: &W,

@@ -40,10 +40,10 @@ pub(crate) struct Relax<R> {
     pub(crate) attempt: usize,
 }
 
-/// On what terms a calm frame is followed.
+/// On what terms a certified frame is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Terms<R> {
-    /// The hand jumps: what is on its way does not count.
+    /// The hand jumps: what is on its path does not count.
     pub(crate) jumps: bool,
     /// The balance is found to within this angle (rad); 0: as far as the digits go.
     pub(crate) tolerance: R,
@@ -53,7 +53,7 @@ pub(crate) struct Terms<R> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved<R> {
     pub(crate) trigger: Trigger<R>,
-    /// The part of the hand's way that was gone (`advance`).
+    /// The part of the hand's path that was gone (`advance`).
     pub(crate) part: R,
     /// How far a contact slid (`slide`).
     pub(crate) slip: R,

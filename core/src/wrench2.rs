@@ -1,4 +1,4 @@
-//! A force with its moment, and the products by which cones of them are told.
+//! A force with its moment, and the products by which cones of them are described.
 
 use crate::geometry::Vec2;
 use crate::real::Real;
@@ -16,7 +16,7 @@ impl<R: Real> Wrench2<R> {
         self.force.dot(b.force) + self.moment * b.moment
     }
 
-    /// Normal to two screws, as a facet of their cone.
+    /// Normal to two wrenches, as a facet of their cone.
     pub(crate) fn cross(self, b: Self) -> Self {
         let (f, g) = (self.force, b.force);
         Self {

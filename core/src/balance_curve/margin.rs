@@ -1,4 +1,4 @@
-//! What can end a motion: a margin, linear in tau and of first order in cos ϑ, sin ϑ, and its first zero on the course
+//! What can end a motion: a margin, linear in tau and of first order in cos ϑ, sin ϑ, and its first zero on the extent
 //! (STATICS 3.2, 3.3).
 
 use super::{BalanceCurve, Extent, Place};
@@ -54,7 +54,7 @@ impl<R: Real> Margin<R> {
         }
     }
 
-    /// True beyond doubt at the end of a course, of a margin in units of its own. Where the body swings round at the first pull,
+    /// True beyond doubt at the end of an extent, of a margin in units of its own. Where the body swings round at the first pull,
     /// tau grows between neighbouring x and D is as small as its rounding: of E·D a search sees nothing then.
     pub(super) fn is_used_up(&self, extent: &Extent<R>) -> bool {
         let end = self.at(&extent.end) + self.along * extent.part();
@@ -115,10 +115,10 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// Shortens the course to the first place at which the margin is used up. True if it is before the end.
+    /// Shortens the extent to the first place at which the margin is used up. True if it is before the end.
     pub(crate) fn stop_at(&self, margin: &Margin<R>, extent: &mut Extent<R>) -> bool {
         let limit = extent.end;
-        // The farthest that it can fall on the way: the ordinary frame is done here.
+        // The farthest that it can fall before the end: the ordinary frame is done here.
         let fall = margin.along.abs() * extent.part_bound
             + margin.turning.length_bound() * limit.turn.abs();
         if margin.start - fall > margin.rounding {
@@ -147,7 +147,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         true
     }
 
-    /// How far a margin can fall on a course: by what goes with tau, and by the turn below the chord between its ends, from
+    /// How far a margin can fall on an extent: by what goes with tau, and by the turn below the chord between its ends, from
     /// which it strays by a sagitta.
     fn fall(&self, margin: &Margin<R>, extent: &Extent<R>) -> R {
         let (along, limit) = (margin.along, &extent.end);
@@ -175,7 +175,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         }
     }
 
-    /// The first zero of a margin on a course.
+    /// The first zero of a margin on an extent.
     fn curved_zero(&self, margin: &Margin<R>, extent: &Extent<R>) -> Found<R> {
         let margin = &margin.scaled();
         let curvature_bound = self.curvature_bound(margin);

@@ -140,7 +140,7 @@ fn turning(kappa: f64, dphi: f64) -> BalanceCurve<f64> {
     BalanceCurve::balanced(&moment, Vec2::ZERO, dphi)
 }
 
-/// STATICS 11: u + kappa sin u = delta folds on its way from 0.
+/// STATICS 11: u + kappa sin u = delta folds as delta grows from 0.
 #[test]
 fn turn_of_the_hand_ends_at_the_fold() {
     for (kappa, fold, delta) in [

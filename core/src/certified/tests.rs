@@ -1,11 +1,11 @@
-//! The calm frame against the balance found by halving: its conditions, its end and its bounds.
+//! The certified frame against the balance found by halving: its conditions, its end and its bounds.
 
 use super::*;
 use crate::fixtures::{sampled, unloaded};
 use crate::geometry::Angle;
 use crate::moment::Pinned;
 
-/// A balance at the end of the hand's way, and what the way added to z.
+/// A balance at the end of the hand's path, and what the displacement added to z.
 #[derive(Clone, Copy, Debug)]
 struct Case {
     /// M with the body not yet turned.
@@ -31,22 +31,22 @@ impl Case {
 
     fn certified(&self) -> Option<CertifiedTurn<f64>> {
         let start = Orientation::new(Angle::default());
-        CertifiedTurn::turn(&self.moment(0.0), self.drive, start, |orientation| {
+        CertifiedTurn::of(&self.moment(0.0), self.drive, start, |orientation| {
             self.moment(orientation.angle().radians())
         })
     }
 
-    /// z at a part of the way.
+    /// z at a part of the path.
     fn hold(&self, part: f64) -> Vec2<f64> {
         self.hold - self.drive * (1.0 - part)
     }
 
-    /// The balance next to the unturned body at a part of the way, by halving.
+    /// The balance next to the unturned body at a part of the path, by halving.
     fn balance(&self, part: f64, within: f64) -> f64 {
         let Vec2 { x, y } = self.hold(part);
         let pull = |turn: f64| {
             let (sin, cos) = libm::sincos(turn);
-            // The way begins in balance.
+            // The path begins in balance.
             self.now * part - self.stiffness * turn + y * (cos - 1.0) - x * sin
         };
         let (mut low, mut high) = (-within, within);
@@ -62,7 +62,7 @@ impl Case {
     }
 }
 
-/// Grips from soft to stiff, pulled and pushed, near the balance and far from it, ways to all sides.
+/// Grips from soft to stiff, pulled and pushed, near the balance and far from it, displacements to all sides.
 fn cases() -> impl Iterator<Item = Case> {
     let holds = [
         (0.0, 0.0),
@@ -93,7 +93,7 @@ fn cases() -> impl Iterator<Item = Case> {
     sampled(all, 97)
 }
 
-/// (E8): where its conditions hold amply the frame is calm, where one fails it is not.
+/// (E8): where its conditions hold amply the frame is certified, where one fails it is not.
 #[test]
 fn frame_is_calm_where_kantorovich_says_so() {
     let mut found = [0, 0];
@@ -119,7 +119,7 @@ fn frame_is_calm_where_kantorovich_says_so() {
     );
 }
 
-/// All the way there is a stable balance within what the calm frame promises, and it ends in that at the end.
+/// All along there is a stable balance within what the certified frame promises, and it ends in that at the end.
 #[test]
 fn calm_turn_keeps_the_balance_and_its_bounds() {
     for case in cases() {
@@ -228,7 +228,7 @@ fn conditions_hold_up_to_their_bounds() {
     assert!(case(high, 0.0).certified().is_none());
 }
 
-/// A frame whose load is not carried is left to the search, which says so.
+/// A frame whose load is not representable is left to the search, which says so.
 #[test]
 fn calm_load_is_representable() {
     for (pull, certified) in [(0.9, true), (1.1, false)] {
@@ -254,7 +254,7 @@ fn tolerance_bounds_what_is_left_of_the_turn() {
                 ..case.moment(turn)
             };
             let then = |orientation: Orientation<f64>| moment(orientation.angle().radians());
-            let Some(certified) = CertifiedTurn::turn(&moment(0.0), case.drive, start, then) else {
+            let Some(certified) = CertifiedTurn::of(&moment(0.0), case.drive, start, then) else {
                 continue;
             };
             let turn = certified.orientation.angle().radians();

@@ -1,9 +1,9 @@
-//! Force, lever and couple count together: for what a number type carries, and in the sizes that roundings are taken of.
+//! Force, lever and couple count together: for what a number type represents, and in the sizes that roundings are taken of.
 
 use super::*;
 use crate::fixtures::{Random, loads, unloaded};
 
-/// The pull on the lever and the couple together, each of either sign, up to what the number type carries.
+/// The pull on the lever and the couple together, each of either sign, up to what the number type represents.
 #[test]
 fn load_is_representable_together_with_the_couple() {
     let most = <f64 as Real>::LOAD;

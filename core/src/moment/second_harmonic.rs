@@ -6,7 +6,7 @@ use crate::geometry::Vec2;
 use crate::real::Real;
 use core::fmt::Debug;
 
-/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one. Every verb adds its share to that of
+/// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q beside the first one: what (E11) adds to H. Every verb adds its share to that of
 /// the first harmonic; `turn` is (cos ϑ, sin ϑ).
 pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
     /// A foot that stays.
@@ -36,7 +36,7 @@ pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
     fn times(self, k: R) -> Self;
 }
 
-/// The foot stays.
+/// The point stays: there is no second harmonic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pinned;
 
@@ -86,7 +86,7 @@ pub(crate) struct Gliding<R> {
 }
 
 impl<R: Real> Gliding<R> {
-    /// (1 - cos 2ϑ) P + sin 2ϑ Q over 2 sin ϑ.
+    /// (1 - cos 2ϑ) P + sin 2ϑ Q over 2 sin ϑ, (E11).
     fn rise(self, (cosine, sine): (R, R)) -> R {
         R::sum_of_products(sine, self.second.y, cosine, self.second.x)
     }

@@ -1,4 +1,4 @@
-//! The turns downhill against slow searches: folds and balances; what is polished and what is carried.
+//! The turns downhill against slow searches: folds and balances; what is polished and what is representable.
 
 use super::*;
 use crate::fixtures::{loads, number, searches};
@@ -73,7 +73,7 @@ fn soft_grip_is_polished() {
     assert_eq!(unstable.softness(), <Fixed as Real>::ONE);
 }
 
-/// Load and couple together, each of either sign, up to what the number type carries.
+/// Load and couple together, each of either sign, up to what the number type represents.
 #[test]
 fn load_is_representable_together_with_the_couple() {
     let most = <Fixed as Real>::LOAD.to_si(1.0) as f64;
@@ -174,7 +174,7 @@ fn many_turns_are_no_more_work_than_one() {
     }
 }
 
-/// It snaps where the moment grew on the way; one that keeps its size at first and then falls has not.
+/// It snaps where the moment grew before it fell; one that keeps its size at first and then falls has not.
 #[test]
 fn moment_that_only_falls_does_not_snap() {
     for (y, snapped) in [(1.0, false), (-1.0, true)] {

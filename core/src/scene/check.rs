@@ -34,7 +34,7 @@ pub(super) fn larger<F: Real>([x, y]: [F; 2]) -> F {
     if y.abs() > x.abs() { y } else { x }
 }
 
-/// What is said to be allowed of numbers that the number type must carry.
+/// What is said to be allowed of numbers that the number type must represent.
 pub(super) struct Representable {
     /// Of x and y of a place.
     pub(super) place: &'static str,
@@ -169,7 +169,7 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
 }
 
 /// L of a point, which has no size: 1 m, or the nearest power of two from r/4 to 8 r, where r² = d² + k_theta / k_h and d is
-/// the lever of the holding point. The stability of the balance, about r² / L², is then a number that every type carries,
+/// the lever of the holding point. The stability of the balance, about r² / L², is then a number that every type represents,
 /// and so is 1 over it.
 pub(super) fn size_of_point<F: Real>(d: &Description<'_, F>) -> F {
     let mut square = d.stiffness_rotation / d.stiffness_translation;

@@ -92,7 +92,7 @@ fn first_listed_of_two_zeros_counts() {
     }
 }
 
-/// (1 - x)² with a bound of its curvature that is twice too large: every step is a part of the way to its double root. A search
+/// (1 - x)² with a bound of its curvature that is twice too large: every step is a part of the distance to its double root. A search
 /// that gives up says so, at a place up to which there is no zero.
 #[test]
 fn search_that_gives_up_says_so() {

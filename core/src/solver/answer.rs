@@ -46,7 +46,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// The contacts of a state with their reactions, which are zero while the body is not held. Of a held body they add up to nothing
-    /// with the wrench and the weight, unless the status says that the pose is out of balance. Where several contacts bear more than balance determines, one way to share the load is given
+    /// with the wrench and the weight, unless the status says that the pose is out of balance. Where several contacts bear more than balance determines, one share of the load is given
     /// (STATICS 4, 5).
     pub fn contacts(&self, state: &State<R>) -> Contacts<R::Si> {
         let units = self.scene.units;

@@ -1,4 +1,4 @@
-//! How a frame is evolved: calm where nothing happens; else event by event along the way of the hand (STATICS 7), or in one
+//! How a frame is evolved: certified where nothing happens; else event by event along the path of the hand (STATICS 7), or in one
 //! jump.
 
 use super::{Solver, State};
@@ -48,10 +48,10 @@ use crate::world::World;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Evolution {
-    /// Exact events along the straight way of the hand: the result does not depend on the frame rate.
+    /// Exact events along the straight path of the hand: the result does not depend on the frame rate.
     #[default]
     Path,
-    /// The hand jumps to its new pose (the paper's way): cheapest. What happens, happens at the end of a frame, so that number and
+    /// The hand jumps to its new pose (as in the paper): cheapest. What happens, happens at the end of a frame, so that number and
     /// length of slips depend on the frame rate.
     Frame,
 }
@@ -108,7 +108,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         } else if !self.can_represent(&state.contact, &to) {
             return false;
         } else {
-            // A way begins in balance: out of it there is only a jump.
+            // A path begins in balance: out of it there is only a jump.
             match self.evolution {
                 Evolution::Path if state.unrest == Status::Ok => self.along_path(state, &to, log),
                 _ => self.by_jump(state, &to, log),
@@ -119,7 +119,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         true
     }
 
-    /// Event by event along the straight way of the hand (STATICS 7).
+    /// Event by event along the straight path of the hand (STATICS 7).
     fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let mut idle = 0_i32;
         // What a tolerance would leave after events might begin other slips in the next frame.
@@ -129,7 +129,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         };
         for event in 0..self.event_limit {
             if log.unrest() != Status::Ok {
-                // Out of balance there is no way on, only a jump.
+                // Out of balance there is no path on, only a jump.
                 return self.by_jump(state, to, log);
             }
             let hands = (&state.grip, to);
@@ -208,7 +208,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 
     /// A slide without jumps follows the hand exactly as long as nothing else happens, in one stride or in many: in strides short
     /// enough that the balance next to the last one is found, and not one beyond. The hand goes on to where something else
-    /// happens, which is found by halves to 2^-23 of the way, and jumps over it. All of it counts as one slip.
+    /// happens, which is found by halves to 2^-23 of the path, and jumps over it. All of it counts as one slip.
     fn slide_on(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
         let from = state.grip;
         let [sixteenth, least] = [16, MOST_STRIDES].map(|n| R::ONE / R::from_int(n));
@@ -246,8 +246,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// A slip to the second of three places of the hand and nothing else. Where the pull falls again the body stays at its farthest
-    /// place, which a slip to the end does not reach: it must end there by way of the first, too, and go on to the third. What can be
-    /// lost on a short way, by its square, counts as no slip.
+    /// place, which a slip to the end does not reach: it must end there through the first, too, and go on to the third. What can be
+    /// lost on a short path, by its square, counts as no slip.
     fn slid(
         &self,
         contact: &ContactState<R>,
@@ -281,7 +281,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// Where events crowd at one place of the hand: a small jump on, longer each time. Slips that become too short to be
-    /// told apart so become a slide at mu_d, which is what continuous friction is anyway.
+    /// distinguished so become a slide at mu_d, which is what continuous friction is anyway.
     fn nudge(&self, state: &mut State<R>, to: &Grip<R>, idle: i32, log: &mut Log<R>) {
         if log.slips >= UNLIMITED_SLIPS && !self.slides_continuously(&state.contact) {
             log.limit(Status::EventLimit);

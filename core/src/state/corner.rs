@@ -78,7 +78,7 @@ impl<R: Real> Corner<R> {
         })
     }
 
-    /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; where this way leads into
+    /// Beyond an outer edge the vertex slides along the surface of that edge and leaves the other; where this direction leads into
     /// the other surface, it climbs that one.
     fn slides(&self, scene: &impl World<R>, outer: &OuterEdge<R>) -> Trigger<R> {
         let index = [self.pivot.contact.surface, self.surface];
@@ -288,7 +288,7 @@ mod tests {
                 left = left + surface.normal * normal;
                 most = most.max(normal);
             }
-            // Beyond what the number type carries they need not be told.
+            // Beyond what the number type represents they need not be reported.
             let is_borne = left.length_bound() <= most / R::from_int(1000);
             assert!(is_borne || most >= R::RANGE, "{narrow} {tilt}");
             held += 1;

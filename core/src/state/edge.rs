@@ -1,4 +1,4 @@
-//! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's way
+//! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's path
 //! and in the slip, so every event is closed form.
 
 use super::segment::Segment;
@@ -22,7 +22,7 @@ pub(crate) struct Edge<R> {
     pub(crate) vertex: u8,
 }
 
-/// Reactions on a way of the hand: (E4) and its change.
+/// Reactions on a path of the hand: (E4) and its change.
 struct Reaction<R> {
     /// N_1, N_2
     parts: [Margin<R>; 2],
@@ -83,7 +83,7 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// A calm frame: it stays, or without friction glides. All is linear on the way, so that its end decides.
+    /// A certified frame: it stays, or without friction glides. All is linear on the path, so that its end decides.
     pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, to: &Grip<R>) -> bool {
         let mut pivot = self.pivot;
         if W::GLIDES {

@@ -91,16 +91,16 @@ impl<R: Real> FixedPose<R> {
         found.is_some()
     }
 
-    /// To the end of the hand's way, or to where the load is not borne any more.
+    /// To the end of the hand's path, or to where the load is not borne any more.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
         let rounding = (before.rounding() + after.rounding()).doubled();
         match (self.cone).first_yield(before.wrench(), after.wrench(), rounding) {
-            // Facets may be told apart less well than reactions.
+            // Facets may be known less well than reactions.
             None => Moved::by(self.test(scene, to, 0)),
             Some(part) => {
                 let at = from.lerp(to, part);
-                // A short way ahead: farther on the load might drive other motions.
+                // A short path ahead: farther on the load might drive other motions.
                 let ahead = at.toward(to, R::ONE / R::from_int(128));
                 Moved {
                     part,
@@ -147,7 +147,7 @@ impl<R: Real> FixedPose<R> {
     ) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
         let is_consistent = |mode: &Mode<R>| {
-            // Where a contact is about to open the moment is zero; which way it goes, shows ahead.
+            // Where a contact is about to open the moment is zero; its direction shows ahead.
             let grip = if mode.1.is_none() { ahead } else { grip };
             self.is_consistent(scene, grip, mode)
         };

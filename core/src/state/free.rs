@@ -33,7 +33,7 @@ impl<R: Real> Free<R> {
         Load::new(scene, self.placed(grip), grip)
     }
 
-    /// A calm frame: it hangs at the hand, clear of all surfaces.
+    /// A certified frame: it hangs at the hand, clear of all surfaces.
     pub(crate) fn follow<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -76,7 +76,7 @@ impl<R: Real> Free<R> {
         }
     }
 
-    /// Along the hand's way, turning in balance with the weight.
+    /// Along the hand's path, turning in balance with the weight.
     pub(crate) fn advance<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -94,7 +94,7 @@ impl<R: Real> Free<R> {
         let segment = Segment::balanced(&moment, (load.lever, &turns), Trigger::Balanced);
         let moved = self.sweep(scene, &load.placed, segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
-            // The end itself, free of the rounding of the way.
+            // The end itself, free of the rounding of the path.
             *self = Self::balance::<H>(scene, to, self.pose.orientation);
         }
         moved
@@ -163,7 +163,7 @@ impl<R: Real> Free<R> {
         !Placed::at(&self.pose).touching(scene, R::TOUCH).is_empty()
     }
 
-    /// Turns by `turn` while the holding point goes the part `shift` of its way to balance.
+    /// Turns by `turn` while the holding point goes the part `shift` of its path to balance.
     fn straight<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -177,7 +177,7 @@ impl<R: Real> Free<R> {
         self.sweep(scene, &placed, segment, to_balance * shift)
     }
 
-    /// Goes a leg on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
+    /// Goes a segment on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
     fn sweep(
         &mut self,
         scene: &impl World<R>,

@@ -14,7 +14,7 @@ use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
 impl<R: Real> SingleVertex<R> {
-    /// A calm frame: it glides and turns.
+    /// A certified frame: it glides and turns.
     pub(crate) fn glide_on<W: World<R>>(
         &mut self,
         scene: &W,
@@ -33,7 +33,7 @@ impl<R: Real> SingleVertex<R> {
         let mut moment = gliding(&load);
         let times = moment.softness();
         moment = moment.times(times);
-        let certified = CertifiedTurn::turn(&moment, drive * times, load.placed.orientation, |o| {
+        let certified = CertifiedTurn::of(&moment, drive * times, load.placed.orientation, |o| {
             gliding(&load.turned(scene, o, to)).times(times)
         });
         let Some(certified) = certified else {
@@ -45,7 +45,7 @@ impl<R: Real> SingleVertex<R> {
         if normal <= stray {
             return false;
         }
-        // The foot's way closes no gap to the surface that it is on. A point touches nothing else.
+        // The foot's path closes no gap to the surface that it is on. A point touches nothing else.
         if W::SEVERAL && !self.has_room_to_turn(scene, &certified) {
             return false;
         }
@@ -69,7 +69,7 @@ impl<R: Real> SingleVertex<R> {
         let pressing = displacement.pressing(&surface);
         let mut segment = Segment::balanced(&moment, (load.lever, &pressing), Trigger::Balanced);
         if W::SEVERAL {
-            // The foot's way closes no gap to the surface that it is on.
+            // The foot's path closes no gap to the surface that it is on.
             segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
         }
         segment.stop_at(
@@ -81,7 +81,7 @@ impl<R: Real> SingleVertex<R> {
         if moved.unsure || moved.trigger != Trigger::Balanced {
             self.pivot.glide(scene, &from.lerp(to, moved.part));
         } else if !self.come_to_rest(scene, to) {
-            // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
+            // Next to where a balance forks the number type's digits do not tell the direction: on from there with the hand frozen.
             return Moved {
                 part: R::ONE,
                 ..self.glide_down(scene, to)
@@ -146,7 +146,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// In balance but for the rounding of the way, which it takes out. False if more is left.
+    /// In balance but for the rounding of the path, which it takes out. False if more is left.
     fn come_to_rest<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
         let moment = self.gliding(scene, &load);

@@ -1,5 +1,5 @@
 //! Three or more contacts (STATICS 6): the pose is fixed while some combination of the friction cones bears the load. If
-//! none does, the facet of their common cone that yields first tells which contacts last and how they move.
+//! none does, the facet of their common cone that yields first names which contacts last and how they move.
 
 use super::fixed_pose::FixedPose;
 use crate::contact::{MAX_CONTACTS, Pair, Pairs, Reactions};
@@ -35,7 +35,7 @@ impl<R: Real> Locked<R> {
         gather(first.into_iter().chain(self.others.iter().copied()))
     }
 
-    /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
+    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the path decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
         let fixed_pose = FixedPose::new(scene, &self.pivot, &self.contacts());
         fixed_pose.bears(scene, to, &mut self.bearers)

@@ -1,4 +1,4 @@
-//! One leg of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a leg and
+//! One segment of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a segment and
 //! shortens it to the first event.
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin};
@@ -12,13 +12,13 @@ use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
-/// The curve, its course so far, the trigger at its end.
+/// The curve, its extent so far, the trigger at its end.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<R, H = Pinned> {
     curve: BalanceCurve<R, H>,
     extent: Extent<R>,
     trigger: Trigger<R>,
-    /// Nothing ends it before the end of its way.
+    /// Nothing ends it before the end of its path.
     goes_on: bool,
 }
 
@@ -29,14 +29,14 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         Self::of(curve, extent, trigger)
     }
 
-    /// A way of tau = x without a turn.
+    /// A path of tau = x without a turn.
     pub(super) fn straight(x: R, trigger: Trigger<R>) -> Self {
         let curve = BalanceCurve::straight();
         let extent = curve.extent_to(x);
         Self::of(curve, extent, trigger)
     }
 
-    /// Of a body that turns about a point in balance of moments, to the end of the way of the hand or to the fold before.
+    /// Of a body that turns about a point in balance of moments, to the end of the path of the hand or to the fold before.
     pub(super) fn balanced(
         moment: &Moment<R, H>,
         (lever, displacement): (Vec2<R>, &Displacement<R>),
@@ -112,12 +112,12 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Nothing ends it before the end of its way, so far.
+    /// Nothing ends it before the end of its path, so far.
     pub(super) fn goes_on(&self) -> bool {
         self.goes_on
     }
 
-    /// tau at the end.
+    /// tau at the end, (E7).
     pub(super) fn part(&self) -> R {
         self.extent.part()
     }
@@ -135,7 +135,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Turns a pivot to the end of the leg; where it ends in balance with the hand at `to`, without the rounding of the way.
+    /// Turns a pivot to the end of the segment; where it ends in balance with the hand at `to`, without the rounding of the path.
     pub(super) fn turn_with_hand(
         &self,
         scene: &impl World<R>,
@@ -147,7 +147,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             let moment = pivot.load(scene, to).pinned::<H>();
             let polished = pivot.moved(R::ZERO, moment.polish());
-            // Within a tolerance touches were looked for up to the end of the leg only.
+            // Within a tolerance touches were looked for up to the end of the segment only.
             let is_exact = moment.tolerance == R::ZERO;
             if is_exact || polished.placed(scene).touching(scene, -R::TOUCH).is_empty() {
                 *pivot = polished;

@@ -1,4 +1,4 @@
-//! The short slip (STATICS 3.5): the vertex slides a little way and the body turns a little with it, in balance all the way,
+//! The short slip (STATICS 3.5): the vertex slides a little and the body turns a little with it, in balance all along,
 //! to (E3). That nothing else ends it is certain from its beginning alone, which is why an ordinary slip needs no search.
 
 use crate::geometry::Vec2;
@@ -16,7 +16,7 @@ pub(super) struct ShortSlip<R> {
     pub(super) turn: R,
     /// No point of the body moves farther towards a surface.
     pub(super) travel_bound: R,
-    /// A gap that is larger at the end was open all the way.
+    /// A gap that is larger at the end was open all along.
     pub(super) open: R,
 }
 
@@ -31,7 +31,7 @@ struct Step<R> {
     bend: R,
     /// M / s
     lack: R,
-    /// The turn that goes with a slide by 1 along the way.
+    /// The turn that goes with a slide by 1.
     lean: R,
     /// So much the excess of the drive falls while the vertex slides by 1.
     decay: R,
@@ -40,7 +40,7 @@ struct Step<R> {
 }
 
 impl<R: Real> Step<R> {
-    /// `along`: the way of the vertex; `drive`: q. Nothing where it is not stable or the drive hardly falls.
+    /// `along`: the direction of the slide; `drive`: q. Nothing where it is not stable or the drive hardly falls.
     fn at(load: &Load<R>, along: Vec2<R>, drive: Vec2<R>) -> Option<Self> {
         let stability = load.stability();
         if stability <= R::ZERO {
@@ -65,7 +65,7 @@ impl<R: Real> Step<R> {
         })
     }
 
-    /// The slide along the way and the turn.
+    /// The slide and the turn.
     fn correction(&self) -> (R, R) {
         let slide = self.excess / self.decay;
         (slide, self.lack + self.lean * slide)
@@ -73,7 +73,7 @@ impl<R: Real> Step<R> {
 }
 
 impl<R: Real> ShortSlip<R> {
-    /// Of a vertex in balance that breaks away along sign·t, `stance` its load. Where something else may happen (E9), about
+    /// Of a vertex in balance that breaks away along sign·t, `load` that on the body. Where something else may happen (E9), about
     /// how far it slides, if its beginning says so; touches are left to the caller.
     pub(super) fn find(
         scene: &impl World<R>,

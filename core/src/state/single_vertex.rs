@@ -25,7 +25,7 @@ pub(crate) struct SingleVertex<R> {
     pub(super) room: R,
 }
 
-/// Normal reaction and friction on a way of the hand.
+/// Normal reaction and friction on a path of the hand.
 struct Reaction<R> {
     normal: Margin<R>,
     friction: Margin<R>,
@@ -54,7 +54,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A calm frame: it sticks and turns. If the hand jumps, its end alone decides.
+    /// A certified frame: it sticks and turns. If the hand jumps, its end alone decides.
     pub(crate) fn follow(
         &mut self,
         scene: &impl World<R>,
@@ -101,8 +101,8 @@ impl<R: Real> SingleVertex<R> {
         (surface.friction).is_within(normal, friction, slack)
     }
 
-    /// True if no other vertex can reach a surface on the way to `end`, on which no point of the body goes farther than
-    /// `reach`, and on which a gap that ends larger than `open` was never closed.
+    /// True if no other vertex can reach a surface on the path to `end`, on which no point of the body goes farther than
+    /// `travel_bound`, and on which a gap that ends larger than `open` was never closed.
     pub(super) fn has_room(
         &mut self,
         scene: &impl World<R>,
@@ -120,7 +120,7 @@ impl<R: Real> SingleVertex<R> {
         true
     }
 
-    /// The same of a calm turn. No point of the body is farther from the pivot than one body size.
+    /// The same of a certified turn. No point of the body is farther from the pivot than one body size.
     pub(super) fn has_room_to_turn(
         &mut self,
         scene: &impl World<R>,
@@ -271,7 +271,7 @@ impl<R: Real> SingleVertex<R> {
             // Where it stops it must also stick.
             load.tolerance = R::ZERO;
         }
-        // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
+        // Beyond this distance the hand would pull back; a longer one than this load is covered in several slips.
         let lever = load.lever.length_bound();
         let farthest =
             (load.force.length_bound() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
@@ -296,7 +296,8 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A slide by `shift` along t, or to what ends it before: how far it goes, and its course.
+    /// A slide by `shift` along t, or to what ends it before: how far it goes, and its segment. The slide as a function of the turn
+    /// is (E2), in the form of (E7).
     fn slide_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
         let surface = self.pivot.surface(scene);
         let displacement = Displacement::slide(surface.tangent * shift);

@@ -46,7 +46,7 @@ struct Sense<R> {
 pub(crate) enum Demand {
     /// Both press; one that vanishes opens.
     Pressed,
-    /// Looked at in balance only, where no opening is consistent on the way.
+    /// Looked at in balance only, where no opening is consistent before.
     AtTheEnd,
 }
 
@@ -160,7 +160,7 @@ impl<R: Real> Trammel<R> {
             // Wedged straight across parallel surfaces: slides without a turn.
             return BalanceCurve::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
-        // Across surfaces almost in line the way bends sharply: in longer units, by what the number type carries.
+        // Across surfaces almost in line the path bends sharply: in longer units, by what the number type represents.
         let across = second.normal.dot(arm);
         let size = if by_slide == R::ZERO {
             size

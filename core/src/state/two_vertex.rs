@@ -41,7 +41,7 @@ impl<R: Real> TwoVertex<R> {
         FixedPose::new(scene, &self.pivot, &self.contacts())
     }
 
-    /// A calm frame: it stays. The loads that are borne are convex, so that the end of the way decides.
+    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the path decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
         let fixed_pose = self.fixed_pose(scene);
         fixed_pose.bears(scene, to, &mut self.bearers)

@@ -18,7 +18,7 @@ pub(crate) enum Yield<R> {
 }
 
 impl<R: Real> WrenchCone<R> {
-    /// The part of the way from one load to another after which the contacts cannot bear it any more, if that comes.
+    /// The part of the path from one load to another after which the contacts cannot bear it any more, if that comes.
     pub(crate) fn first_yield(&self, from: Wrench2<R>, to: Wrench2<R>, rounding: R) -> Option<R> {
         let (mut first, mut has_facets) = (None, false);
         self.each_facet(&mut |normal, sharpness, _| {

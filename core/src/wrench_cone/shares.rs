@@ -26,7 +26,7 @@ impl<R: Real> WrenchCone<R> {
         self.parts(load, little).1
     }
 
-    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all ways to bear it, but
+    /// Shares a load out among the contacts, as parts of the +t and the -t edge of each: the mean of all sets of parts that bear it, but
     /// for a little, on three edges. For two contacts that is the middle of the interval of (E5).
     pub(crate) fn share(&self, load: Wrench2<R>, little: R) -> Vec<[R; 2], MAX_CONTACTS> {
         let (parts, _) = self.parts(load, little);
@@ -34,7 +34,7 @@ impl<R: Real> WrenchCone<R> {
         gather(pairs.filter_map(|pair| <[R; 2]>::try_from(pair).ok()))
     }
 
-    /// As [`Self::share`], edge by edge, and what that leaves of the load. Reactions beyond all numbers are told as the largest
+    /// As [`Self::share`], edge by edge, and what that leaves of the load. Reactions beyond all numbers are reported as the largest
     /// number where they bear a fraction of the load.
     fn parts(&self, load: Wrench2<R>, little: R) -> (Parts<R>, R) {
         let nearest = self.nearest(load, little);
@@ -58,7 +58,7 @@ impl<R: Real> WrenchCone<R> {
         (nearest.parts, nearest.left)
     }
 
-    /// The mean of all ways, or what comes nearest, as far as numbers go.
+    /// The mean of all that bear it, or what comes nearest, as far as numbers go.
     fn nearest(&self, load: Wrench2<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
         let mut solutions = 0_i32;

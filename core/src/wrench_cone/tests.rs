@@ -85,7 +85,7 @@ fn contacts(random: &mut Random, smooth: bool) -> Vec<(Vec2<f64>, f64, f64), 4> 
     list
 }
 
-/// The way of a load from one that is borne: it yields where it leaves the cone.
+/// The path of a load from one that is borne: it yields where it leaves the cone.
 #[test]
 fn load_yields_where_no_reactions_balance_it() {
     let mut found = [0; 2];

@@ -58,7 +58,7 @@ mod cases {
         }
     }
 
-    /// A rod that lies in a slot cannot turn, and a block on a floor does not lift: in calm frames, too, the springs are told as they
+    /// A rod that lies in a slot cannot turn, and a block on a floor does not lift: in certified frames, too, the springs are reported as they
     /// are, or refused beyond what the number type carries.
     pub(super) fn springs_of_a_body_at_rest_are_told_as_they_are<R: Number>(evolution: Evolution) {
         let most = most_turn::<R>();

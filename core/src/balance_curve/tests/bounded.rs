@@ -1,4 +1,4 @@
-//! The jets of a motion of two contacts, against its formulas.
+//! The bounded quantities of a motion of two contacts, against its formulas.
 
 use super::*;
 
@@ -36,7 +36,7 @@ fn jets_are_bounded() {
             let values = largest(|x| at(x).value, (0.0, WINDOW));
             let slopes = largest(|x| at(x).slope, once);
             let size = match i {
-                // What grows with the way grows at most by this.
+                // What grows with x grows at most by this.
                 2 | 3 => slopes * WINDOW,
                 _ => largest(|x| at(x).value, once),
             };

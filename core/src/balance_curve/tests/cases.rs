@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// M of the hand at the part tau of its way is zero: H = tau D, with the second harmonic of a lever (a, o):
+/// M is zero with the hand at the part tau of its path: H = tau D, with the second harmonic of a lever (a, o):
 /// (1 - cos 2ϑ) P + sin 2ϑ Q, Q = (a² - o²) / 2, P = -a o.
 pub(super) fn curve_is_in_balance<H: SecondHarmonic<f64>>(random: &mut Random) {
     let (k, hold, drive, dphi) = (
@@ -37,7 +37,7 @@ pub(super) fn curve_is_in_balance<H: SecondHarmonic<f64>>(random: &mut Random) {
     }
     assert_eq!(curve.direction(), (k * dphi + drive.y).sign());
     assert_eq!(curve.to_within(0.0, 1.0).tolerance, 0.0);
-    // Of the way of a point that is moved by 3 at tau = 1, and of the angle.
+    // Of the displacement of a point that is moved by 3 at tau = 1, and of the angle.
     let x = curve.to_within(0.01, 3.0).tolerance;
     let swiftest = largest(|x| curve.at(x).h_slope, (0.0, 7.0 / curve.rate.abs()));
     assert!(x * (3.0 * swiftest).max(1.0) <= 0.01 * (1.0 + 1e-9));
@@ -139,7 +139,7 @@ pub(super) fn margin_is_bounded<H: SecondHarmonic<f64>>(random: &mut Random) {
     }
 }
 
-/// To tau = 1 or to the fold, and with a margin to its first zero, whichever way it is looked for: all found by small steps.
+/// To tau = 1 or to the fold, and with a margin to its first zero, however it is searched for: all found by small steps.
 pub(super) fn extent_ends_at_its_first_event<H: SecondHarmonic<f64>>(random: &mut Random) {
     let curve = random.curve::<H>();
     if curve.at(0.0).h_slope <= 0.0 {
@@ -180,7 +180,7 @@ pub(super) fn extent_ends_at_its_first_event<H: SecondHarmonic<f64>>(random: &mu
     assert!(before(stopped.end.x * (1.0 - 1e-9)).all(|p| left(&p) > 0.0 - size * 1e-9));
 }
 
-/// Newton's step with the bend of the moment leaves the third order; next to a fold there is none.
+/// Newton's step with the curvature of the moment leaves the third order; next to a fold there is none.
 pub(super) fn balance_is_polished_and_bent<H: SecondHarmonic<f64>>(random: &mut Random) {
     const OFF: f64 = 1e-4;
     let moment = random.moment::<H>();

@@ -59,7 +59,7 @@ fn margin_is_linear_without_a_turn() {
     }
 }
 
-/// On a course of which the fold leaves a tenth only that tenth counts: no search.
+/// On an extent of which the fold leaves a tenth only that tenth counts: no search.
 #[test]
 fn margin_that_lasts_to_the_fold_is_no_search() {
     let delta = 3.826_445_910_0;
@@ -73,7 +73,7 @@ fn margin_that_lasts_to_the_fold_is_no_search() {
     assert!((extent.end.part() - 0.05).abs() < 1e-12);
 }
 
-/// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole way lies between
+/// A body that turns freely about a point next to the hand swings round at the first pull: almost the whole path lies between
 /// neighbouring turns. What is used up on it ends it all the same.
 #[test]
 fn margin_is_used_up_between_neighbouring_turns() {
@@ -101,7 +101,7 @@ fn margin_is_used_up_between_neighbouring_turns() {
     }
 }
 
-/// Where the search for the end gives up, the course says so, whatever ends it then; it is somewhere before the end.
+/// Where the search for the end gives up, the extent says so, whatever ends it then; it is somewhere before the end.
 #[test]
 fn extent_that_gives_up_says_so() {
     let curve = turning(0.9, 30.0);
@@ -126,7 +126,7 @@ fn extent_that_gives_up_says_so() {
         assert_eq!(stopped.unsure, counts.unsure > 0, "{most}");
         assert!(stopped.end.x <= ended.end.x * (1.0 + 1e-9));
         seen[2 + usize::from(stopped.unsure)] += 1;
-        // What is not sure of the course stays so.
+        // What is unsure of the extent stays so.
         let mut stopped = extent;
         if curve.stop_at(&turning_margin, &mut stopped) {
             assert_eq!(stopped.unsure, extent.unsure, "{most}");

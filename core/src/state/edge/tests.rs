@@ -1,4 +1,4 @@
-//! An edge near what it bears at most: within the rounding of its reactions nothing opens, and nothing is called calm.
+//! An edge near what it bears at most: within the rounding of its reactions nothing opens, and nothing is certified.
 
 use super::*;
 use crate::fixtures;
@@ -36,7 +36,7 @@ fn vertex_opens_where_it_is_pulled_beyond_doubt() {
     }
 }
 
-/// On a short edge a moment, and its rounding, is a large reaction: an edge is calm only where both reactions are larger than
+/// On a short edge a moment, and its rounding, is a large reaction: an edge is certified only where both reactions are larger than
 /// that.
 #[test]
 fn calm_edge_presses_beyond_the_rounding() {

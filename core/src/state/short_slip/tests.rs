@@ -72,7 +72,7 @@ impl Case {
         (self.lack - load) / self.stiffness
     }
 
-    /// Force and moment about the foot after a slide by x along the way and a turn.
+    /// Force and moment about the foot after a slide by x and a turn.
     fn load(&self, x: f64, turn: f64) -> (Vec2<f64>, f64) {
         let (sin, cos) = libm::sincos(turn);
         let rotated = |v: Vec2<f64>| Vec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
@@ -167,7 +167,7 @@ fn beginning(case: &Case) -> [f64; 4] {
     [guess, arm / stability, bend / stability, decay]
 }
 
-/// Where the conditions of (E9) hold amply there is a short slip, where one fails there is none; then it is told about
+/// Where the conditions of (E9) hold amply there is a short slip, where one fails there is none; then it is reported about
 /// how far it goes.
 #[test]
 fn slip_is_short_where_its_beginning_says_so() {
@@ -214,7 +214,7 @@ fn slip_is_short_where_its_beginning_says_so() {
     );
 }
 
-/// It ends where, by small steps, E first falls to zero; on the way the vertex is pressed and nothing moves farther than
+/// It ends where, by small steps, E first falls to zero; on the path the vertex is pressed and nothing moves farther than
 /// promised.
 #[test]
 fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
@@ -243,7 +243,7 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
             last = [last[1], next];
             turn = next;
         }
-        // In the way's length; the curve has so many steps.
+        // In the path's length; the curve has so many steps.
         let bent = bent * f64::from(STEPS * STEPS);
         let swing = 1.25 * arm * guess;
         let widest = 1.25 * (swing + guess);

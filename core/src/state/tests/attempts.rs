@@ -46,7 +46,7 @@ fn every_motion_is_tried_once() {
         let (motions, rest) = tried.split_at(motions);
         for (i, curve) in motions.iter().enumerate() {
             let before = motions[..i].iter().filter(|m| *m == curve).count();
-            // Of two contacts that slide together it is asked twice: whether they press on the way, and in balance.
+            // Of two contacts that slide together it is asked twice: whether they press as the slide begins, and in balance.
             let is_twice =
                 matches!(curve, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
             assert!(before <= usize::from(is_twice), "{seed}: {curve:?}");

@@ -1,4 +1,4 @@
-//! Where a motion ends: in balance to the digits, though its way be found to within a tolerance only; and what has no spring or no
+//! Where a motion ends: in balance to the digits, though its path is found to within a tolerance only; and what has no spring or no
 //! pressure.
 
 use super::*;
@@ -6,7 +6,7 @@ use crate::fixtures::{Random, sampled};
 use crate::geometry::Vec2;
 use crate::model::{Frictionless, Full};
 
-/// The balance at the end of a way is of the third order in the tolerance of the way.
+/// The balance at the end of a path is of the third order in the tolerance of the path.
 #[test]
 fn end_of_a_way_is_in_balance() {
     const TOLERANCE: f64 = 1.0 / 256.0;

@@ -278,7 +278,7 @@ fn run_ends_at_what_comes_first() {
     );
 }
 
-/// A slip of both contacts is the way of the first one's foot. In balance ends only what comes to (E6); what does not move has no
+/// A slip of both contacts is the displacement of the first one's foot. In balance ends only what comes to (E6); what does not move has no
 /// motion; and a slip whose search gives up says so.
 #[test]
 fn slip_is_told_as_it_is() {

@@ -5,7 +5,7 @@ use super::*;
 
 const ROUNDING: f64 = 1.0 / 1024.0;
 
-/// Two contacts without friction on a floor bear no pull along it. Forces are told apart by more than the rounding, and as much
+/// Two contacts without friction on a floor bear no pull along it. Forces are distinguished by more than the rounding, and as much
 /// less as the contacts are close together, since the facet is so much less sharp.
 #[test]
 fn facet_is_known_as_exactly_as_its_edges_are_apart() {

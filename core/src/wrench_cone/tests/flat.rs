@@ -1,5 +1,5 @@
 //! Cones that are almost flat, in every number type: three edges of them bear a load to the rounding, though their parts are hardly
-//! known, and no load of which they leave more; parts beyond all numbers are not told as small ones.
+//! known, and no load of which they leave more; parts beyond all numbers are not reported as small ones.
 
 use super::*;
 use crate::fixtures::number;
@@ -189,7 +189,7 @@ fn flat_cones_bear_no_more_than_they_can() {
     flat_cones_bear_nothing_else::<Fixed>();
 }
 
-/// Two contacts close together, one against the other, with a load, in `f64` and in fixed point, and what is told there.
+/// Two contacts close together, one against the other, with a load, in `f64` and in fixed point, and what is reported there.
 struct Clamp {
     exact: WrenchCone<f64>,
     load: Wrench2<f64>,
@@ -231,9 +231,9 @@ fn clamp(seed: u64) -> Clamp {
     }
 }
 
-/// What a clamp bears in `f64`: in fixed point what is told balances the load, or the reaction of one contact at least is about as
-/// large as numbers are. Where some way to bear the load needs no large parts, it balances; where none does, no contact is told more
-/// than in the way that takes most of it, nor, as far as numbers go, less than in the one that takes least.
+/// What a clamp bears in `f64`: in fixed point what is reported balances the load, or the reaction of one contact at least is about as
+/// large as numbers are. Where some parts that bear the load are not large, it balances; where all are, no contact is reported to bear more
+/// than where it takes most of the load, nor, as far as numbers go, less than where it takes least.
 #[test]
 fn parts_beyond_the_numbers_are_told_at_the_rail() {
     let balance = 2.0 * f64::from(little::<Fixed>().to_si(1.0));
@@ -287,7 +287,7 @@ fn parts_beyond_the_numbers_are_told_at_the_rail() {
     );
 }
 
-/// Where a clamp does not bear a load by far, what is told leaves no more than no reactions would.
+/// Where a clamp does not bear a load by far, what is reported leaves no more than no reactions would.
 #[test]
 fn what_is_told_leaves_less_than_the_load() {
     let mut count = 0;

@@ -1,5 +1,5 @@
 //! Velocities of the motions that can begin: contacts that stick rest, those that slide go along their surfaces, the load
-//! drives, and what opens is told by the rates of the gaps.
+//! drives, and what opens shows in the rates of the gaps.
 
 use super::*;
 use crate::fixtures::{Random, sampled};

@@ -53,7 +53,7 @@ fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
     assert!(cfg!(miri) || count > 10, "{count}");
 }
 
-/// Across surfaces almost in line the way bends by more than the number type carries; both contacts stay on their surfaces.
+/// Across surfaces almost in line the path bends by more than the number type represents; both contacts stay on their surfaces.
 #[test]
 fn contacts_stay_on_surfaces_that_are_almost_in_line() {
     let number = |x: f64| Fixed::from_si(x as f32, 1.0);
