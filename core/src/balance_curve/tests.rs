@@ -125,7 +125,7 @@ test_both! {
     fold_is_where_the_part_stops_growing,
     margin_is_bounded,
     extent_ends_at_its_first_event,
-    balance_is_polished_and_bent,
+    balance_is_polished_and_curved,
 }
 
 /// The springs of a hand that turns by `dphi` against a load of `kappa`.

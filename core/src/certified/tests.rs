@@ -95,7 +95,7 @@ fn cases() -> impl Iterator<Item = Case> {
 
 /// (E8): where its conditions hold amply the frame is certified, where one fails it is not.
 #[test]
-fn frame_is_calm_where_kantorovich_says_so() {
+fn frame_is_certified_where_kantorovich_says_so() {
     let mut found = [0, 0];
     for case in cases() {
         let stability = case.stiffness + case.hold.x;
@@ -121,7 +121,7 @@ fn frame_is_calm_where_kantorovich_says_so() {
 
 /// All along there is a stable balance within what the certified frame promises, and it ends in that at the end.
 #[test]
-fn calm_turn_keeps_the_balance_and_its_bounds() {
+fn certified_turn_keeps_the_balance_and_its_bounds() {
     for case in cases() {
         let Some(certified) = case.certified() else {
             continue;
@@ -230,7 +230,7 @@ fn conditions_hold_up_to_their_bounds() {
 
 /// A frame whose load is not representable is left to the search, which says so.
 #[test]
-fn calm_load_is_representable() {
+fn certified_load_is_representable() {
     for (pull, certified) in [(0.9, true), (1.1, false)] {
         let case = Case {
             now: 0.0,

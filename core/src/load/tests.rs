@@ -13,8 +13,8 @@ fn load_is_representable_together_with_the_couple() {
             hold: Vec2::new(0.0, pull * most),
             ..unloaded()
         };
-        let carries = pull.abs() + couple.abs() <= 1.0;
-        assert_eq!(load.is_representable(), carries, "{pull} {couple}");
+        let fits = pull.abs() + couple.abs() <= 1.0;
+        assert_eq!(load.is_representable(), fits, "{pull} {couple}");
     }
 }
 

@@ -80,8 +80,8 @@ fn load_is_representable_together_with_the_couple() {
     for (load, couple) in loads() {
         let (load, couple) = (load * most, couple * most);
         let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
-        let carries = load.abs() + couple.abs() <= most;
-        assert_eq!(moment.is_representable(), carries, "{load} {couple}");
+        let fits = load.abs() + couple.abs() <= most;
+        assert_eq!(moment.is_representable(), fits, "{load} {couple}");
     }
 }
 
@@ -143,12 +143,12 @@ fn turn_that_gives_up_says_so() {
         for most in 1..40 {
             let (found, counts) = searches::giving_up(most, || moment.downhill());
             assert_eq!(found.unsure, counts.unsure > 0, "{most}");
-            let displacement = found.turn * now.signum();
+            let turned = found.turn * now.signum();
             assert!(
-                displacement >= last && displacement <= whole.turn.abs() * (1.0 + 1e-9),
-                "{displacement}"
+                turned >= last && turned <= whole.turn.abs() * (1.0 + 1e-9),
+                "{turned}"
             );
-            last = displacement;
+            last = turned;
             if !found.unsure {
                 assert_eq!(found, whole);
             }

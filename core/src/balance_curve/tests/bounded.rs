@@ -4,7 +4,7 @@ use super::*;
 
 /// On a motion of two contacts: each with its bounds from its beginning to the end of the window.
 #[test]
-fn jets_are_bounded() {
+fn quantities_are_bounded() {
     const WINDOW: f64 = 0.8;
     for seed in sampled(1..=200, 29) {
         let mut random = Random(seed);
@@ -45,12 +45,12 @@ fn jets_are_bounded() {
             assert!(slopes <= steepest * (1.0 + 1e-9) && steepest <= 1.3 * slopes);
             assert!(curvatures <= curvature + 1e-5 && curvature <= 1.3 * curvatures + 1e-5);
         }
-        for displacement in [0.3, 3.0] {
-            let part_bound = curve.extent_to(displacement).part_bound;
-            let most = largest(formula, (0.0, displacement));
+        for far in [0.3, 3.0] {
+            let part_bound = curve.extent_to(far).part_bound;
+            let most = largest(formula, (0.0, far));
             let steepest = largest(|x| curve.at(x).h_slope, once);
             assert!(
-                most <= part_bound && part_bound <= 1.3 * displacement * steepest,
+                most <= part_bound && part_bound <= 1.3 * far * steepest,
                 "{most} {part_bound}"
             );
         }

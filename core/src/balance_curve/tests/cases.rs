@@ -181,7 +181,7 @@ pub(super) fn extent_ends_at_its_first_event<H: SecondHarmonic<f64>>(random: &mu
 }
 
 /// Newton's step with the curvature of the moment leaves the third order; next to a fold there is none.
-pub(super) fn balance_is_polished_and_bent<H: SecondHarmonic<f64>>(random: &mut Random) {
+pub(super) fn balance_is_polished_and_curved<H: SecondHarmonic<f64>>(random: &mut Random) {
     const OFF: f64 = 1e-4;
     let moment = random.moment::<H>();
     let curve = BalanceCurve::<f64, H> {

@@ -39,7 +39,7 @@ fn vertex_opens_where_it_is_pulled_beyond_doubt() {
 /// On a short edge a moment, and its rounding, is a large reaction: an edge is certified only where both reactions are larger than
 /// that.
 #[test]
-fn calm_edge_presses_beyond_the_rounding() {
+fn certified_edge_presses_beyond_the_rounding() {
     for span in [0.125, 0.5, 1.0] {
         // The third vertex makes the body as large as 1.
         let vertices = [[0.0, 0.0], [5.0 * span, 0.0], [3.0, 4.0]];
@@ -65,8 +65,8 @@ fn calm_edge_presses_beyond_the_rounding() {
                     continue;
                 }
                 let grip = pressed(times * unit);
-                let is_calm = edge.clone().follow(&scene, &grip);
-                assert_eq!(is_calm, times > 1.0, "{span} {begin} {times}");
+                let is_certified = edge.clone().follow(&scene, &grip);
+                assert_eq!(is_certified, times > 1.0, "{span} {begin} {times}");
                 if begin == 0.0 {
                     let load = pivot.load(&scene, &grip);
                     let reaction = edge.reaction(&scene, &load, &Displacement::slide(Vec2::ZERO));

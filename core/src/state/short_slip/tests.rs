@@ -224,7 +224,7 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
         let [guess, arm, bend, _] = beginning(&case);
         let length = slip.slide * case.sign;
         let (mut turn, mut farthest, mut last) = (0.0_f64, 0.0_f64, [0.0; 2]);
-        let mut bent = 0.0_f64;
+        let mut curved = 0.0_f64;
         for i in 0..=STEPS {
             let x = length * f64::from(i) / f64::from(STEPS);
             let (next, excess) = case.balance(x, turn);
@@ -238,13 +238,13 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
             if i > 1 {
                 let [before, at] = last;
                 let second = next - 2.0 * at + before;
-                bent = bent.max((next - at) * (next - at) + second.abs());
+                curved = curved.max((next - at) * (next - at) + second.abs());
             }
             last = [last[1], next];
             turn = next;
         }
         // In the path's length; the curve has so many steps.
-        let bent = bent * f64::from(STEPS * STEPS);
+        let curved = curved * f64::from(STEPS * STEPS);
         let swing = 1.25 * arm * guess;
         let widest = 1.25 * (swing + guess);
         assert!(
@@ -252,8 +252,8 @@ fn short_slip_ends_at_the_first_balance_and_within_its_bounds() {
             "{case:?} {slip:?}"
         );
         assert!(
-            bent <= slip.open + 1e-9 && slip.open <= 1.5 * swing * swing * (bend + 3.0),
-            "{case:?} {slip:?} {bent}"
+            curved <= slip.open + 1e-9 && slip.open <= 1.5 * swing * swing * (bend + 3.0),
+            "{case:?} {slip:?} {curved}"
         );
     }
 }

@@ -44,13 +44,13 @@ fn every_motion_is_tried_once() {
             .take_while(|t| **t != Trigger::Undriven)
             .count();
         let (motions, rest) = tried.split_at(motions);
-        for (i, curve) in motions.iter().enumerate() {
-            let before = motions[..i].iter().filter(|m| *m == curve).count();
+        for (i, motion) in motions.iter().enumerate() {
+            let before = motions[..i].iter().filter(|m| *m == motion).count();
             // Of two contacts that slide together it is asked twice: whether they press as the slide begins, and in balance.
             let is_twice =
-                matches!(curve, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
-            assert!(before <= usize::from(is_twice), "{seed}: {curve:?}");
-            assert_ne!(*curve, Trigger::Balanced);
+                matches!(motion, Trigger::Keep { contacts: [a, b], sliding: Some(_) } if a != b);
+            assert!(before <= usize::from(is_twice), "{seed}: {motion:?}");
+            assert_ne!(*motion, Trigger::Balanced);
         }
         assert!(
             !rest.is_empty() && rest.iter().all(|t| *t == Trigger::Undriven),

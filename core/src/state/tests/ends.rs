@@ -78,9 +78,9 @@ fn body_without_weight_and_spring_keeps_its_angle() {
     assert_eq!(state.pose(&rod).orientation, orientation);
 }
 
-/// The tip of a tool glides calmly where it presses, not where it just touches.
+/// The tip of a tool is certified to glide where it presses, not where it just touches.
 #[test]
-fn tip_that_does_not_press_is_not_calm() {
+fn tip_that_does_not_press_is_not_certified() {
     let point = on_floor::<1, Frictionless>(&[[0.0, 0.0]], (0.0, 1.0), 0.0);
     let terms = Terms {
         jumps: false,

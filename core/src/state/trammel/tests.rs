@@ -207,9 +207,9 @@ fn slopes_are_derivatives_and_bounds_hold() {
             let (before, at, after) = (all(x - 1e-5), all(x), all(x + 1e-5));
             for (i, bounded) in at.iter().enumerate() {
                 let slope = (after[i].value - before[i].value) * 0.5e5;
-                let bent = (after[i].slope - before[i].slope) * 0.5e5;
+                let curved = (after[i].slope - before[i].slope) * 0.5e5;
                 assert!((slope - bounded.slope).abs() < 1e-7, "{seed} {i}");
-                let sizes = [bounded.value, bounded.slope, bent];
+                let sizes = [bounded.value, bounded.slope, curved];
                 for (size, bound) in sizes.into_iter().zip(bounded.bounds) {
                     assert!(size.abs() <= bound + 1e-7, "{seed} {i} {size} {bound}");
                 }
