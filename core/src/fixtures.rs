@@ -70,7 +70,6 @@ pub(crate) fn unloaded() -> Load<f64> {
         hold: Vec2::ZERO,
         force: Vec2::ZERO,
         stiffness: 1.0,
-        tolerance: 0.0,
     }
 }
 
@@ -96,6 +95,7 @@ pub(crate) fn sprung<const V: usize, const S: usize>(
             offset: 0.0,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }
     });
     // Far out along the mean of the normals it is inside of no surface.

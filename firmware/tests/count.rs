@@ -13,6 +13,7 @@ const SURFACE: SurfaceDescription<f64> = SurfaceDescription {
     offset: 0.0,
     friction_static: 0.5,
     friction_dynamic: 0.3,
+    memory: None,
 };
 const SCENE: Description<'static, f64> = Description {
     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
@@ -129,6 +130,7 @@ fn comes_back<R: Real<Si: SiFloat>>(setting: Setting) {
             offset: narrow(SURFACE.offset),
             friction_static: narrow(SURFACE.friction_static),
             friction_dynamic: narrow(SURFACE.friction_dynamic),
+            memory: None,
         }],
     });
     let solver =

@@ -107,6 +107,7 @@ impl Setup {
             offset,
             friction_static: friction[0],
             friction_dynamic: friction[1],
+            memory: None,
         });
         self
     }
@@ -205,6 +206,7 @@ impl Setup {
             offset: R::si(s.offset),
             friction_static: R::si(s.friction_static),
             friction_dynamic: R::si(s.friction_dynamic),
+            memory: None,
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
         Scene::new(&Description {
@@ -231,5 +233,6 @@ fn rounded_surface<R: Number>(s: &SurfaceDescription<f64>) -> SurfaceDescription
         offset: R::rounded(s.offset),
         friction_static: R::rounded(s.friction_static),
         friction_dynamic: R::rounded(s.friction_dynamic),
+        memory: None,
     }
 }

@@ -180,7 +180,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let margin = &margin.scaled();
         let curvature_bound = self.curvature_bound(margin);
         let limit = extent.end.x;
-        let found = first_zero((limit, self.tolerance), |x| {
+        let found = first_zero(limit, |x| {
             Samples::far([self.slope(margin, &self.at(x), (&curvature_bound, limit - x))])
         });
         match found {

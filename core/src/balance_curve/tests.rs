@@ -4,7 +4,7 @@
 use super::*;
 use crate::bounded::Bounded;
 use crate::fixtures::{Random, sampled, searches};
-use crate::moment::Gliding;
+use crate::moment::Sliding;
 
 mod bounded;
 mod cases;
@@ -113,7 +113,7 @@ macro_rules! test_both {
         fn $case() {
             for seed in sampled(1..=200, 29) {
                 cases::$case::<Pinned>(&mut Random(seed));
-                cases::$case::<Gliding<f64>>(&mut Random(seed));
+                cases::$case::<Sliding<f64>>(&mut Random(seed));
             }
         }
     )*};

@@ -95,23 +95,27 @@ impl<'a> Events<'a> {
 }
 
 impl Item for Contact<f32> {
-    const BYTES: usize = 18;
+    const BYTES: usize = 19;
     fn put(&self, sink: &mut impl Sink) {
         sink.count(self.vertex);
         sink.count(self.surface);
         sink.f32s(&self.point);
         sink.f32s(&[self.normal, self.friction]);
+        sink.byte(self.sliding.cast_unsigned());
     }
     fn get(fields: &mut Fields<'_>) -> Self {
         let [vertex, surface] = fields.take().map(usize::from);
         let point = fields.f32s();
         let [normal, friction] = fields.f32s();
+        // The bits of a signed byte.
+        let [sliding] = fields.take().map(u8::cast_signed);
         Self {
             vertex,
             surface,
             point,
             normal,
             friction,
+            sliding,
         }
     }
 }

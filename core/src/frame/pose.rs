@@ -46,6 +46,7 @@ impl EventSet {
             Event::Snap => 1 << 5,
             Event::Jam => 1 << 6,
             Event::Grasp | Event::Release => 1 << 7,
+            Event::Slide | Event::Stop => 0,
         }
     }
 }

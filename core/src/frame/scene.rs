@@ -21,7 +21,7 @@ pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
 /// use stiction_core::{Description, Scene, SurfaceDescription};
 /// use stiction_core::frame::SceneCommand;
 ///
-/// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3 };
+/// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3, memory: None };
 /// let described = Description {
 ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
 ///     start: [0.0, 0.03, 0.0],
@@ -167,19 +167,22 @@ impl Item for [f32; 2] {
 }
 
 impl Item for SurfaceDescription<f32> {
-    const BYTES: usize = 20;
+    const BYTES: usize = 24;
     fn put(&self, sink: &mut impl Sink) {
         sink.f32s(&self.normal);
         sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
+        // A negative one for that of the body's size.
+        sink.f32s(&[self.memory.unwrap_or(-1.0)]);
     }
     fn get(fields: &mut Fields<'_>) -> Self {
         let normal = fields.f32s();
-        let [offset, friction_static, friction_dynamic] = fields.f32s();
+        let [offset, friction_static, friction_dynamic, memory] = fields.f32s();
         Self {
             normal,
             offset,
             friction_static,
             friction_dynamic,
+            memory: (memory >= 0.0).then_some(memory),
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use super::fixed_pose::FixedPose;
 use super::segment::Segment;
+use crate::detect::PointPath;
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::geometry::Vec2;
 use crate::grip::Grip;
@@ -20,6 +21,8 @@ use crate::wrench_cone::WrenchCone;
 pub(crate) struct Corner<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) surface: u8,
+    /// mu_s bounds the friction, not mu_d.
+    pub(crate) stiction: bool,
 }
 
 /// An outer edge of the sum of the cones: the contact that it belongs to and its direction of slip, and the inner normal.
@@ -48,7 +51,7 @@ impl<R: Real> Corner<R> {
                 self.surface
             };
             let surface = scene.surface(index);
-            let (n, t) = surface.friction.static_edge(side);
+            let (n, t) = surface.friction.edge(self.stiction, side);
             (contact, surface.normal * n + surface.tangent * t)
         };
         [
@@ -114,7 +117,7 @@ impl<R: Real> Corner<R> {
         let moment = load.pinned::<Pinned>();
         let mut segment =
             Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
-        segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
+        segment.stop_at_touch(scene, &load.placed, (&PointPath::straight(Vec2::ZERO), &self.contacts()));
         for outer in self.outer_edges(scene).into_iter().flatten() {
             segment.stop_at(
                 &load.reaction(outer.inner, &displacement),
@@ -169,7 +172,7 @@ impl<R: Real> Corner<R> {
     }
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        FixedPose::new(scene, &self.pivot, &self.contacts()).reactions(scene, load)
+        FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction)).reactions(scene, load)
     }
 }
 
@@ -191,6 +194,7 @@ mod tests {
             offset: si(0.0),
             friction_static: si(mu[i]),
             friction_dynamic: si(mu[i] / 2.0),
+            memory: None,
         };
         let scene = Scene::new(&Description {
             vertices: &[[0.0; 2].map(&si)],

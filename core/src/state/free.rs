@@ -2,7 +2,7 @@
 
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::detect::Placed;
+use crate::detect::{Placed, PointPath};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -38,15 +38,13 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
-        tolerance: R,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
         let (orientation, curvature_bound) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), turn * turn)
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
-            let mut load = Self { pose }.load(scene, to);
-            load.tolerance = tolerance;
+            let load = Self { pose }.load(scene, to);
             match CertifiedTurn::pinned::<H>(scene, &load, to, &Displacement::turn(turn)) {
                 Some(certified) => (certified.orientation, certified.swing()),
                 None => return false,
@@ -185,7 +183,7 @@ impl<R: Real> Free<R> {
         mut segment: Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
-        segment.stop_at_touch(scene, placed, (shift, &[]));
+        segment.stop_at_touch(scene, placed, (&PointPath::straight(shift), &[]));
         let end = Placed {
             point: placed.point + shift * segment.part(),
             orientation: placed.orientation.plus(segment.turn()),

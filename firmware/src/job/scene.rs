@@ -180,5 +180,6 @@ fn surface<F: SiFloat>(bytes: &[u8; SURFACE_BYTES]) -> SurfaceDescription<F> {
         offset: next(),
         friction_static: next(),
         friction_dynamic: next(),
+        memory: None,
     }
 }

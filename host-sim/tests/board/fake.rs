@@ -275,6 +275,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
             offset: 0.0,
             friction_static: 0.0,
             friction_dynamic: 0.0,
+            memory: None,
         };
         let (mut vertices, mut surfaces) = ([[0.0; 2]; VERTICES], [nothing; SURFACES]);
         let description = scene.description(&mut vertices, &mut surfaces)?;

@@ -292,6 +292,7 @@ fn surface([x, y, offset, friction_static, friction_dynamic]: [f32; 5]) -> Surfa
         offset,
         friction_static,
         friction_dynamic,
+        memory: None,
     }
 }
 

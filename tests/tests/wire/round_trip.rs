@@ -121,6 +121,7 @@ fn scene_of_64_vertices_goes_through_in_one_frame() {
         offset: -0.1,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     let surfaces = [wall; 16];
     let described = Description {

@@ -23,6 +23,7 @@ fn scene<R: Real<Si = f32>>() -> Scene<R, 4, 1> {
             offset: 0.0,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }],
     })
     .expect("a scene")

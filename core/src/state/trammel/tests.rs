@@ -34,6 +34,7 @@ fn case(random: &mut Random) -> Option<Case> {
             offset: Vec2::new(-sin, cos).dot(at(vertices[i])),
             friction_static: MU_D[i] + 0.2,
             friction_dynamic: MU_D[i],
+            memory: None,
         }
     };
     let surfaces = [surface(0), surface(1)];

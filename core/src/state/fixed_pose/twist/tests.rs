@@ -22,6 +22,7 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f
             offset: cos * point.y - sin * point.x,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }
     });
     let scene = Scene::new(&Description {

@@ -64,6 +64,7 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
         offset: -1.0,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     for exponent in 5..20 {
         let (sin, cos) = libm::sincos(libm::ldexp(1.0, -exponent));

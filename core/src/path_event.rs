@@ -1,0 +1,190 @@
+//! 4: an event on the path of the hand (STATICS 7): the body is in balance, the hand about to go on. What the event leads to follows
+//! from the rates of that; where it is a jump, the body settles at the frozen hand.
+
+use crate::contact::{Pair, Regime};
+use crate::event::{Event, StateKind};
+use crate::grip::Grip;
+use crate::log::Log;
+use crate::real::Real;
+use crate::settle::{Next, apply, keep, log_slide, run, touch};
+use crate::state::{ContactState, Free};
+use crate::transition::{clear_arm, fold_arm};
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
+
+/// The hand at the event, and where it is going.
+pub(crate) type Path<'a, R> = (&'a Grip<R>, &'a Grip<R>);
+
+/// The state after a trigger of `advance`, in balance or settled.
+pub(crate) fn happens<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    trigger: Trigger<R>,
+    log: &mut Log<R>,
+) {
+    log.ambiguous = false;
+    let slid = state.regime().slide().is_some();
+    let next = next_after(scene, path, state, trigger, log);
+    run(scene, path.0, state, next, log);
+    log_slide(state, slid, log);
+}
+
+fn next_after<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    trigger: Trigger<R>,
+    log: &mut Log<R>,
+) -> Next<R> {
+    match trigger {
+        Trigger::Touch(pair) => touches(scene, path, state, pair, log),
+        Trigger::Slide(sign) => yields(scene, path, state, sign, log),
+        Trigger::Pressed => {
+            state.set_regime(Regime::Stick { stiction: true });
+            Next::Rest
+        }
+        Trigger::Halts => {
+            state.set_regime(Regime::LOOSE);
+            Next::Rest
+        }
+        Trigger::Clear => leaves(scene, path, state, log),
+        Trigger::Keep {
+            contacts: [first, second],
+            sliding,
+        } if W::SEVERAL && first == second => {
+            opens(scene, path, state, (first, sliding), log)
+        }
+        Trigger::Fold(_) if matches!(state, ContactState::TwoVertex(_)) => {
+            state.set_regime(Regime::LOOSE);
+            Next::Slip(R::ONE)
+        }
+        Trigger::Fold(direction) => {
+            log.transitions.add(fold_arm(state));
+            log.event(Event::Snap);
+            Next::Snap(direction)
+        }
+        _ => apply(scene, state, &Moved::by(trigger), R::ZERO, log),
+    }
+}
+
+/// A vertex reaches a surface: from free flight the rates decide (rule 6); further contacts keep what sticks and, where the motion can
+/// go on, what slides (rules 10 a, b, g).
+fn touches<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    pair: Pair,
+    log: &mut Log<R>,
+) -> Next<R> {
+    let (before, regime) = (state.kind(), state.regime());
+    touch(scene, state, pair, log);
+    match (before, regime, &mut *state) {
+        (StateKind::NonContact, _, ContactState::SingleVertex(s)) => s.begin(scene, path),
+        (StateKind::NonContact, _, ContactState::Edge(s)) => s.begin(scene, path),
+        (StateKind::NonContact, ..) => {}
+        (_, Regime::Stick { .. }, state) => state.set_regime(regime),
+        (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
+        (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s)) => {
+            s.slide_on(scene, path, sign);
+        }
+        (_, Regime::Slide(_), state) => state.set_regime(Regime::LOOSE),
+    }
+    Next::Rest
+}
+
+/// Friction gives way: with stiction in a slip (rule 4), without it in a slide that begins without a jump (rules 5, 10 e).
+fn yields<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    sign: R,
+    log: &mut Log<R>,
+) -> Next<R> {
+    if state.regime().has_stiction() {
+        return Next::Slip(sign);
+    }
+    match state {
+        ContactState::SingleVertex(s) => {
+            s.regime = Regime::Slide(sign);
+            let topples = s.topples(scene, path.0, sign);
+            topples.map_or(Next::Rest, |direction| {
+                log.transitions.add(fold_arm(state));
+                log.event(Event::Snap);
+                Next::Snap(direction)
+            })
+        }
+        ContactState::Edge(s) => {
+            s.regime = Regime::Slide(sign);
+            Next::Rest
+        }
+        ContactState::TwoVertex(s) if W::SURFACES => {
+            if s.begin_slide(scene, path) {
+                Next::Rest
+            } else {
+                Next::Slip(sign)
+            }
+        }
+        _ => Next::Slip(sign),
+    }
+}
+
+/// N falls to zero. The vertex leaves its surface if the hand takes it off; else what sticks slides, and what slides sticks (rule 6).
+fn leaves<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    log: &mut Log<R>,
+) -> Next<R> {
+    match state {
+        ContactState::SingleVertex(s) if !W::GLIDES && !s.leaves(scene, path) => {
+            if s.regime.slide().is_some() {
+                s.regime = Regime::LOOSE;
+            } else {
+                s.begin(scene, path);
+            }
+            Next::Rest
+        }
+        ContactState::SingleVertex(_) => {
+            log.transitions.add(clear_arm(state));
+            log.event(Event::Lift);
+            let pose = state.pose(scene);
+            *state = ContactState::Free(Free { pose });
+            Next::Rest
+        }
+        _ => apply(scene, state, &Moved::by(Trigger::Clear), R::ZERO, log),
+    }
+}
+
+/// All contacts but one open. What lasts goes on as it was: it sticks or slides (rule 10 a, b), in balance where it did so before.
+fn opens<R: Real, W: World<R>>(
+    scene: &W,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+    (lasts, sliding): (usize, Option<R>),
+    log: &mut Log<R>,
+) -> Next<R> {
+    let regime = state.regime();
+    let contacts = state.contacts();
+    let kind = state.kind();
+    let next = keep(scene, state, [lasts; 2], sliding, log);
+    let Some(sign) = regime.slide() else {
+        return if kind == StateKind::Edge {
+            Next::Rest
+        } else {
+            next
+        };
+    };
+    let other = contacts.iter().copied().enumerate();
+    let other = other.filter(|&(i, _)| i != lasts).map(|(_, pair)| pair).next();
+    if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
+        let along = sliding.unwrap_or(sign);
+        s.regime = Regime::Slide(along);
+        if kind == StateKind::TwoVertex && !s.opens(scene, path, (other, along)) {
+            // It cannot leave: both stick.
+            touch(scene, state, other, log);
+            state.set_regime(Regime::LOOSE);
+        }
+    }
+    Next::Rest
+}

@@ -1,0 +1,299 @@
+//! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
+//! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
+
+use super::{Run, Trammel};
+use crate::bounded::{Bounded, BoundedVec};
+use crate::contact::Pair;
+use crate::detect::{Moving, PointPath};
+use crate::geometry::Vec2;
+use crate::grip::Displacement;
+use crate::real::Real;
+use crate::search::{Found, Samples, first_zero};
+use crate::world::World;
+
+/// What ended a slide with the hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum SlideEnding<R> {
+    /// The end of the displacement, or of the part of it for which the bounds hold.
+    Arrives,
+    /// A contact comes to a halt: both stick.
+    Halts,
+    /// The balance folds: the contacts slip on.
+    Folds,
+    /// A slip that began here would be as long as the memory: both stick, with stiction.
+    Pressed,
+    /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
+    Opens { lasts: usize, sliding: R },
+    /// A further vertex reached a surface.
+    Touches(Pair),
+}
+
+/// A trammel motion that follows a displacement of the hand.
+pub(crate) struct Slides<R> {
+    trammel: Trammel<R>,
+    /// dp and k dphi, counted as the load is.
+    force: Vec2<R>,
+    couple: R,
+    /// The velocity of a contact, times the stability, below which it rests (rule 7).
+    slack: R,
+}
+
+/// The slide at a place x.
+struct Progress<R> {
+    /// E(x, 0) and E(x, 1) - E(x, 0), in the sense in which E falls as the contacts slide.
+    rest: Bounded<R>,
+    drive: Bounded<R>,
+    /// The same of N_1 and N_2, times the size of the resistance.
+    normals: [[Bounded<R>; 2]; 2],
+    velocities: [Bounded<R>; 2],
+}
+
+/// What a slide is at a place where its part tau is known.
+struct Standing<R> {
+    /// -dE/dx at the frozen hand.
+    stability: R,
+    /// N_i times the size of the resistance.
+    normals: [R; 2],
+    /// |v_i·t_i|
+    speeds: [R; 2],
+}
+
+impl<R: Real> Progress<R> {
+    /// tau
+    fn part(&self) -> R {
+        -self.rest.value / self.drive.value
+    }
+
+    fn standing(&self, part: R) -> Standing<R> {
+        Standing {
+            stability: -(self.rest.slope + self.drive.slope * part),
+            normals: self.normals.map(|[rest, drive]| rest.value + drive.value * part),
+            speeds: self.velocities.map(|v| v.value.abs()),
+        }
+    }
+}
+
+impl<R: Real> Slides<R> {
+    /// Of a trammel whose load is that at the beginning of a displacement.
+    pub(crate) fn new(trammel: Trammel<R>, displacement: &Displacement<R>) -> Self {
+        let per_load = trammel.per_load;
+        Self {
+            force: displacement.hand * per_load,
+            couple: trammel.load.stiffness * displacement.turn * per_load,
+            slack: R::rounding(displacement.size() * R::from_int(8)) * per_load,
+            trammel,
+        }
+    }
+
+    fn at(&self, x: R) -> Progress<R> {
+        let trammel = &self.trammel;
+        let p = trammel.sense.curve.at(x);
+        let place = trammel.kinematics(&p);
+        let before = place.response(trammel.load_at(&p, R::ONE));
+        let force = BoundedVec::constant(self.force);
+        let lever = trammel.rotated(&p, trammel.load.lever);
+        let moment = Bounded::constant(self.couple) + lever.cross(force);
+        let change = place.response((force, moment));
+        let sense = trammel.sense.resistance.sign();
+        let [first, second] = [0, 1].map(|i| {
+            let pick = |normals: [Bounded<R>; 2]| if i == 0 { normals[0] } else { normals[1] };
+            [before.normals, change.normals].map(|normals| pick(normals).times(sense))
+        });
+        Progress {
+            rest: before.imbalance.times(sense),
+            drive: change.imbalance.times(sense),
+            normals: [first, second],
+            velocities: place.velocities,
+        }
+    }
+
+    /// Positive where a slip that began at a place would be as long as the memory of a contact (rule 10e): of its length per
+    /// memory, times the stability.
+    fn excess_length(&self, standing: &Standing<R>) -> R {
+        let frictions = self.trammel.surfaces.map(|surface| surface.friction);
+        let [v1, v2] = standing.speeds;
+        let [n1, n2] = standing.normals;
+        let [f1, f2] = frictions;
+        let jump = f1.drop() * n1 * v1 + f2.drop() * n2 * v2;
+        let resists = standing.stability * (v1 * v1 + v2 * v2);
+        (v1 * jump - f1.memory() * resists).max(v2 * jump - f2.memory() * resists)
+    }
+
+    /// mu_s > mu_d at one of the contacts.
+    fn has_stiction(&self) -> bool {
+        let [f1, f2] = self.trammel.surfaces.map(|surface| surface.friction);
+        f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
+    }
+
+    /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
+    pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
+        let start = self.at(R::ZERO);
+        let standing = start.standing(R::ZERO);
+        let rounding = self.trammel.sense.rounding;
+        if standing.normals.iter().any(|&normal| normal < -rounding) {
+            return None;
+        }
+        Some(if standing.stability <= R::ZERO {
+            SlideEnding::Folds
+        } else if self.has_stiction() && self.excess_length(&standing) >= R::ZERO {
+            SlideEnding::Pressed
+        } else {
+            SlideEnding::Arrives
+        })
+    }
+
+    /// The rates at which the slide advances and N_i grow, in tau, each times a positive number; nothing where it is not stable.
+    pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
+        let start = self.at(R::ZERO);
+        let stability = -start.rest.slope;
+        let normals = start.normals.map(|[rest, drive]| {
+            rest.slope * start.drive.value + drive.value * stability
+        });
+        (stability > R::ZERO).then_some((start.drive.value, normals))
+    }
+
+    /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
+    pub(crate) fn run(&self, scene: &impl World<R>, lasting: &[Pair]) -> (Run<R>, R, SlideEnding<R>) {
+        let nowhere = Run {
+            slide: R::ZERO,
+            turn: R::ZERO,
+            unsure: false,
+        };
+        let start = self.at(R::ZERO);
+        let standing = start.standing(R::ZERO);
+        let [v1, v2] = standing.speeds;
+        let curvature = start.rest.bounds[2] + start.drive.bounds[2];
+        let stability = standing.stability;
+        if stability <= R::MICRO * curvature {
+            return (nowhere, R::ZERO, SlideEnding::Folds);
+        }
+        if start.drive.value * v1.max(v2) < -self.slack * stability {
+            return (nowhere, R::ZERO, SlideEnding::Halts);
+        }
+        // As far as the stability surely stays above a quarter.
+        let half = stability.halved();
+        let most = if start.drive.slope > half {
+            half / start.drive.slope
+        } else {
+            R::ONE
+        };
+        let window = if half.halved() < curvature {
+            half.halved() / curvature
+        } else {
+            R::ONE
+        };
+        let (mut x, mut ending, unsure) = self.first_ending(window, most);
+        if let SlideEnding::Arrives = ending {
+            x = self.polished(x, most);
+        }
+        if self.has_stiction()
+            && self.excess_length(&standing) < R::ZERO
+            && let Some(pressed) = self.first_pressed(x)
+        {
+            (x, ending) = (pressed, SlideEnding::Pressed);
+        }
+        let curve = &self.trammel.sense.curve;
+        let mut extent = curve.extent_to(x);
+        let moving = Moving {
+            curve,
+            path: &PointPath::straight(self.trammel.surfaces[0].tangent),
+            lasting,
+        };
+        if let Some(pair) = (self.trammel.load.placed).first_touch(scene, &mut extent, &moving) {
+            ending = SlideEnding::Touches(pair);
+            x = extent.end.x;
+        }
+        let part = if ending == SlideEnding::Arrives && x < window {
+            most
+        } else {
+            self.at(x).part().max(R::ZERO).min(most)
+        };
+        let run = Run {
+            slide: extent.part(),
+            turn: extent.end.turn,
+            unsure: unsure || extent.unsure,
+        };
+        (run, part, ending)
+    }
+
+    /// The first ending but a touch and stiction on [0, window), the hand going the part `most` of its displacement.
+    fn first_ending(&self, window: R, most: R) -> (R, SlideEnding<R>, bool) {
+        let signs = self.trammel.sense.signs;
+        let found = first_zero(window, |x| {
+            let at = self.at(x);
+            let arrives = (at.rest + at.drive.times(most)).as_slope(R::ONE);
+            let [n1, n2] = (at.normals)
+                .map(|[rest, drive]| (rest * at.drive - at.rest * drive).as_slope(R::ONE));
+            let never = Bounded::constant(R::ONE).as_slope(R::ONE);
+            let halts = |velocity: Bounded<R>, sign: R| {
+                if sign == R::ZERO {
+                    never
+                } else {
+                    velocity.as_slope(sign)
+                }
+            };
+            let [h1, h2] = [
+                halts(at.velocities[0], signs[0]),
+                halts(at.velocities[1], signs[1]),
+            ];
+            Samples::far([arrives, n1, n2, h1, h2])
+        });
+        match found {
+            Found::Nothing { .. } => (window, SlideEnding::Arrives, false),
+            Found::Unsure { x, .. } => (x, SlideEnding::Arrives, true),
+            Found::Zero { x, which } => {
+                let ending = match which {
+                    0 => SlideEnding::Arrives,
+                    1 => SlideEnding::Opens {
+                        lasts: 1,
+                        sliding: signs[1],
+                    },
+                    2 => SlideEnding::Opens {
+                        lasts: 0,
+                        sliding: signs[0],
+                    },
+                    _ => SlideEnding::Halts,
+                };
+                (x, ending, false)
+            }
+        }
+    }
+
+    /// A place at which the part `most` is all but done, without the rounding of the search.
+    fn polished(&self, mut x: R, most: R) -> R {
+        for _ in 0..2 {
+            let at = self.at(x);
+            let value = at.rest.value + at.drive.value * most;
+            let slope = at.rest.slope + at.drive.slope * most;
+            if slope < R::ZERO {
+                x = (x - value / slope).max(R::ZERO);
+            }
+        }
+        x
+    }
+
+    /// Where the slip that would begin there becomes as long as the memory, if it is so at x: between 0 and there, by bisection.
+    fn first_pressed(&self, x: R) -> Option<R> {
+        const BISECTIONS: usize = 60;
+        let is_pressed = |x: R| {
+            let at = self.at(x);
+            self.excess_length(&at.standing(at.part())) >= R::ZERO
+        };
+        if !is_pressed(x) {
+            return None;
+        }
+        let (mut loose, mut pressed) = (R::ZERO, x);
+        for _ in 0..BISECTIONS {
+            let middle = (loose + pressed).halved();
+            if middle <= loose || middle >= pressed {
+                break;
+            }
+            if is_pressed(middle) {
+                pressed = middle;
+            } else {
+                loose = middle;
+            }
+        }
+        Some(pressed)
+    }
+}
