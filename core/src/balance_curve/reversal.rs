@@ -19,6 +19,16 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         foot.along = foot.along + slack;
         let foot = foot.scaled();
         let limit = extent.end.x;
+        let begin = self.advance_of(&foot, &self.at(R::ZERO), limit).as_slope(R::ONE);
+        if begin.value < -begin.rounding {
+            // It goes back at once.
+            *extent = Extent {
+                end: self.at(R::ZERO),
+                folds: false,
+                ..*extent
+            };
+            return true;
+        }
         let found = first_zero(limit, |x| {
             Samples::far([self.advance_of(&foot, &self.at(x), limit).as_slope(R::ONE)])
         });

@@ -101,6 +101,8 @@ struct Kinematics<R> {
     /// -(the force and the moment of a drag along the motion)
     drag: BoundedVec<R>,
     drag_moment: Bounded<R>,
+    /// (E6), times the resistance, of a force along each tangent at its contact.
+    frictions: [Bounded<R>; 2],
     /// f_1×f_2
     spread: Bounded<R>,
     resistance: Bounded<R>,
@@ -328,9 +330,14 @@ impl<R: Real> Trammel<R> {
         let velocities = self.velocities(p);
         let second = arm.cross(f2);
         let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
-        let drag_moment = arm.cross(t2) * velocities[1];
+        let tangent_moment = arm.cross(t2);
+        let drag_moment = tangent_moment * velocities[1];
         let spread = f1.cross(f2);
         Kinematics {
+            frictions: [
+                -(second * f1.cross(t1)),
+                tangent_moment * spread - second * f1.cross(t2),
+            ],
             reactions: [f1, f2],
             second,
             drag,

@@ -46,6 +46,9 @@ struct Progress<R> {
     /// The same of N_1 and N_2, times the size of the resistance.
     normals: [[Bounded<R>; 2]; 2],
     velocities: [Bounded<R>; 2],
+    /// How much of E a friction along the slide is worth at each contact, and the size of the resistance.
+    frictions: [R; 2],
+    resistance: R,
 }
 
 /// What a slide is at a place where its part tau is known.
@@ -56,6 +59,8 @@ struct Standing<R> {
     normals: [R; 2],
     /// |v_i·t_i|
     speeds: [R; 2],
+    frictions: [R; 2],
+    resistance: R,
 }
 
 impl<R: Real> Progress<R> {
@@ -69,6 +74,8 @@ impl<R: Real> Progress<R> {
             stability: -(self.rest.slope + self.drive.slope * part),
             normals: self.normals.map(|[rest, drive]| rest.value + drive.value * part),
             speeds: self.velocities.map(|v| v.value.abs()),
+            frictions: self.frictions,
+            resistance: self.resistance,
         }
     }
 }
@@ -104,6 +111,11 @@ impl<R: Real> Slides<R> {
             drive: change.imbalance.times(sense),
             normals: [first, second],
             velocities: place.velocities,
+            frictions: [
+                place.frictions[0].value * sense * trammel.sense.signs[0],
+                place.frictions[1].value * sense * trammel.sense.signs[1],
+            ],
+            resistance: place.resistance.value.abs(),
         }
     }
 
@@ -114,8 +126,10 @@ impl<R: Real> Slides<R> {
         let [v1, v2] = standing.speeds;
         let [n1, n2] = standing.normals;
         let [f1, f2] = frictions;
-        let jump = f1.drop() * n1 * v1 + f2.drop() * n2 * v2;
-        let resists = standing.stability * (v1 * v1 + v2 * v2);
+        let [c1, c2] = standing.frictions;
+        // What E would be if mu_s bore the load at both contacts, over how fast it falls.
+        let jump = f1.drop() * n1 * c1 + f2.drop() * n2 * c2;
+        let resists = standing.stability * standing.resistance;
         (v1 * jump - f1.memory() * resists).max(v2 * jump - f2.memory() * resists)
     }
 
