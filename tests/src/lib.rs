@@ -3,6 +3,7 @@
 
 pub mod counted;
 pub mod diagram;
+pub mod draw;
 pub mod expect;
 pub mod extremes;
 pub mod laws;

@@ -1,8 +1,9 @@
 //! The solver against the slow reference: random scenes, every frame started from the solver's own pose and contacts, state and
 //! pose compared at its end. Scene `i`, frame `k` of a report are always the same.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
+use stiction_tests::draw::{Draw, polygon};
 use stiction_tests::reference::{Reference, Scene, Surface};
 use stiction_tests::{Frame, Run, Setup};
 
@@ -14,31 +15,12 @@ const POSE: f64 = 1e-6;
 /// Largest difference where the phase of the slips is open.
 const PHASE: f64 = 1e-2;
 
-/// Draws numbers, the same in every run (xorshift).
-struct Draw(u64);
-
-impl Draw {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        low + (high - low) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        self.between(0.0, count as f64) as usize
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low, high))
-    }
-}
-
 /// A scene of 3 to 6 vertices and 1 to 3 surfaces (a slanted floor; a wall, a ceiling parallel to the floor or anything), and the
 /// hand's frames: it presses first, then presses, drags, twists, lifts.
 fn case(draw: &mut Draw) -> (Setup, Vec<[f64; 3]>) {
     let size = draw.power(-2.0, 0.5);
-    let vertices = polygon(draw, size);
+    let count = 3 + draw.below(4);
+    let vertices = polygon(draw, count, size);
     let k_h = draw.power(1.0, 3.0);
     let k_theta = k_h * size * size * draw.power(-2.0, 0.3);
     let weight = if draw.below(3) == 0 {
@@ -85,16 +67,6 @@ fn case(draw: &mut Draw) -> (Setup, Vec<[f64; 3]>) {
     let [x, y] = setup.grip();
     let hands = path(draw, [x, y, theta], size, [slant.sin(), -slant.cos()]);
     (setup, hands)
-}
-
-/// Three to six corners on an ellipse.
-fn polygon(draw: &mut Draw, size: f64) -> Vec<[f64; 2]> {
-    let (count, ratio) = (3 + draw.below(4), draw.between(0.3, 1.0));
-    let corner = |i| {
-        let (sin, cos) = (TAU * (i as f64 + draw.between(-0.35, 0.35)) / count as f64).sin_cos();
-        [0.5 * size * cos, 0.5 * size * ratio * sin]
-    };
-    (0..count).map(corner).collect()
 }
 
 /// Five straight legs of twenty frames.
@@ -189,7 +161,7 @@ fn verdict(size: f64, before: &Frame, frame: &Frame, reference: &Reference) -> (
 
 #[test]
 fn random_scenes_follow_the_reference() {
-    let mut draw = Draw(0x9E37_79B9_7F4A_7C15);
+    let mut draw = Draw::new(0);
     let (mut frames, mut open, mut ambiguous, mut report) = (0_usize, 0_usize, 0_usize, Vec::new());
     for i in 0..SCENES {
         let (setup, hands) = case(&mut draw);
