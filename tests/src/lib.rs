@@ -6,6 +6,7 @@ pub mod diagram;
 pub mod draw;
 pub mod expect;
 pub mod extremes;
+pub mod haptic;
 pub mod laws;
 pub mod number;
 pub mod random;

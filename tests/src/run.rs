@@ -202,7 +202,7 @@ pub fn polyline(keyframes: &[[f64; 3]], frames_per_leg: usize) -> Vec<[f64; 3]> 
         .collect()
 }
 
-fn between(from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
+pub(crate) fn between(from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
     std::array::from_fn(|k| from[k] + (to[k] - from[k]) * part)
 }
 
