@@ -13,6 +13,7 @@ mod extremes;
 mod follows_reference;
 mod glide;
 mod hand;
+mod haptic;
 mod laws;
 mod models;
 mod one_coefficient;

@@ -1,0 +1,138 @@
+//! Whole runs of ordinary haptic use, in every number type: every frame obeys the laws, and the scenes are what they are said
+//! to be.
+
+use stiction_core::{Evolution, Fixed, Hand, StateKind, narrow_hand};
+use stiction_tests::haptic::measures::{Samples, Tally, against_f64, led};
+use stiction_tests::haptic::{Kind, scenes};
+use stiction_tests::laws::assert_lawful_run;
+use stiction_tests::run::planar;
+use stiction_tests::{Number, Run, Scenario, budget};
+
+/// So many scenes of each kind.
+const SCENES: usize = budget(25, 2);
+
+fn all() -> impl Iterator<Item = (Kind, usize, Scenario)> {
+    let of = |kind| (0..).zip(scenes(kind)).take(SCENES);
+    Kind::ALL
+        .into_iter()
+        .flat_map(move |kind| of(kind).map(move |(i, scenario)| (kind, i, scenario)))
+}
+
+/// Every law, that numbers are finite and that feet that stick do not move among them; frame evolution in every fifth scene.
+fn every_frame_is_lawful<R: Number>() {
+    for (kind, i, scenario) in all() {
+        let frame = (i % 5 == 0).then_some(Evolution::Frame);
+        for evolution in [Evolution::Path].into_iter().chain(frame) {
+            println!("{} {i} {} {evolution:?}", kind.name(), R::NAME);
+            let frames = led::<R>(&scenario, evolution, 1);
+            assert_lawful_run::<R>(&scenario.setup, evolution, &frames);
+        }
+    }
+}
+
+#[test]
+fn every_frame_of_f64_is_lawful() {
+    every_frame_is_lawful::<f64>();
+}
+
+#[test]
+fn every_frame_of_f32_is_lawful() {
+    every_frame_is_lawful::<f32>();
+}
+
+#[test]
+fn every_frame_of_fixed_point_is_lawful() {
+    every_frame_is_lawful::<Fixed>();
+}
+
+/// Rounding of what goes in is no part of any difference between number types.
+#[test]
+fn scenes_and_samples_are_those_of_f32() {
+    for (_, _, scenario) in all() {
+        assert_eq!(scenario.setup.rounded::<f32>(), scenario.setup);
+        for &hand in &scenario.hands(1) {
+            let double: Hand<f64> = planar::<f64>(hand);
+            let single: Hand<f32> = narrow_hand(&double);
+            assert_eq!(narrow_hand::<f64>(&double), double);
+            assert_eq!(single.position.map(f64::from), double.position);
+            assert_eq!(single, planar::<f32>(hand));
+        }
+    }
+}
+
+/// A body that its weight does not turn about the hand begins in the air.
+#[test]
+fn stiff_hand_begins_in_the_air() {
+    for (kind, i, scenario) in all() {
+        let stiff = matches!(kind, Kind::StickSlip | Kind::Equal);
+        if stiff || scenario.setup.weight == 0.0 {
+            let start = Run::<f64>::start(&scenario.setup, Evolution::Path, scenario.keyframes[0]);
+            assert_eq!(start.frame.state, StateKind::NonContact, "{kind:?} {i}");
+        }
+    }
+}
+
+/// A run whose frames are cut in three meets every sample of the hand.
+#[test]
+fn cut_frames_end_at_the_samples() {
+    for (_, _, scenario) in all() {
+        let samples = scenario.hands(3).into_iter().step_by(3);
+        assert!(samples.eq(scenario.hands(1)));
+    }
+}
+
+#[test]
+fn every_state_has_its_share() {
+    for kind in Kind::ALL {
+        let mut tally = Tally::default();
+        for scenario in scenes(kind).take(50) {
+            tally.add(&led::<f32>(&scenario, Evolution::Frame, 1));
+        }
+        assert!(tally.share_in_contact() > 0.5, "{}", kind.name());
+        for (state, least) in [
+            (StateKind::SingleVertex, 0.3),
+            (StateKind::Edge, 0.1),
+            (StateKind::TwoVertex, 0.04),
+            (StateKind::Corner, 0.01),
+            (StateKind::Locked, 0.02),
+        ] {
+            let share = tally.share_of_contact(state);
+            assert!(share > least, "{}: {} {share}", kind.name(), state.name());
+        }
+    }
+}
+
+/// Where mu_s = mu_d, slips have no phase: in nine frames of ten whole runs are apart by rounding alone.
+#[test]
+fn runs_without_stick_slip_agree() {
+    let scenes = || scenes(Kind::Equal).take(SCENES);
+    let path = Evolution::Path;
+    for (name, mut comparison, bound) in [
+        ("f32", against_f64::<f32>(scenes(), path, 1), 1e-5),
+        ("fixed", against_f64::<Fixed>(scenes(), path, 1), 1e-5),
+        (
+            "f64 cut in three",
+            against_f64::<f64>(scenes(), path, 3),
+            1e-9,
+        ),
+    ] {
+        assert!(comparison.slips > 0 && comparison.reference_slips > 0);
+        let error = comparison.errors.quantile(0.9);
+        assert!(error <= bound, "{name}: {error:.1e} L");
+    }
+}
+
+#[test]
+fn quantile_is_a_number_that_was_measured() {
+    let mut samples = Samples::default();
+    assert_eq!(samples.quantile(0.5), 0.0);
+    for x in [3.0, 1.0, 4.0, 2.0] {
+        samples.add(x);
+    }
+    assert_eq!(
+        [0.0, 0.5, 0.9, 1.0].map(|part| samples.quantile(part)),
+        [1.0, 2.0, 4.0, 4.0]
+    );
+    samples.add(f64::NAN);
+    assert!(samples.quantile(1.0).is_nan());
+}
