@@ -80,24 +80,24 @@ impl<'a> Hand<'a> {
             // Drags on.
             0..5 => self.beside(phi, along, rest),
             // Presses more or less, where it is or on the way.
-            5..9 => {
+            5..8 => {
                 self.work = (surface, self.depth());
                 let along = along * self.draw.one(&[0.0, 1.0]);
                 self.beside(phi, along, rest)
             }
             // Turns.
-            9..12 => {
+            8..10 => {
                 let phi = self.turned(surface);
                 self.beside(phi, 0.3 * along, rest)
             }
             // Goes into a second surface.
-            12..15 => {
+            10..13 => {
                 let flush = self.flush(surface);
                 let phi = self.draw.one(&[phi, flush]);
                 self.two_surfaces(phi, rest)
             }
             // Rests.
-            15 => self.at,
+            13 => self.at,
             // Lifts, straight or obliquely.
             _ => {
                 self.work = (surface, -self.l * self.draw.between(0.01, 0.2));
