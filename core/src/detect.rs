@@ -144,7 +144,9 @@ impl<R: Real> Placed<R> {
     pub(crate) fn room_beside(&self, scene: &impl World<R>, but: u8) -> R {
         let others = scene.surface_indices().filter(|&surface| surface != but);
         let pairs = others.flat_map(|surface| {
-            scene.vertex_indices().map(move |vertex| Pair { vertex, surface })
+            scene
+                .vertex_indices()
+                .map(move |vertex| Pair { vertex, surface })
         });
         let gaps = pairs.map(|pair| {
             let (gap, rounding) = self.gap_at(scene, pair, self.arm(scene, pair.vertex));

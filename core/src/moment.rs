@@ -7,7 +7,7 @@ use crate::search::{Found, Samples, Slope, first_zero};
 
 mod second_harmonic;
 
-pub(crate) use second_harmonic::{Sliding, Pinned, SecondHarmonic};
+pub(crate) use second_harmonic::{Pinned, SecondHarmonic, Sliding};
 
 /// A turn of a pinned body downhill to balance.
 #[derive(Clone, Copy, Debug, PartialEq)]

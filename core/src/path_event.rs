@@ -52,9 +52,7 @@ fn next_after<R: Real, W: World<R>>(
         Trigger::Keep {
             contacts: [first, second],
             sliding,
-        } if W::SEVERAL && first == second => {
-            opens(scene, path, state, (first, sliding), log)
-        }
+        } if W::SEVERAL && first == second => opens(scene, path, state, (first, sliding), log),
         Trigger::Fold(_) if matches!(state, ContactState::TwoVertex(_)) => {
             state.set_regime(Regime::LOOSE);
             Next::Slip(R::ONE)
@@ -176,7 +174,10 @@ fn opens<R: Real, W: World<R>>(
         };
     };
     let other = contacts.iter().copied().enumerate();
-    let other = other.filter(|&(i, _)| i != lasts).map(|(_, pair)| pair).next();
+    let other = other
+        .filter(|&(i, _)| i != lasts)
+        .map(|(_, pair)| pair)
+        .next();
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
         s.regime = Regime::Slide(along);
@@ -184,6 +185,9 @@ fn opens<R: Real, W: World<R>>(
             // It cannot leave: both stick.
             touch(scene, state, other, log);
             state.set_regime(Regime::LOOSE);
+        } else {
+            // What presses so hard does not slide alone.
+            state.renew(scene, path.0);
         }
     }
     Next::Rest

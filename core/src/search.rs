@@ -42,8 +42,7 @@ impl<R: Real> Slope<R> {
 
     /// After a certified step E is at most K step²; true if twice that, or E itself, counts as zero.
     fn is_closed_by(&self, step: R) -> bool {
-        self.value <= self.rounding
-            || (self.curvature * step * step).doubled() <= self.rounding
+        self.value <= self.rounding || (self.curvature * step * step).doubled() <= self.rounding
     }
 
     /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.

@@ -19,7 +19,9 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         foot.along = foot.along + slack;
         let foot = foot.scaled();
         let limit = extent.end.x;
-        let begin = self.advance_of(&foot, &self.at(R::ZERO), limit).as_slope(R::ONE);
+        let begin = self
+            .advance_of(&foot, &self.at(R::ZERO), limit)
+            .as_slope(R::ONE);
         if begin.value < -begin.rounding {
             // It goes back at once.
             *extent = Extent {

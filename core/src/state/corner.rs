@@ -3,8 +3,8 @@
 
 use super::fixed_pose::FixedPose;
 use super::segment::Segment;
-use crate::detect::PointPath;
 use crate::contact::{Pair, Pairs, Reactions};
+use crate::detect::PointPath;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::list::gather;
@@ -117,7 +117,11 @@ impl<R: Real> Corner<R> {
         let moment = load.pinned::<Pinned>();
         let mut segment =
             Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
-        segment.stop_at_touch(scene, &load.placed, (&PointPath::straight(Vec2::ZERO), &self.contacts()));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
+        );
         for outer in self.outer_edges(scene).into_iter().flatten() {
             segment.stop_at(
                 &load.reaction(outer.inner, &displacement),

@@ -135,8 +135,7 @@ impl<R: Real> Edge<R> {
         let stiction = self.regime.has_stiction();
         let coulomb = surface.friction;
         let holds = slide.is_some() || coulomb.is_within((normal, friction), stiction, slack);
-        let follows =
-            load.is_representable() && second > slack && normal - second > slack && holds;
+        let follows = load.is_representable() && second > slack && normal - second > slack && holds;
         if coulomb.is_pressed(normal) && !stiction {
             if slide.is_some() {
                 return false;
@@ -291,7 +290,11 @@ impl<R: Real> Edge<R> {
             .friction
             .drives(reaction.normal, reaction.friction, sign);
         segment.stop_at(&drives, Trigger::Stopped);
-        segment.stop_at_touch(scene, &load.placed, (&PointPath::straight(shift), &self.contacts()));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(shift), &self.contacts()),
+        );
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             segment.stop_at(part, keep(other, Some(sign)));
         }

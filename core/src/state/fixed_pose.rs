@@ -148,7 +148,10 @@ impl<R: Real> FixedPose<R> {
     /// The directions along t in which two contacts slide where the load crosses the facet of one edge of each.
     pub(super) fn sliding_signs(&self, scene: &impl World<R>, grip: &Grip<R>) -> Option<[R; 2]> {
         let load = self.pivot.load(scene, grip);
-        match self.cone.yields(load.wrench(), load.rounding(), &|_| true)? {
+        match self
+            .cone
+            .yields(load.wrench(), load.rounding(), &|_| true)?
+        {
             Yield::Slide { first, second } if first.0 < second.0 => Some([first.1, second.1]),
             Yield::Slide { first, second } => Some([second.1, first.1]),
             Yield::Pivot { .. } => None,

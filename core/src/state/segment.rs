@@ -166,7 +166,11 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         let mut segment = Self::turning(downhill.turn, Trigger::Balanced);
-        segment.stop_at_touch(scene, &pivot.placed(scene), (&PointPath::straight(Vec2::ZERO), lasting));
+        segment.stop_at_touch(
+            scene,
+            &pivot.placed(scene),
+            (&PointPath::straight(Vec2::ZERO), lasting),
+        );
         *pivot = pivot.moved(R::ZERO, segment.turn());
         let moved = segment.moved();
         Moved {

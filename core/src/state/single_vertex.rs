@@ -175,7 +175,11 @@ impl<R: Real> SingleVertex<R> {
         let moment = load.pinned::<Pinned>();
         let mut segment =
             Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
-        segment.stop_at_touch(scene, &load.placed, (&PointPath::straight(Vec2::ZERO), &self.contacts()));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
+        );
         let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
         let stiction = self.regime.has_stiction();
         for sign in [R::ONE, -R::ONE] {
@@ -348,7 +352,11 @@ impl<R: Real> SingleVertex<R> {
         let mut segment =
             Segment::balanced_until(&moment, (lever, &displacement), Trigger::Stopped, ends);
         let lasting = self.contacts();
-        segment.stop_at_touch(scene, &load.placed, (&PointPath::straight(surface.tangent * shift), &lasting));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(surface.tangent * shift), &lasting),
+        );
         segment.stop_at(&normal, Trigger::Clear);
         (shift * segment.part(), segment)
     }

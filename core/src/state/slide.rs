@@ -133,8 +133,7 @@ impl<R: Real> SingleVertex<R> {
         let moved = segment.moved();
         self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         if moved.unsure || moved.trigger != Trigger::Balanced {
-            self.pivot
-                .slide(scene, &from.lerp(to, moved.part), &edge);
+            self.pivot.slide(scene, &from.lerp(to, moved.part), &edge);
         } else if !self.rest(scene, to, &edge) && W::GLIDES {
             // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
             return Moved {
@@ -196,8 +195,7 @@ impl<R: Real> SingleVertex<R> {
         if surface.normal.dot(load.force) > load.rounding() {
             return Moved::by(Trigger::Clear);
         }
-        let mut segment =
-            Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced);
+        let mut segment = Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced);
         let frozen = Displacement::slide(Vec2::ZERO);
         if W::SEVERAL {
             let foot = load.foot(&edge, &frozen);

@@ -214,9 +214,21 @@ impl<R: Real> Trammel<R> {
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
         let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
         let [first, second] = [0, 1].map(|i| {
-            let surface = if i == 0 { self.surfaces[0] } else { self.surfaces[1] };
-            let sign = if i == 0 { self.sense.signs[0] } else { self.sense.signs[1] };
-            let size = if i == 0 { found.normals[0] } else { found.normals[1] };
+            let surface = if i == 0 {
+                self.surfaces[0]
+            } else {
+                self.surfaces[1]
+            };
+            let sign = if i == 0 {
+                self.sense.signs[0]
+            } else {
+                self.sense.signs[1]
+            };
+            let size = if i == 0 {
+                found.normals[0]
+            } else {
+                found.normals[1]
+            };
             let size = (size.value / (found.resistance.value * self.per_load)).max(R::ZERO);
             let (n, t) = surface.friction.sliding_edge(sign);
             [size * n, size * t]

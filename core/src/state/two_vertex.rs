@@ -97,6 +97,7 @@ impl<R: Real> TwoVertex<R> {
             at = at.lerp(to, part);
             done = done + (R::ONE - done) * part;
             let trigger = match ending {
+                SlideEnding::Window => continue,
                 SlideEnding::Arrives if part < R::ONE => continue,
                 SlideEnding::Arrives => Trigger::Balanced,
                 SlideEnding::Halts => Trigger::Halts,
@@ -154,12 +155,7 @@ impl<R: Real> TwoVertex<R> {
 
     /// The other contact has just closed while the first one slid along a sign: both slide if the motion that goes on with that
     /// follows the hand and presses the new contact on, else both stick (rule 10g).
-    pub(crate) fn slide_on(
-        &mut self,
-        scene: &impl World<R>,
-        path: (&Grip<R>, &Grip<R>),
-        sign: R,
-    ) {
+    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, path: (&Grip<R>, &Grip<R>), sign: R) {
         self.regime = Regime::LOOSE;
         for sense in [R::ONE, -R::ONE] {
             let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);

@@ -14,8 +14,10 @@ use crate::world::World;
 /// What ended a slide with the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SlideEnding<R> {
-    /// The end of the displacement, or of the part of it for which the bounds hold.
+    /// The end of the displacement, or of the part of it for which the balance is surely stable.
     Arrives,
+    /// The end of the range in which the bounds hold.
+    Window,
     /// A contact comes to a halt: both stick.
     Halts,
     /// The balance folds: the contacts slip on.
@@ -31,16 +33,18 @@ pub(crate) enum SlideEnding<R> {
 /// A trammel motion that follows a displacement of the hand.
 pub(crate) struct Slides<R> {
     trammel: Trammel<R>,
-    /// dp and k dphi, counted as the load is.
+    /// dp and k dphi, counted as the load is and in units of the displacement.
     force: Vec2<R>,
     couple: R,
+    /// The size of the displacement: what is done of it is counted in 1 over this.
+    unit: R,
     /// The velocity of a contact, times the stability, below which it rests (rule 7).
     slack: R,
 }
 
 /// The slide at a place x.
 struct Progress<R> {
-    /// E(x, 0) and E(x, 1) - E(x, 0), in the sense in which E falls as the contacts slide.
+    /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
     rest: Bounded<R>,
     drive: Bounded<R>,
     /// The same of N_1 and N_2, times the size of the resistance.
@@ -64,15 +68,17 @@ struct Standing<R> {
 }
 
 impl<R: Real> Progress<R> {
-    /// tau
-    fn part(&self) -> R {
+    /// tau times the unit.
+    fn gone(&self) -> R {
         -self.rest.value / self.drive.value
     }
 
-    fn standing(&self, part: R) -> Standing<R> {
+    fn standing(&self, gone: R) -> Standing<R> {
         Standing {
-            stability: -(self.rest.slope + self.drive.slope * part),
-            normals: self.normals.map(|[rest, drive]| rest.value + drive.value * part),
+            stability: -(self.rest.slope + self.drive.slope * gone),
+            normals: self
+                .normals
+                .map(|[rest, drive]| rest.value + drive.value * gone),
             speeds: self.velocities.map(|v| v.value.abs()),
             frictions: self.frictions,
             resistance: self.resistance,
@@ -84,10 +90,14 @@ impl<R: Real> Slides<R> {
     /// Of a trammel whose load is that at the beginning of a displacement.
     pub(crate) fn new(trammel: Trammel<R>, displacement: &Displacement<R>) -> Self {
         let per_load = trammel.per_load;
+        let size = displacement.size();
+        let unit = if size > R::ZERO { size.unit() } else { R::ONE };
+        let turn = displacement.turn.in_units(unit);
         Self {
-            force: displacement.hand * per_load,
-            couple: trammel.load.stiffness * displacement.turn * per_load,
-            slack: R::rounding(displacement.size() * R::from_int(8)) * per_load,
+            force: displacement.hand.in_units(unit) * per_load,
+            couple: trammel.load.stiffness * turn * per_load,
+            unit,
+            slack: R::rounding(R::from_int(8)) * per_load,
             trammel,
         }
     }
@@ -160,14 +170,18 @@ impl<R: Real> Slides<R> {
     pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
         let start = self.at(R::ZERO);
         let stability = -start.rest.slope;
-        let normals = start.normals.map(|[rest, drive]| {
-            rest.slope * start.drive.value + drive.value * stability
-        });
+        let normals = start
+            .normals
+            .map(|[rest, drive]| rest.slope * start.drive.value + drive.value * stability);
         (stability > R::ZERO).then_some((start.drive.value, normals))
     }
 
     /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
-    pub(crate) fn run(&self, scene: &impl World<R>, lasting: &[Pair]) -> (Run<R>, R, SlideEnding<R>) {
+    pub(crate) fn run(
+        &self,
+        scene: &impl World<R>,
+        lasting: &[Pair],
+    ) -> (Run<R>, R, SlideEnding<R>) {
         let nowhere = Run {
             slide: R::ZERO,
             turn: R::ZERO,
@@ -176,7 +190,7 @@ impl<R: Real> Slides<R> {
         let start = self.at(R::ZERO);
         let standing = start.standing(R::ZERO);
         let [v1, v2] = standing.speeds;
-        let curvature = start.rest.bounds[2] + start.drive.bounds[2];
+        let curvature = start.rest.bounds[2] + start.drive.bounds[2] * self.unit;
         let stability = standing.stability;
         if stability <= R::MICRO * curvature {
             return (nowhere, R::ZERO, SlideEnding::Folds);
@@ -186,11 +200,8 @@ impl<R: Real> Slides<R> {
         }
         // As far as the stability surely stays above a quarter.
         let half = stability.halved();
-        let most = if start.drive.slope > half {
-            half / start.drive.slope
-        } else {
-            R::ONE
-        };
+        let change = start.drive.slope * self.unit;
+        let most = if change > half { half / change } else { R::ONE };
         let window = if half.halved() < curvature {
             half.halved() / curvature
         } else {
@@ -217,10 +228,11 @@ impl<R: Real> Slides<R> {
             ending = SlideEnding::Touches(pair);
             x = extent.end.x;
         }
-        let part = if ending == SlideEnding::Arrives && x < window {
+        let part = if ending == SlideEnding::Arrives {
             most
         } else {
-            self.at(x).part().max(R::ZERO).min(most)
+            let gone = self.at(x).gone().max(R::ZERO);
+            (gone.min(self.unit) / self.unit).min(most)
         };
         let run = Run {
             slide: extent.part(),
@@ -235,7 +247,7 @@ impl<R: Real> Slides<R> {
         let signs = self.trammel.sense.signs;
         let found = first_zero(window, |x| {
             let at = self.at(x);
-            let arrives = (at.rest + at.drive.times(most)).as_slope(R::ONE);
+            let arrives = (at.rest + at.drive.times(most * self.unit)).as_slope(R::ONE);
             let [n1, n2] = (at.normals)
                 .map(|[rest, drive]| (rest * at.drive - at.rest * drive).as_slope(R::ONE));
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
@@ -253,8 +265,8 @@ impl<R: Real> Slides<R> {
             Samples::far([arrives, n1, n2, h1, h2])
         });
         match found {
-            Found::Nothing { .. } => (window, SlideEnding::Arrives, false),
-            Found::Unsure { x, .. } => (x, SlideEnding::Arrives, true),
+            Found::Nothing { .. } => (window, SlideEnding::Window, false),
+            Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
             Found::Zero { x, which } => {
                 let ending = match which {
                     0 => SlideEnding::Arrives,
@@ -277,8 +289,8 @@ impl<R: Real> Slides<R> {
     fn polished(&self, mut x: R, most: R) -> R {
         for _ in 0..2 {
             let at = self.at(x);
-            let value = at.rest.value + at.drive.value * most;
-            let slope = at.rest.slope + at.drive.slope * most;
+            let value = at.rest.value + at.drive.value * (most * self.unit);
+            let slope = at.rest.slope + at.drive.slope * (most * self.unit);
             if slope < R::ZERO {
                 x = (x - value / slope).max(R::ZERO);
             }
@@ -291,7 +303,7 @@ impl<R: Real> Slides<R> {
         const BISECTIONS: usize = 60;
         let is_pressed = |x: R| {
             let at = self.at(x);
-            self.excess_length(&at.standing(at.part())) >= R::ZERO
+            self.excess_length(&at.standing(at.gone())) >= R::ZERO
         };
         if !is_pressed(x) {
             return None;
