@@ -29,15 +29,18 @@
 //! * A body that no hand holds has no balance: it is asked to stay.
 //! * Rows of CSV that say that there were more than four contacts: springs, geometry and the contacts that are there.
 
+mod bearing;
 mod brace;
 mod error;
 mod finding;
 mod frame;
+mod hold;
 mod judge;
 mod model;
 mod onset;
 mod pin;
 mod scene;
+mod slide;
 mod slip;
 mod still;
 mod survey;

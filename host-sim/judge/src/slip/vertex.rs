@@ -16,6 +16,8 @@ pub(super) struct Slide<'a> {
     pub(super) from: Vec2,
     pub(super) to: Vec2,
     pub(super) sign: f64,
+    /// The friction up to which it stuck.
+    pub(super) onset: f64,
 }
 
 impl<'a> Slide<'a> {
@@ -49,7 +51,7 @@ impl<'a> Slide<'a> {
     /// By how much static friction falls short at the old place (N).
     pub(super) fn fixed(&self, part: f64) -> Option<f64> {
         let reaction = self.before(part).reaction(self.angle_before(part)?);
-        Some(static_excess(reaction, self.foot.surface.friction_static))
+        Some(static_excess(reaction, self.onset))
     }
 
     /// What drives the slip on at the new place (N).

@@ -7,7 +7,7 @@ use std::io::BufReader;
 
 use csv::{Reader, StringRecord};
 
-use super::{Line, Names, event, state, status};
+use super::{Line, Names, event, sliding, state, status};
 use crate::frame::{Contact, Frame, State};
 
 /// Contacts in a row.
@@ -20,7 +20,15 @@ struct Columns {
     scalars: HashMap<&'static str, usize>,
     depth: Column,
     count: Column,
-    contacts: [Option<[usize; 6]>; CONTACTS],
+    contacts: [Option<Places>; CONTACTS],
+}
+
+/// Where the columns of a contact are.
+struct Places {
+    /// In the order of [`CONTACT`].
+    all: [usize; CONTACT.len()],
+    /// Older traces have none.
+    sliding: Column,
 }
 
 const SCALARS: [&str; 15] = [
@@ -65,7 +73,7 @@ impl Rows {
             scalars: HashMap::new(),
             depth: find("depth"),
             count: find("contacts"),
-            contacts: [None; CONTACTS],
+            contacts: [const { None }; CONTACTS],
         };
         for name in SCALARS {
             columns.scalars.insert(name, need(name)?);
@@ -74,11 +82,12 @@ impl Rows {
             if find(&format!("c{k}_vertex")).is_none() {
                 break;
             }
-            let mut places = [0; CONTACT.len()];
-            for (place, name) in places.iter_mut().zip(CONTACT) {
+            let mut all = [0; CONTACT.len()];
+            for (place, name) in all.iter_mut().zip(CONTACT) {
                 *place = need(&format!("c{k}_{name}"))?;
             }
-            *contact = Some(places);
+            let sliding = find(&format!("c{k}_sliding"));
+            *contact = Some(Places { all, sliding });
         }
         Ok(Self {
             reader,
@@ -130,7 +139,7 @@ impl Columns {
         };
         let mut contacts = Vec::new();
         for (k, places) in self.contacts.iter().flatten().enumerate() {
-            let field = |i: usize| row.get(places[i]).unwrap_or("");
+            let field = |i: usize| row.get(places.all[i]).unwrap_or("");
             if field(0).is_empty() {
                 break;
             }
@@ -144,6 +153,13 @@ impl Columns {
                 point: [value(2)?, value(3)?],
                 normal: value(4)?,
                 friction: value(5)?,
+                sliding: (places.sliding.and_then(|i| row.get(i)))
+                    .map(|field| {
+                        let sign = field.parse();
+                        let key = || format!("c{k}_sliding");
+                        sliding(k, sign.map_err(|_| not_a_number(&key(), field))?)
+                    })
+                    .transpose()?,
             });
         }
         let state = state(text("state"))?;

@@ -78,6 +78,7 @@ fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
         point: [x + WIDTH * (vertex as f64 - 0.5), 0.0],
         normal: share,
         friction: -force[0] * share / normal,
+        sliding: None,
     };
     Frame {
         state: State::Edge,

@@ -45,9 +45,9 @@ fn unknown_names_are_told_with_the_known_ones() {
             assert!(error.contains(expected), "{error}");
         }
     }
-    let error = message("jsonl", 7, |line| line.replace("[]", r#"["slide"]"#));
+    let error = message("jsonl", 7, |line| line.replace("[]", r#"["glide"]"#));
     assert!(
-        error.contains("one of `events` is \"slide\", allowed: touch, lift"),
+        error.contains("one of `events` is \"glide\", allowed: touch, lift"),
         "{error}"
     );
 }
