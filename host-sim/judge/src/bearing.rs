@@ -56,13 +56,17 @@ impl<'a> Bearing<'a> {
         let unknown = model.carried(frame, bounds) / model.size;
         let angle = frame.pose[2].abs().max(frame.hand[2].abs()).max(1.0);
         let of_angle = 64.0 * bounds.rounding * angle * model.scene.stiffness_rotation / model.size;
+        let contacts: Vec<Cone> = frame.contacts.iter().map(cone).collect();
+        let slant = contacts
+            .iter()
+            .fold(1.0_f64, |most, cone| most.max(cone.slant));
         Self {
             model,
             grip,
             pose: frame.pose,
-            contacts: frame.contacts.iter().map(cone).collect(),
+            contacts,
             unknown,
-            blur: unknown * (LIMIT + 1.0) * model.unit_force() + of_angle,
+            blur: unknown * (2.0 * LIMIT * slant + 1.0) * model.unit_force() + of_angle,
         }
     }
 
@@ -73,7 +77,7 @@ impl<'a> Bearing<'a> {
     }
 
     /// The contacts bear this load, and every one that differs from it by no more than rounding and the part `doubt` of its own
-    /// size, with reactions of at most `limit` (N).
+    /// size, with no N beyond `limit` (N).
     pub(crate) fn bears(&self, hand: [f64; 3], doubt: f64, limit: f64) -> bool {
         let load = self.load(hand);
         // Over all of a ball if over the corners of an octahedron around it.
@@ -98,15 +102,15 @@ impl<'a> Bearing<'a> {
                     let volume = dot3(a.1, cross3(b.1, c.1));
                     let parts = [(b, c), (c, a), (a, b)]
                         .map(|(p, q)| dot3(wrench, cross3(p.1, q.1)) / volume);
-                    let within = |(k, cone): (usize, &Cone)| {
+                    let within = |k: usize| {
                         let of = [a, b, c]
                             .into_iter()
                             .zip(parts)
                             .filter(|(edge, _)| edge.0 == k);
-                        of.map(|(_, part)| part).sum::<f64>() * cone.slant <= limit
+                        of.map(|(_, part)| part).sum::<f64>() <= limit
                     };
                     let is_positive = parts.iter().all(|part| *part >= 0.0);
-                    if is_positive && self.contacts.iter().enumerate().all(within) {
+                    if is_positive && (0..self.contacts.len()).all(within) {
                         return true;
                     }
                 }

@@ -13,8 +13,9 @@ use crate::scene::Surface;
 use crate::slip::Step;
 use crate::vector::{cross, distance, dot, length, sub};
 
-/// Reactions that are certainly within the limit, and those that are certainly beyond, in units of it.
-const WITHIN: f64 = 15.0 / 16.0;
+/// Reactions that are certainly within the limit, whether N is meant or the whole, and those that are certainly beyond, in units
+/// of it.
+const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
 /// A load this large (k_h L) asks for large reactions anyway, and some number types refuse it.
@@ -66,9 +67,10 @@ fn bears_all_along(step: &Step<'_>) -> bool {
     let of_static = bearing(|surface| surface.friction_static);
     let of_dynamic = bearing(|surface| surface.friction_dynamic);
     let limit = LIMIT * step.model.unit_force();
+    // Beyond the limit a body is jammed, and stays no less.
     let bears = |contacts: &Bearing<'_>| {
         let hands = [last.hand, next.hand];
-        (hands.iter()).all(|hand| contacts.bears(*hand, step.bounds.slip, WITHIN * limit))
+        (hands.iter()).all(|hand| contacts.bears(*hand, step.bounds.slip, 2.0 * limit))
     };
     let has_stiction = !last.tells_slides()
         || (last.status == Status::Ok && of_dynamic.least(last.hand) > BEYOND * limit);
@@ -79,37 +81,35 @@ fn bears_all_along(step: &Step<'_>) -> bool {
     })
 }
 
-/// Somewhere on its way the hand's pull alone opens all gaps: a jam that is pulled apart may open (STATICS 5). How much a
-/// body turns and how much it goes is a matter of the springs, or of its size.
+/// Somewhere on its way the hand's pull alone opens all gaps: a jam that is pulled apart may open (STATICS 5). The body goes and
+/// turns as the springs let it; where none holds its angle, as one of its size.
 fn opens(step: &Step<'_>) -> bool {
     let (model, last) = (step.model, step.last);
     let k = model.scene.stiffness_translation;
     let holding = model.holding_point(last.pose, step.grip);
-    let of_springs = model.scene.stiffness_rotation;
-    let of_size = k * model.size * model.size;
-    let turns = [of_springs, of_size]
-        .into_iter()
-        .filter(|stiffness| *stiffness > 0.0);
-    turns.into_iter().any(|stiffness| {
-        let (mut from, mut to) = (0.0_f64, 1.0_f64);
-        for contact in &last.contacts {
-            let surface = model.surface(contact);
-            let lever = sub(model.vertex(last.pose, contact), holding);
-            let [at_begin, at_end] = [last.hand, step.next.hand].map(|hand| {
-                let load = model.load(last.pose, hand, step.grip);
-                let turn = load.moment / stiffness * cross(lever, surface.normal);
-                dot(load.force, surface.normal) / k + turn
-            });
-            let zero = at_begin / (at_begin - at_end);
-            match (at_begin >= 0.0, at_end >= 0.0) {
-                (true, true) => {}
-                (true, false) => to = to.min(zero),
-                (false, true) => from = from.max(zero),
-                (false, false) => return false,
-            }
+    let stiffness = match model.scene.stiffness_rotation {
+        0.0 => k * model.size * model.size,
+        of_springs => of_springs,
+    };
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for contact in &last.contacts {
+        let surface = model.surface(contact);
+        let lever = sub(model.vertex(last.pose, contact), holding);
+        let [at_begin, at_end] = [last.hand, step.next.hand].map(|hand| {
+            let load = model.load(last.pose, hand, step.grip);
+            let turn = load.moment / stiffness * cross(lever, surface.normal);
+            dot(load.force, surface.normal) / k + turn
+        });
+        let least = model.carried(last, step.bounds);
+        let zero = (at_begin - least) / (at_begin - at_end);
+        match (at_begin >= least, at_end >= least) {
+            (true, true) => {}
+            (true, false) => to = to.min(zero),
+            (false, true) => from = from.max(zero),
+            (false, false) => return false,
         }
-        from <= to
-    })
+    }
+    from <= to
 }
 
 /// A body that is told to be jammed keeps its contacts, and they bear the load with no reactions within the limit; one that

@@ -94,7 +94,8 @@ impl<'a> Step<'a> {
     }
 
     /// What is found of a slip that began at mu_s N; or else at mu_d N, where the body may have had no stiction, as sliding
-    /// contacts leave it (a trace does not tell), and nothing but a slip led away.
+    /// contacts leave it (a trace does not tell), and no slide led away. On one surface one does, as a rule: a slip that begins
+    /// so and goes on as a slide is none, nor is one of an edge.
     fn single(&self, counts: impl Fn(&Finding) -> bool) -> Vec<Finding> {
         let from = |onset: Onset| {
             let mut findings = match (self.next.state, self.next.contacts.as_slice()) {
@@ -108,7 +109,12 @@ impl<'a> Step<'a> {
         };
         let findings = from(|surface| surface.friction_static);
         let holds = |findings: &[Finding]| findings.iter().all(Finding::holds);
-        if !self.last.tells_slides() || holds(&findings) {
+        let may_lack = match self.next.state {
+            State::TwoVertex => true,
+            State::SingleVertex => !self.next.slides(),
+            _ => false,
+        };
+        if !may_lack || !self.last.tells_slides() || holds(&findings) {
             return findings;
         }
         let without = from(|surface| surface.friction_dynamic);
