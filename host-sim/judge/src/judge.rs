@@ -75,7 +75,7 @@ impl Judge {
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
         findings.extend(self.keeps(&frame));
-        if let (Some(last), Some(grip), false) = (&self.last, &grip, self.unbalanced) {
+        if let (Some(last), Some(grip)) = (&self.last, &grip) {
             let step = Step {
                 model: &self.model,
                 bounds: &self.bounds,
@@ -84,7 +84,10 @@ impl Judge {
                 last,
                 next: &frame,
             };
-            findings.extend(slip::findings(&step));
+            // A slip begins in balance.
+            if !self.unbalanced {
+                findings.extend(slip::findings(&step));
+            }
             findings.extend(slide::findings(&step));
             findings.extend(hold::findings(&step));
         }

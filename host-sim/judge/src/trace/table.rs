@@ -139,28 +139,10 @@ impl Columns {
         };
         let mut contacts = Vec::new();
         for (k, places) in self.contacts.iter().flatten().enumerate() {
-            let field = |i: usize| row.get(places.all[i]).unwrap_or("");
-            if field(0).is_empty() {
+            let Some(contact) = places.contact(k, row, names)? else {
                 break;
-            }
-            let value = |i: usize| {
-                let number = field(i).parse();
-                number.map_err(|_| not_a_number(&format!("c{k}_{}", CONTACT[i]), field(i)))
             };
-            contacts.push(Contact {
-                vertex: names.vertex(k, count("vertex", field(0))?)?,
-                surface: names.surface(k, field(1))?,
-                point: [value(2)?, value(3)?],
-                normal: value(4)?,
-                friction: value(5)?,
-                sliding: (places.sliding.and_then(|i| row.get(i)))
-                    .map(|field| {
-                        let sign = field.parse();
-                        let key = || format!("c{k}_sliding");
-                        sliding(k, sign.map_err(|_| not_a_number(&key(), field))?)
-                    })
-                    .transpose()?,
-            });
+            contacts.push(contact);
         }
         let state = state(text("state"))?;
         let in_all = match self.count.and_then(|i| row.get(i)) {
@@ -186,6 +168,39 @@ impl Columns {
                 .collect::<Result<_, _>>()?,
             status: status(text("status"))?,
         })
+    }
+}
+
+impl Places {
+    /// Contact `k` of a row, if it has so many.
+    fn contact(
+        &self,
+        k: usize,
+        row: &StringRecord,
+        names: &Names,
+    ) -> Result<Option<Contact>, String> {
+        let field = |i: usize| row.get(self.all[i]).unwrap_or("");
+        if field(0).is_empty() {
+            return Ok(None);
+        }
+        let value = |i: usize| number(&format!("c{k}_{}", CONTACT[i]), field(i));
+        let sign = |field: &str| {
+            let sign = field.parse();
+            sliding(
+                k,
+                sign.map_err(|_| not_a_number(&format!("c{k}_sliding"), field))?,
+            )
+        };
+        Ok(Some(Contact {
+            vertex: names.vertex(k, count("vertex", field(0))?)?,
+            surface: names.surface(k, field(1))?,
+            point: [value(2)?, value(3)?],
+            normal: value(4)?,
+            friction: value(5)?,
+            sliding: (self.sliding.and_then(|i| row.get(i)))
+                .map(sign)
+                .transpose()?,
+        }))
     }
 }
 

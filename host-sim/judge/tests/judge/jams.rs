@@ -59,10 +59,11 @@ fn let_go(last: &Frame) -> Frame {
     }
 }
 
-fn laws(scene: &Scene, frames: [Frame; 2]) -> BTreeSet<&'static str> {
-    let [first, mut second] = frames;
-    second.t = 1.0;
-    let frames = [first, second];
+fn laws(scene: &Scene, frames: impl IntoIterator<Item = Frame>) -> BTreeSet<&'static str> {
+    let mut frames: Vec<Frame> = frames.into_iter().collect();
+    for (i, frame) in frames.iter_mut().enumerate() {
+        frame.t = i as f64;
+    }
     let [path, jump] =
         [Evolution::Path, Evolution::Frame].map(|evolution| broken(scene, evolution, &frames));
     assert_eq!(path, jump);
@@ -147,7 +148,20 @@ fn jammed_is_what_reactions_within_the_limit_cannot_hold() {
         assert_eq!(jammed(0.495, normal, 0.5, Status::Ok), only(law::JAMMED));
     }
     assert_eq!(jammed(0.495, 50.0, 0.5, Status::Ok), BTreeSet::new());
-    assert_eq!(jammed(0.2, 1.0, 0.25, Status::Jammed), only(law::JAMMED));
+    // As long as it lasts.
+    let scene = wedge(0.495);
+    let then = |status: Status, normal: f64, ratio: f64| {
+        let start = held(&scene, [1.0; 2], 0.0, Some(0));
+        let mut first = held(&scene, [200.0; 2], 0.5, Some(0));
+        let mut second = held(&scene, [normal; 2], ratio, Some(0));
+        (first.status, second.status) = (Status::Jammed, status);
+        laws(&scene, [start, first, second])
+    };
+    assert_eq!(then(Status::Jammed, 210.0, 0.5), BTreeSet::new());
+    assert_eq!(then(Status::Ok, 210.0, 0.5), only(law::JAMMED));
+    // Pressed inwards again.
+    assert_eq!(then(Status::Jammed, 2.0, 0.0), only(law::JAMMED));
+    assert_eq!(then(Status::Ok, 2.0, 0.0), BTreeSet::new());
 }
 
 #[test]
