@@ -150,6 +150,17 @@ impl<R: Real> Load<R> {
         }
     }
 
+    /// What reactions may leave of it: rounding, and what is as small as a gap that counts as closed. At the edge of a cone nothing
+    /// is driven yet.
+    pub(crate) fn little(&self) -> R {
+        self.rounding() * R::from_int(4) + self.size() * R::TOUCH
+    }
+
+    /// A displacement of the hand after which a load that contacts had just borne is surely beyond that.
+    pub(crate) fn release(&self) -> R {
+        self.little() * R::from_int(8)
+    }
+
     /// The rounding of forces and moments at a place.
     pub(crate) fn rounding(&self) -> R {
         R::rounding(self.size()).doubled().doubled()

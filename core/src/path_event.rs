@@ -13,40 +13,55 @@ use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
 /// The hand at the event, and where it is going.
-pub(crate) type Path<'a, R> = (&'a Grip<R>, &'a Grip<R>);
+type Path<'a, R> = (&'a Grip<R>, &'a Grip<R>);
+
+/// What an event leads to.
+enum Outcome<R> {
+    /// It goes on at the same place of the hand.
+    Next(Next<R>),
+    /// The contacts let go, and at this very place the load is borne still: it settles where the hand is beyond the rounding.
+    Release,
+}
 
 /// The state after a trigger of `advance`, in balance or settled.
 pub(crate) fn happens<R: Real, W: World<R>>(
     scene: &W,
-    path: Path<'_, R>,
+    (at, to): (&mut Grip<R>, &Grip<R>),
     state: &mut ContactState<R>,
     trigger: Trigger<R>,
     log: &mut Log<R>,
 ) {
     log.ambiguous = false;
     let slid = state.regime().slide().is_some();
-    let next = next_after(scene, path, state, trigger, log);
-    run(scene, path.0, state, next, log);
+    if std::env::var("DBG").is_ok() { std::eprintln!("    happens {:?} in {:?} {:?} at {:?}", trigger, state.kind(), state.regime(), at.displacement_to(to).size()); } // DEBUG
+    let next = match outcome(scene, (at, to), state, trigger, log) {
+        Outcome::Next(next) => next,
+        Outcome::Release => {
+            *at = at.toward(to, state.load(scene, at).release());
+            Next::Relax(None)
+        }
+    };
+    run(scene, at, state, next, log);
     log_slide(state, slid, log);
 }
 
-fn next_after<R: Real, W: World<R>>(
+fn outcome<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,
     state: &mut ContactState<R>,
     trigger: Trigger<R>,
     log: &mut Log<R>,
-) -> Next<R> {
+) -> Outcome<R> {
     match trigger {
         Trigger::Touch(pair) => touches(scene, path, state, pair, log),
         Trigger::Slide(sign) => yields(scene, path, state, sign, log),
         Trigger::Pressed => {
             state.set_regime(Regime::Stick { stiction: true });
-            Next::Rest
+            Outcome::Next(Next::Rest)
         }
         Trigger::Halts => {
             state.set_regime(Regime::LOOSE);
-            Next::Rest
+            Outcome::Next(Next::Rest)
         }
         Trigger::Clear => leaves(scene, path, state, log),
         Trigger::Keep {
@@ -55,14 +70,14 @@ fn next_after<R: Real, W: World<R>>(
         } if W::SEVERAL && first == second => opens(scene, path, state, (first, sliding), log),
         Trigger::Fold(_) if matches!(state, ContactState::TwoVertex(_)) => {
             state.set_regime(Regime::LOOSE);
-            Next::Slip(R::ONE)
+            Outcome::Next(Next::Slip(R::ONE))
         }
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
             log.event(Event::Snap);
-            Next::Snap(direction)
+            Outcome::Next(Next::Snap(direction))
         }
-        _ => apply(scene, state, &Moved::by(trigger), R::ZERO, log),
+        _ => Outcome::Next(apply(scene, state, &Moved::by(trigger), R::ZERO, log)),
     }
 }
 
@@ -74,7 +89,7 @@ fn touches<R: Real, W: World<R>>(
     state: &mut ContactState<R>,
     pair: Pair,
     log: &mut Log<R>,
-) -> Next<R> {
+) -> Outcome<R> {
     let (before, regime) = (state.kind(), state.regime());
     touch(scene, state, pair, log);
     match (before, regime, &mut *state) {
@@ -88,7 +103,7 @@ fn touches<R: Real, W: World<R>>(
         }
         (_, Regime::Slide(_), state) => state.set_regime(Regime::LOOSE),
     }
-    Next::Rest
+    Outcome::Next(Next::Rest)
 }
 
 /// Friction gives way: with stiction in a slip (rule 4), without it in a slide that begins without a jump (rules 5, 10 e).
@@ -98,32 +113,39 @@ fn yields<R: Real, W: World<R>>(
     state: &mut ContactState<R>,
     sign: R,
     log: &mut Log<R>,
-) -> Next<R> {
+) -> Outcome<R> {
     if state.regime().has_stiction() {
-        return Next::Slip(sign);
+        return Outcome::Next(Next::Slip(sign));
     }
     match state {
         ContactState::SingleVertex(s) => {
-            s.regime = Regime::Slide(sign);
-            let topples = s.topples(scene, path.0, sign);
-            topples.map_or(Next::Rest, |direction| {
+            if let Some(direction) = s.topples(scene, path.0, sign) {
+                s.regime = Regime::Slide(sign);
                 log.transitions.add(fold_arm(state));
                 log.event(Event::Snap);
-                Next::Snap(direction)
-            })
+                return Outcome::Next(Next::Snap(direction));
+            }
+            if s.recedes(scene, path, sign) {
+                return Outcome::Release;
+            }
+            s.regime = Regime::Slide(sign);
+            Outcome::Next(Next::Rest)
         }
         ContactState::Edge(s) => {
-            s.regime = Regime::Slide(sign);
-            Next::Rest
-        }
-        ContactState::TwoVertex(s) if W::SURFACES => {
-            if s.begin_slide(scene, path) {
-                Next::Rest
-            } else {
-                Next::Slip(sign)
+            if s.recedes(scene, path, sign) {
+                return Outcome::Release;
             }
+            s.regime = Regime::Slide(sign);
+            Outcome::Next(Next::Rest)
         }
-        _ => Next::Slip(sign),
+        ContactState::TwoVertex(s) if W::SURFACES => match s.begin_slide(scene, path) {
+            Some(regime) => {
+                s.regime = regime;
+                Outcome::Next(Next::Rest)
+            }
+            None => Outcome::Release,
+        },
+        _ => Outcome::Release,
     }
 }
 
@@ -133,7 +155,7 @@ fn leaves<R: Real, W: World<R>>(
     path: Path<'_, R>,
     state: &mut ContactState<R>,
     log: &mut Log<R>,
-) -> Next<R> {
+) -> Outcome<R> {
     match state {
         ContactState::SingleVertex(s) if !W::GLIDES && !s.leaves(scene, path) => {
             if s.regime.slide().is_some() {
@@ -141,16 +163,22 @@ fn leaves<R: Real, W: World<R>>(
             } else {
                 s.begin(scene, path);
             }
-            Next::Rest
+            Outcome::Next(Next::Rest)
         }
         ContactState::SingleVertex(_) => {
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
             let pose = state.pose(scene);
             *state = ContactState::Free(Free { pose });
-            Next::Rest
+            Outcome::Next(Next::Rest)
         }
-        _ => apply(scene, state, &Moved::by(Trigger::Clear), R::ZERO, log),
+        _ => Outcome::Next(apply(
+            scene,
+            state,
+            &Moved::by(Trigger::Clear),
+            R::ZERO,
+            log,
+        )),
     }
 }
 
@@ -161,16 +189,24 @@ fn opens<R: Real, W: World<R>>(
     state: &mut ContactState<R>,
     (lasts, sliding): (usize, Option<R>),
     log: &mut Log<R>,
-) -> Next<R> {
+) -> Outcome<R> {
     let regime = state.regime();
     let contacts = state.contacts();
     let kind = state.kind();
+    let before = state.clone();
     let next = keep(scene, state, [lasts; 2], sliding, log);
     let Some(sign) = regime.slide() else {
-        return if kind == StateKind::Edge {
-            Next::Rest
-        } else {
-            next
+        // What turns about a contact that sticks is in balance where the others let go.
+        return match state {
+            _ if kind == StateKind::Edge => Outcome::Next(Next::Rest),
+            ContactState::SingleVertex(s) if sliding.is_none() && s.is_found(scene, path.0) => {
+                Outcome::Next(Next::Rest)
+            }
+            _ if kind == StateKind::Corner => Outcome::Next(next),
+            _ => {
+                *state = before;
+                Outcome::Release
+            }
         };
     };
     let other = contacts.iter().copied().enumerate();
@@ -190,5 +226,5 @@ fn opens<R: Real, W: World<R>>(
             state.renew(scene, path.0);
         }
     }
-    Next::Rest
+    Outcome::Next(Next::Rest)
 }

@@ -97,6 +97,11 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// The load on the body about the point that holds its pose.
+    pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
+        Load::new(scene, self.placed(scene), grip)
+    }
+
     pub(crate) fn pose(&self, scene: &impl World<R>) -> Pose<R> {
         self.placed(scene).pose()
     }

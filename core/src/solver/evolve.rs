@@ -130,7 +130,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             state.grip = state.grip.lerp(to, moved.part);
             // Up to where a search gave up nothing has happened: on from there.
             if !moved.unsure {
-                let path = (&state.grip, to);
+                let path = (&mut state.grip, to);
                 happens(&self.scene, path, &mut state.contact, moved.trigger, log);
             }
         }

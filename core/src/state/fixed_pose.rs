@@ -89,7 +89,7 @@ impl<R: Real> FixedPose<R> {
             return false;
         }
         let wrench = load.wrench();
-        let little = Self::little(&load);
+        let little = load.little();
         if self.cone.bears_on(*bearers, wrench, little) {
             return true;
         }
@@ -123,7 +123,7 @@ impl<R: Real> FixedPose<R> {
         let (wrench, rounding) = (load.wrench(), load.rounding().doubled().doubled());
         let holds = || self.cone.first_yield(wrench, wrench, rounding).is_none();
         // At the edge of a cone a load may be borne and beyond a facet by a rounding.
-        let little = Self::little(&load);
+        let little = load.little();
         let is_borne = self.cone.bearers(wrench, little).is_some();
         if is_borne || (holds() && self.cone.left(wrench, little) <= little) {
             Trigger::Balanced
@@ -135,14 +135,8 @@ impl<R: Real> FixedPose<R> {
     /// True if there are reactions that balance the load, to what the end of a slip is found to.
     pub(super) fn is_at_rest(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
-        let little = Self::little(&load);
+        let little = load.little();
         self.cone.left(load.wrench(), little) <= little
-    }
-
-    /// What reactions may leave of a load: what is as small as a gap that counts as closed. At the
-    /// edge of a cone nothing is driven yet.
-    fn little(load: &Load<R>) -> R {
-        load.rounding() * R::from_int(4) + load.size() * R::TOUCH
     }
 
     /// The directions along t in which two contacts slide where the load crosses the facet of one edge of each.
@@ -262,7 +256,7 @@ impl<R: Real> FixedPose<R> {
 
     /// Reactions, which are statically indeterminate.
     pub(super) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        let little = Self::little(load);
+        let little = load.little();
         let shares = self.cone.share(load.wrench(), little);
         let pairs = self.contacts.iter().zip(&shares);
         gather(pairs.map(|(contact, &[plus, minus])| {

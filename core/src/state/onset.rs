@@ -76,6 +76,20 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
+    /// True if a slide along sign·t would go back as the hand goes on.
+    pub(crate) fn recedes(
+        &self,
+        scene: &impl World<R>,
+        (at, to): (&Grip<R>, &Grip<R>),
+        sign: R,
+    ) -> bool {
+        let load = self.pivot.load(scene, at);
+        let surface = self.pivot.surface(scene);
+        let displacement = at.displacement_to(to);
+        let rates = Self::sliding_rates(scene, (&load, &surface), &displacement, sign);
+        rates.is_some_and(|rates| along(sign, rates.foot) < -Self::slack(&displacement))
+    }
+
     /// True if the vertex leaves its surface as the body goes on with the hand alone.
     pub(crate) fn leaves(&self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) -> bool {
         let load = self.pivot.load(scene, at);
@@ -114,6 +128,19 @@ impl<R: Real> SingleVertex<R> {
 }
 
 impl<R: Real> Edge<R> {
+    /// True if a slide along sign·t would go back as the hand goes on.
+    pub(crate) fn recedes(
+        &self,
+        scene: &impl World<R>,
+        (at, to): (&Grip<R>, &Grip<R>),
+        sign: R,
+    ) -> bool {
+        let edge = self.pivot.surface(scene).sliding(sign);
+        let displacement = at.displacement_to(to);
+        let foot = edge.balanced.dot(displacement.hand);
+        along(sign, foot) < -SingleVertex::<R>::slack(&displacement)
+    }
+
     /// Of an edge that has just landed: as of a vertex, without a turn.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
         let surface = self.pivot.surface(scene);

@@ -361,6 +361,12 @@ impl<R: Real> SingleVertex<R> {
         (shift * segment.part(), segment)
     }
 
+    /// True if the body is in balance about the vertex, to what the end of a path is found to.
+    pub(crate) fn is_found(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        load.moment().abs() <= Self::found_to(&load)
+    }
+
     /// True if the moment of the load is rounding.
     fn is_balanced(&self, load: &Load<R>) -> bool {
         // The angle is rounded, too.

@@ -122,35 +122,28 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// Without stiction the contacts give way at the edges of their dynamic cones: they slide, or stick on with stiction. False
-    /// where no slide has the signs of these edges, or none is in balance (rule 10e).
+    /// Without stiction the contacts give way at the edges of their dynamic cones: they slide, or stick on with stiction. Nothing
+    /// where no slide has the signs of these edges, or none follows the hand in balance (rule 10e).
     pub(crate) fn begin_slide(
-        &mut self,
+        &self,
         scene: &impl World<R>,
         path: (&Grip<R>, &Grip<R>),
-    ) -> bool {
-        let Some(signs) = self.fixed_pose(scene).sliding_signs(scene, path.0) else {
-            return false;
-        };
-        for sense in [R::ONE, -R::ONE] {
+    ) -> Option<Regime<R>> {
+        let signs = self.fixed_pose(scene).sliding_signs(scene, path.0)?;
+        let mut senses = [R::ONE, -R::ONE].into_iter();
+        senses.find_map(|sense| {
             let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);
-            let velocities = trammel.signs();
-            let agrees = velocities
-                .iter()
-                .zip(signs)
-                .all(|(&velocity, sign)| velocity * sign >= R::ZERO);
-            if !agrees {
-                continue;
+            let mut velocities = trammel.signs().into_iter().zip(signs);
+            if !velocities.all(|(velocity, sign)| velocity * sign >= R::ZERO) {
+                return None;
             }
             let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
             match slides.begins() {
-                Some(SlideEnding::Arrives) => self.regime = Regime::Slide(sense),
-                Some(SlideEnding::Pressed) => self.regime = Regime::Stick { stiction: true },
-                _ => continue,
+                Some(SlideEnding::Arrives) => Some(Regime::Slide(sense)),
+                Some(SlideEnding::Pressed) => Some(Regime::Stick { stiction: true }),
+                _ => None,
             }
-            return true;
-        }
-        false
+        })
     }
 
     /// The other contact has just closed while the first one slid along a sign: both slide if the motion that goes on with that

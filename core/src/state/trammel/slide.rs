@@ -149,12 +149,20 @@ impl<R: Real> Slides<R> {
         f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
     }
 
+    /// The slide would go back as the hand goes on (rule 7).
+    fn recedes(&self, start: &Progress<R>, standing: &Standing<R>) -> bool {
+        let [v1, v2] = standing.speeds;
+        start.drive.value * v1.max(v2) < -self.slack * standing.stability
+    }
+
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
     pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
         let start = self.at(R::ZERO);
         let standing = start.standing(R::ZERO);
         let rounding = self.trammel.sense.rounding;
-        if standing.normals.iter().any(|&normal| normal < -rounding) {
+        if standing.normals.iter().any(|&normal| normal < -rounding)
+            || self.recedes(&start, &standing)
+        {
             return None;
         }
         Some(if standing.stability <= R::ZERO {
@@ -189,13 +197,12 @@ impl<R: Real> Slides<R> {
         };
         let start = self.at(R::ZERO);
         let standing = start.standing(R::ZERO);
-        let [v1, v2] = standing.speeds;
         let curvature = start.rest.bounds[2] + start.drive.bounds[2] * self.unit;
         let stability = standing.stability;
         if stability <= R::MICRO * curvature {
             return (nowhere, R::ZERO, SlideEnding::Folds);
         }
-        if start.drive.value * v1.max(v2) < -self.slack * stability {
+        if self.recedes(&start, &standing) {
             return (nowhere, R::ZERO, SlideEnding::Halts);
         }
         // As far as the stability surely stays above a quarter.
