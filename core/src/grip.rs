@@ -34,6 +34,20 @@ impl<R: Real> Grip<R> {
         }
     }
 
+    /// So far in the direction of another grip, which may be nearer.
+    pub(crate) fn ahead(&self, to: &Self, distance: R) -> Self {
+        let displacement = self.displacement_to(to);
+        let unit = displacement.size().unit();
+        if displacement.size() == R::ZERO {
+            return *self;
+        }
+        Self {
+            holding_point: self.holding_point,
+            hand: self.hand + displacement.hand.in_units(unit) * distance,
+            angle: self.angle.plus(displacement.turn.in_units(unit) * distance),
+        }
+    }
+
     /// On the straight path of the hand to another grip, as far as there but at most so far.
     pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
         let distance = self.displacement_to(to).size();

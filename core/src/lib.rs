@@ -88,7 +88,6 @@
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-extern crate std; // DEBUG
 mod balance_curve;
 mod body;
 mod bounded;

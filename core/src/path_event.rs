@@ -33,7 +33,6 @@ pub(crate) fn happens<R: Real, W: World<R>>(
 ) {
     log.ambiguous = false;
     let slid = state.regime().slide().is_some();
-    if std::env::var("DBG").is_ok() { std::eprintln!("    happens {:?} in {:?} {:?} at {:?}", trigger, state.kind(), state.regime(), at.displacement_to(to).size()); } // DEBUG
     let next = match outcome(scene, (at, to), state, trigger, log) {
         Outcome::Next(next) => next,
         Outcome::Release => {

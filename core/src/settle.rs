@@ -72,7 +72,6 @@ pub(crate) fn run<R: Real>(
             Next::Slip(sign) => state.slip(scene, grip, sign),
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
-        if std::env::var("DBG").is_ok() { std::eprintln!("        {:?} -> {:?} slip {:?} unb {} regime {:?}", next, moved.trigger, moved.slip, moved.unbalanced, state.regime()); } // DEBUG
         record(state, &moved, &next, log);
         let sliding = match next {
             Next::Slip(sign) => sign,

@@ -107,8 +107,9 @@ impl<R: Real> FixedPose<R> {
             None => Moved::by(self.test(scene, to, 0)),
             Some(part) => {
                 let at = from.lerp(to, part);
-                // A short path ahead: farther on the load might drive other motions.
-                let ahead = at.toward(to, R::ONE / R::from_int(128));
+                // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
+                let load = self.pivot.load(scene, &at);
+                let ahead = at.ahead(to, load.release());
                 Moved {
                     part,
                     ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
