@@ -25,6 +25,5 @@ mod size;
 mod slips;
 mod snapshot;
 mod symmetry;
-mod tolerance;
 mod transitions;
 mod work;
