@@ -16,7 +16,13 @@
 //! * Of several motions that fit the one that turns about a sticking contact comes first, then the slide with the strongest drive.
 
 mod cone;
+mod events;
+mod follow;
+mod forces;
 mod free;
+mod meet;
+mod memory;
+mod mode;
 mod relax;
 mod scene;
 mod search;
@@ -26,8 +32,6 @@ mod walk;
 pub use scene::{Scene, Surface};
 
 use scene::{Pose, Touch};
-use search::bisect;
-use walk::{End, SNAP};
 
 /// A vertex may be this far inside a surface unseen, in body sizes.
 const CLEARANCE: f64 = 1e-12;
@@ -35,12 +39,6 @@ const CLEARANCE: f64 = 1e-12;
 const TOUCHING: f64 = 1e-5;
 /// Largest turn in one look at the moment, rad.
 const TURN: f64 = 1e-3;
-/// An event that follows another sooner than this, in sub-steps, belongs to a sequence without end.
-const SOON: f64 = 1e-7;
-/// The same where static friction equals dynamic friction, so that a slip leaves the body about to slip again.
-const SOON_SLIDING: f64 = 1e-3;
-/// Events in a sub-step.
-const EVENTS: u32 = 100;
 
 /// The force of one contact on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +51,19 @@ pub struct ContactForce {
     pub normal: f64,
     /// Force along the tangent (n_y, -n_x), N.
     pub friction: f64,
+    /// The direction along the tangent in which the contact slides with the hand, 1 or -1; 0 while it sticks.
+    pub slides: i8,
+}
+
+/// A contact of a body that is put where another run has left it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Foot {
+    /// Index of the vertex.
+    pub vertex: usize,
+    /// Index of the surface.
+    pub surface: usize,
+    /// The direction along the tangent in which the contact slides with the hand, 1 or -1; 0 while it sticks.
+    pub slides: i8,
 }
 
 /// The body under a moving hand.
@@ -63,7 +74,11 @@ pub struct Reference {
     hand: [f64; 3],
     pose: Pose,
     contacts: Vec<Touch>,
+    /// For each contact the direction of its slide along the tangent, 1 or -1; `None` while they stick.
+    slide: Option<Vec<f64>>,
+    stiction: bool,
     slips: u32,
+    events: u32,
     skipped: bool,
     ambiguous: bool,
 }
@@ -76,21 +91,26 @@ impl Reference {
             angle: start[2],
         };
         let size = scene.size();
+        let foot = |touch: Touch| Foot {
+            vertex: touch.vertex,
+            surface: touch.surface,
+            slides: 0,
+        };
         let contacts: Vec<_> = scene
             .touches()
             .filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size)
-            .map(|touch| (touch.vertex, touch.surface))
+            .map(foot)
             .collect();
-        let mut reference = Self::resumed(scene, start, &contacts, first_hand);
+        let mut reference = Self::resumed(scene, start, (&contacts, false), first_hand);
         reference.relax(first_hand);
         reference
     }
 
-    /// A body that is in equilibrium at `pose` with these contacts (vertex, surface).
+    /// A body that is in equilibrium at `pose` with these contacts, with or without the bit of stiction.
     pub fn resumed(
         scene: Scene,
         pose: [f64; 3],
-        contacts: &[(usize, usize)],
+        (contacts, stiction): (&[Foot], bool),
         hand: [f64; 3],
     ) -> Self {
         let size = scene.size();
@@ -98,18 +118,23 @@ impl Reference {
             position: [pose[0], pose[1]],
             angle: pose[2],
         };
-        let mut contacts: Vec<Touch> = contacts
-            .iter()
-            .map(|&(vertex, surface)| Touch { vertex, surface })
-            .collect();
-        contacts.sort_by_key(|touch| (touch.vertex, touch.surface));
+        let mut feet = contacts.to_vec();
+        feet.sort_by_key(|foot| (foot.vertex, foot.surface));
+        let touch = |foot: &Foot| Touch {
+            vertex: foot.vertex,
+            surface: foot.surface,
+        };
+        let slides = !feet.is_empty() && feet.iter().all(|foot| foot.slides != 0);
         let mut reference = Self {
             scene,
             size,
             hand,
             pose,
-            contacts,
+            contacts: feet.iter().map(touch).collect(),
+            slide: slides.then(|| feet.iter().map(|foot| f64::from(foot.slides)).collect()),
+            stiction,
             slips: 0,
+            events: 0,
             skipped: false,
             ambiguous: false,
         };
@@ -120,6 +145,7 @@ impl Reference {
     /// Moves the hand straight to `hand` (x, y, m; phi, rad) in `substeps` parts.
     pub fn step(&mut self, hand: [f64; 3], substeps: usize) {
         self.slips = 0;
+        self.events = 0;
         self.skipped = false;
         self.ambiguous = false;
         let from = self.hand;
@@ -158,12 +184,22 @@ impl Reference {
         self.contact_forces()
     }
 
-    /// Slips that ended at dynamic friction in the last frame.
+    /// Whether the contacts have stiction: static friction while they stick, and slips where they yield.
+    pub fn stiction(&self) -> bool {
+        self.stiction
+    }
+
+    /// Events in the last frame.
+    pub fn events(&self) -> u32 {
+        self.events
+    }
+
+    /// Slips that ended at dynamic friction in the last frame; a slide with the hand is none.
     pub fn slips(&self) -> u32 {
         self.slips
     }
 
-    /// Whether slips of the last frame followed each other without end, so that where the last one stopped is not known.
+    /// Whether more happened in a part of the last frame than is followed, so that the body jumped to its end.
     pub fn skipped(&self) -> bool {
         self.skipped
     }
@@ -171,90 +207,6 @@ impl Reference {
     /// Whether no motion fitted somewhere in the last frame, so that the body was left where it was for the rest of it.
     pub fn ambiguous(&self) -> bool {
         self.ambiguous
-    }
-
-    /// Follows the hand to `to`, from event to event.
-    fn advance(&mut self, to: [f64; 3]) {
-        let from = self.hand;
-        let (mut done, mut hurried) = (0.0, 0);
-        for _ in 0..EVENTS {
-            let after = if hurried < 3 {
-                if let Some(pose) = self.at_rest(to) {
-                    self.pose = pose;
-                    self.hand = to;
-                    return;
-                }
-                let (before, after) = bisect(done, 1.0, |part| {
-                    self.at_rest(blend(from, to, part)).is_none()
-                });
-                if let Some(pose) = self.at_rest(blend(from, to, before)) {
-                    self.pose = pose;
-                }
-                after
-            } else {
-                let relaxed = self.relaxed(to);
-                if relaxed.follows(self) {
-                    *self = relaxed;
-                    break;
-                }
-                let changes = |part| !self.relaxed(blend(from, to, part)).follows(self);
-                let (before, after) = bisect(done, 1.0, changes);
-                *self = self.relaxed(blend(from, to, before));
-                after
-            };
-            self.relax(blend(from, to, after));
-            let slides = self.slides();
-            let soon = if slides { SOON_SLIDING } else { SOON };
-            hurried = if after - done < soon { hurried + 1 } else { 0 };
-            self.skipped |= !slides && hurried > 0 && done > 0.0;
-            done = after;
-            if self.ambiguous {
-                break;
-            }
-        }
-        if !self.ambiguous {
-            self.relax(to);
-        }
-        self.hand = to;
-    }
-
-    /// The body relaxed under a frozen hand.
-    fn relaxed(&self, hand: [f64; 3]) -> Self {
-        let mut relaxed = self.clone();
-        relaxed.relax(hand);
-        relaxed
-    }
-
-    /// Whether this is where the body comes from `before` without a change of contacts.
-    fn follows(&self, before: &Self) -> bool {
-        self.contacts == before.contacts && !self.ambiguous
-    }
-
-    /// Whether a contact slides continuously.
-    fn slides(&self) -> bool {
-        let surfaces = self
-            .contacts
-            .iter()
-            .map(|touch| &self.scene.surfaces[touch.surface]);
-        surfaces
-            .into_iter()
-            .any(|surface| surface.mu_s <= surface.mu_d * (1.0 + 1e-9))
-    }
-
-    /// The pose for this hand with the contacts as they are; `None` if something happens before.
-    fn at_rest(&self, hand: [f64; 3]) -> Option<Pose> {
-        let pose = match *self.contacts.as_slice() {
-            [] => {
-                let pose = self.free_pose(hand);
-                return (!self.enters(&pose, CLEARANCE)).then_some(pose);
-            }
-            [first, ref rest @ ..] if rest.iter().all(|touch| touch.vertex == first.vertex) => {
-                let (pose, end) = self.turn(&self.pose, first.vertex, hand, (SNAP, true));
-                (end == End::Rest).then_some(pose)?
-            }
-            _ => self.pose,
-        };
-        self.admissible(&pose, &self.contacts, hand).then_some(pose)
     }
 }
 

@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::draw::{Draw, polygon};
-use stiction_tests::reference::{Reference, Scene, Surface};
+use stiction_tests::reference::{Foot, Reference, Scene, Surface};
 use stiction_tests::{Frame, Run, Setup};
 
 /// Scenes of a hundred frames.
@@ -110,6 +110,7 @@ fn scene(setup: &Setup) -> Scene {
         offset: s.offset,
         mu_s: s.friction_static,
         mu_d: s.friction_dynamic,
+        memory: 0.0,
     };
     Scene {
         vertices: setup.vertices.clone(),
@@ -121,14 +122,19 @@ fn scene(setup: &Setup) -> Scene {
     }
 }
 
-/// The reference in the pose and contacts of a frame.
+/// The reference in the pose and contacts of a frame, with stiction: the law without memory.
 fn reference_at(setup: &Setup, frame: &Frame) -> Reference {
     let contacts: Vec<_> = frame
         .contacts
         .iter()
-        .map(|c| (c.vertex, c.surface))
+        .map(|c| Foot {
+            vertex: c.vertex,
+            surface: c.surface,
+            slides: 0,
+        })
         .collect();
-    Reference::resumed(scene(setup), frame.pose, &contacts, frame.hand)
+    let held = (contacts.as_slice(), !contacts.is_empty());
+    Reference::resumed(scene(setup), frame.pose, held, frame.hand)
 }
 
 /// How a frame of the solver compares with the reference.
