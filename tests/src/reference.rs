@@ -26,6 +26,7 @@ mod mode;
 mod relax;
 mod scene;
 mod search;
+mod slip;
 mod statics;
 mod walk;
 

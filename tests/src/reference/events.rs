@@ -93,13 +93,18 @@ impl Reference {
         } else if !self.stiction && self.pressed_hard(&pose, hand) {
             return Err(Happening::Memory);
         } else if !self.admissible(&pose, &self.contacts, hand) {
-            return Err(Happening::Yield);
+            let lifts = self.contacts.len() > 1 && self.comes_free(hand, 0.0);
+            return Err(if lifts {
+                Happening::Lift
+            } else {
+                Happening::Yield
+            });
         }
         Ok(pose)
     }
 
     /// Whether the free body keeps clear of all contacts, by more than `least` body sizes.
-    fn comes_free(&self, hand: [f64; 3], least: f64) -> bool {
+    pub(super) fn comes_free(&self, hand: [f64; 3], least: f64) -> bool {
         let free = self.free_pose(hand);
         let clear = |&touch| self.scene.gap(&free, touch) >= least * self.size;
         self.contacts.iter().all(clear)
@@ -149,7 +154,12 @@ impl Reference {
                 .ok_or(Happening::Fold)?;
             let weak = usize::from(normals[1] < normals[0]);
             if normals[weak] < -self.force_tolerance(pose, hand) {
-                return Err(Happening::Open(weak));
+                let lifts = self.comes_free(hand, 0.0);
+                return Err(if lifts {
+                    Happening::Lift
+                } else {
+                    Happening::Open(weak)
+                });
             }
             let long = |pose: &Pose, hand| self.slip_length(pose, pair, ways, hand) >= 1.0;
             if long(pose, hand) && !long(&self.pose, self.hand) {
