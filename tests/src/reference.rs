@@ -1,19 +1,40 @@
 //! A slow second solution of the statics, for checking the fast one: hand poses to body poses and contact forces, plain SI `f64`.
 //!
-//! The hand moves along the straight line between two frames in sub-steps. In each the body rests, followed by walking down the
-//! moment in steps of 1e-3 rad; when it cannot, the instant is bisected, the hand frozen there, and the body moves in steps of
-//! 1e-3 body sizes or rad until forces found by trying every subset of friction-cone edges hold it. It shares no code and no
-//! closed form with the solver.
+//! The hand moves along the straight line between two frames in sub-steps. In each the contacts stick or slide as they
+//! do, followed by walking down what does not balance in steps of 1e-3 rad or body sizes; when something happens, the instant is
+//! bisected. What is out of balance there moves under the frozen hand in steps of 1e-3 until forces found by trying every subset of
+//! friction-cone edges hold it. It shares no code and no closed form with the solver.
+//!
+//! The law: a slide is a motion with the hand; a slip, under the frozen hand, needs *stiction*. That is one bit of the body: with
+//! it friction at rest is mu_s, without it mu_d. One vertex or an edge gets it where N reaches N* = k_h memory / (mu_s - mu_d), and
+//! keeps it after a slip that ends at N* or more; two contacts on two surfaces get or keep it where the longer of their ways in a
+//! slip is a memory length. Without it, what yields slides. A touch from free flight clears it.
+//!
+//! Rules where the law leaves a choice:
+//! * A foot is compared with the memory length of its own surface; a memory below 2^-19 body sizes counts as that.
+//! * A hand that rests ends a slide, and clears the bit, as one that turns back does.
+//! * A yield without the bit whose slide the hand does not drive, or that has no balance nearby, is a slip.
+//! * Where one vertex no longer presses, but the free body would not leave, the rates of the forces decide as at a touch.
+//! * A contact that no longer presses in a joint slide opens if that leaves its gap open; otherwise both stick, without the bit.
+//! * Sliding contacts that close a third one, or a corner, stick without the bit.
+//! * Several contacts all of whose gaps the free body opens lift, before they yield.
+//! * A vertex that closes another contact in mid-slip slips on with it if dynamic friction does not hold the two; the length of that
+//!   slip counts from there. If it does hold them, that is the end of a slip, and on two surfaces both stick.
+//! * Where two surfaces do not turn the body, what brakes a joint slide is equal drag at both contacts instead of a couple.
+//! * In a joint slip, of the driven directions one that presses on both contacts comes first, then the one driven most.
+//! * A joint slip whose balance pulls on a contact opens it, if the other one holds or slips either way; otherwise rest is
+//!   tested anew.
+//! * A slip counts where it ends at dynamic friction in contact; an opening before anything has moved is none.
+//! * Corners and three contacts or more get or lose the bit only through what remains of them.
 //!
 //! Where it is approximate:
 //! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not seen.
 //! * A snap is noticed as a turn of more than 0.03 rad; a smaller one happens unseen, with the same end.
-//! * Events that follow each other ever faster (continuous sliding, the slips of a body being lifted or set down obliquely) are
-//!   cut short: the body relaxes at the end of the sub-step or where its contacts change. The number of slips is then not the
-//!   true one, and where static friction is larger than dynamic, the phase of the slips is open: see `skipped`.
-//! * Where two contacts slide, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
-//!   the slide, but the instant at which one of them opens depends on this choice.
-//! * Of several motions that fit the one that turns about a sticking contact comes first, then the slide with the strongest drive.
+//! * Rates are differences over 3e-5 body sizes of the hand's way, 1e-6 after a touch.
+//! * Where two contacts slip, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
+//!   the slip, but the instant at which one of them opens depends on this choice.
+//! * Of several motions of three contacts that fit, the one that turns about a sticking contact comes first, then the slip with the
+//!   strongest drive.
 
 mod cone;
 mod events;

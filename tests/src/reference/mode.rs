@@ -36,7 +36,8 @@ impl Reference {
         Some(Mode::Keep(kept.map(|(kept, _)| kept).into_iter().collect()))
     }
 
-    /// What the contacts do that cannot hold, at rest or `slipping` already: turn about one that sticks, else slide with the fewest openings, else come free.
+    /// What the contacts do that cannot hold, at rest or `slipping` already: turn about one that
+    /// sticks, else slide with the fewest openings, else come free.
     pub(super) fn mode(&self, hand: [f64; 3], slipping: bool) -> Option<Mode> {
         let count = self.contacts.len();
         let pairs = || {

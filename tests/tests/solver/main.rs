@@ -22,6 +22,7 @@ mod range;
 mod residual;
 mod scene_errors;
 mod size;
+mod slides_of_reference;
 mod slips;
 mod snapshot;
 mod symmetry;

@@ -1,0 +1,351 @@
+//! The slow reference against answers known by heart: where it slides, where it sticks and slips, and what the bit remembers.
+
+use stiction_tests::close;
+use stiction_tests::reference::{Foot, Reference, Scene, Surface};
+
+const K_H: f64 = 200.0;
+const SUBSTEPS: usize = 20;
+/// Stick and slip from 10 N on for 0.5 and 0.3: a depth of 0.05 m.
+const MEMORY: f64 = 0.01;
+
+fn floor([mu_s, mu_d]: [f64; 2]) -> Surface {
+    Surface {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        mu_s,
+        mu_d,
+        memory: MEMORY,
+    }
+}
+
+/// A body held at its origin that cannot turn much, above a floor.
+fn held(vertices: &[[f64; 2]], k_theta: f64, friction: [f64; 2]) -> Scene {
+    Scene {
+        vertices: vertices.to_vec(),
+        holding_point: [0.0, 0.0],
+        k_h: K_H,
+        k_theta,
+        weight: 0.0,
+        surfaces: vec![floor(friction)],
+    }
+}
+
+/// A tool that is a point, its tip above the origin, pressed to a depth.
+fn point(friction: [f64; 2], depth: f64) -> Reference {
+    let mut tool = Reference::new(
+        held(&[[0.0, 0.0]], 1.0, friction),
+        [0.0, 0.1, 0.0],
+        [0.0, 0.1, 0.0],
+    );
+    tool.step([0.0, -depth, 0.0], SUBSTEPS);
+    tool
+}
+
+/// Where the only contact is and whether it slides.
+fn foot(tool: &Reference) -> (f64, i8) {
+    let contacts = tool.contacts();
+    assert_eq!(contacts.len(), 1, "{contacts:?}");
+    (tool.pose()[0], contacts[0].slides)
+}
+
+#[test]
+fn a_point_pressed_lightly_slides() {
+    let mut tool = point([0.5, 0.3], 0.03);
+    for i in 1..=20 {
+        let x = 0.01 * f64::from(i);
+        tool.step([x, -0.03, 0.0], SUBSTEPS);
+        assert_eq!((tool.slips(), tool.stiction()), (0, false));
+        let (place, slides) = foot(&tool);
+        close("foot", place, (x - 0.3 * 0.03).max(0.0), 1e-12);
+        assert_eq!(slides, i8::from(x > 0.009), "at {x}");
+    }
+}
+
+#[test]
+fn a_point_pressed_hard_sticks_and_slips() {
+    let mut tool = point([0.5, 0.3], 0.1);
+    assert!(tool.stiction());
+    let mut slips = 0;
+    for i in 1..=100 {
+        tool.step([0.01 * f64::from(i), -0.1, 0.0], SUBSTEPS);
+        slips += tool.slips();
+        assert!(tool.stiction() && foot(&tool).1 == 0);
+    }
+    // From a lag of 0.05 on, every (mu_s - mu_d) N / k_h = 0.02 m.
+    assert_eq!(slips, 48);
+    close("foot", foot(&tool).0, 48.0 * 0.02, 1e-9);
+}
+
+#[test]
+fn a_point_with_one_coefficient_never_slips() {
+    for depth in [0.001, 0.03, 1.0] {
+        let mut tool = point([0.4, 0.4], depth);
+        for i in 1..=20 {
+            tool.step([0.1 * f64::from(i), -depth, 0.0], SUBSTEPS);
+            assert_eq!((tool.slips(), tool.stiction()), (0, false));
+        }
+        assert_eq!(foot(&tool).1, 1);
+        close("foot", foot(&tool).0, 2.0 - 0.4 * depth, 1e-12);
+    }
+}
+
+#[test]
+fn a_load_that_grows_past_the_threshold_stops_a_slide_there() {
+    let mut tool = point([0.5, 0.3], 0.03);
+    let hand = |x: f64| [x, -0.03 - 0.5 * x, 0.0];
+    tool.step(hand(0.03), SUBSTEPS);
+    assert_eq!(foot(&tool).1, 1);
+    tool.step(hand(0.05), 7);
+    assert!(tool.stiction());
+    assert_eq!(foot(&tool).1, 0);
+    // The depth is 0.05 at x = 0.04.
+    close("foot", foot(&tool).0, 0.04 - 0.3 * 0.05, 1e-12);
+}
+
+#[test]
+fn the_bit_outlives_a_load_that_falls_and_is_lost_in_a_short_slip() {
+    let mut tool = point([0.5, 0.3], 0.1);
+    tool.step([0.0, -0.03, 0.0], SUBSTEPS);
+    assert!(tool.stiction());
+    tool.step([0.0149, -0.03, 0.0], SUBSTEPS);
+    assert_eq!((foot(&tool), tool.slips()), ((0.0, 0), 0));
+    tool.step([0.1, -0.03, 0.0], SUBSTEPS);
+    assert_eq!((tool.slips(), tool.stiction()), (1, false));
+    assert_eq!(foot(&tool).1, 1);
+    close("foot", foot(&tool).0, 0.1 - 0.009, 1e-12);
+}
+
+#[test]
+fn a_hand_that_turns_back_leaves_the_foot_until_dynamic_friction_has_turned_too() {
+    let mut tool = point([0.5, 0.3], 0.03);
+    for (x, place, slides) in [(0.2, 0.191, 1), (0.183, 0.191, 0), (0.1, 0.109, -1)] {
+        tool.step([x, -0.03, 0.0], SUBSTEPS);
+        close("foot", foot(&tool).0, place, 1e-12);
+        assert_eq!(
+            (foot(&tool).1, tool.slips(), tool.stiction()),
+            (slides, 0, false)
+        );
+    }
+}
+
+#[test]
+fn an_oblique_touch_slides_and_a_steep_one_sticks() {
+    for (x, place, slides) in [(0.1, 0.1 - 0.3 * 0.02, 1), (0.005, 0.0, 0)] {
+        let mut tool = Reference::new(
+            held(&[[0.0, 0.0]], 1.0, [0.5, 0.3]),
+            [-x, 0.02, 0.0],
+            [-x, 0.02, 0.0],
+        );
+        tool.step([x, -0.02, 0.0], SUBSTEPS);
+        close("foot", foot(&tool).0, place, 1e-11);
+        assert_eq!((foot(&tool).1, tool.slips()), (slides, 0));
+    }
+}
+
+#[test]
+fn a_stiff_lever_slides_behind_the_hand_by_its_friction() {
+    let (lever, depth) = ([0.1, -0.3], 0.03);
+    for side in [1.0, -1.0] {
+        let scene = held(&[lever], 1e9, [0.5, 0.3]);
+        let mut tool = Reference::new(scene, [0.0, 0.4, 0.0], [0.0, 0.4, 0.0]);
+        tool.step([0.0, 0.3 - depth, 0.0], SUBSTEPS);
+        tool.step([side, 0.3 - depth, 0.0], SUBSTEPS);
+        let contact = tool.contacts()[0];
+        assert_eq!((f64::from(contact.slides), tool.slips()), (side, 0));
+        close(
+            "friction",
+            contact.friction,
+            -side * 0.3 * contact.normal,
+            1e-9,
+        );
+        let tip = tool.pose()[0] + lever[0];
+        close(
+            "foot",
+            tip,
+            side + lever[0] - side * 0.3 * contact.normal / K_H,
+            1e-7,
+        );
+    }
+}
+
+/// A block that stands on the floor, held at its middle, pressed to a depth.
+fn block(friction: [f64; 2], depth: f64) -> Reference {
+    let corners = [[-0.5, -0.1], [0.5, -0.1], [0.5, 0.1], [-0.5, 0.1]];
+    let start = [0.0, 0.2, 0.0];
+    let mut block = Reference::new(held(&corners, 50.0, friction), start, start);
+    block.step([0.0, 0.1 - depth, 0.0], SUBSTEPS);
+    assert_eq!(block.state(), "edge");
+    block
+}
+
+#[test]
+fn an_edge_slides_or_slips_by_the_same_threshold() {
+    for (friction, depth, slips) in [
+        ([0.5, 0.3], 0.04, 0),
+        ([0.5, 0.3], 0.1, 48),
+        ([0.4, 0.4], 0.5, 0),
+    ] {
+        let mut block = block(friction, depth);
+        let mut count = 0;
+        for i in 1..=100 {
+            block.step([0.01 * f64::from(i), 0.1 - depth, 0.0], SUBSTEPS);
+            count += block.slips();
+        }
+        assert_eq!(count, slips, "{friction:?} at {depth}");
+        let feet: Vec<i8> = block
+            .contacts()
+            .iter()
+            .map(|contact| contact.slides)
+            .collect();
+        assert_eq!(feet, [i8::from(slips == 0); 2]);
+        let place = if slips == 0 {
+            1.0 - friction[1] * depth
+        } else {
+            48.0 * 0.02
+        };
+        close("pose", block.pose()[0], place, 1e-9);
+        assert_eq!(block.stiction(), slips > 0);
+    }
+}
+
+/// A rod between floor and wall.
+fn ladder(friction: [f64; 2]) -> Scene {
+    let wall = Surface {
+        normal: [-1.0, 0.0],
+        offset: -1.0,
+        ..floor(friction)
+    };
+    Scene {
+        k_theta: 100.0,
+        surfaces: vec![floor(friction), wall],
+        ..held(&[[-0.35, -0.4], [0.35, 0.4]], 0.0, friction)
+    }
+}
+
+#[test]
+fn a_ladder_slides_in_balance_at_dynamic_friction() {
+    let mut rod = Reference::new(ladder([0.3, 0.3]), [0.6, 0.45, 0.0], [0.6, 0.45, 0.0]);
+    let mut slides = 0;
+    for i in 0..=100 {
+        // The pose of a rod that is in contact with both, and a little further in.
+        let angle = 0.004 * f64::from(i);
+        let (sin, cos) = angle.sin_cos();
+        let hand = [
+            1.02 - 0.35 * cos + 0.4 * sin,
+            0.35 * sin + 0.4 * cos - 0.02,
+            angle,
+        ];
+        rod.step(hand, SUBSTEPS);
+        let (pose, contacts) = (rod.pose(), rod.contacts());
+        let [floor, wall] = contacts.as_slice() else {
+            continue;
+        };
+        if floor.slides == 0 {
+            continue;
+        }
+        slides += 1;
+        for contact in [floor, wall] {
+            close(
+                "friction",
+                contact.friction,
+                -0.3 * f64::from(contact.slides) * contact.normal,
+                1e-9,
+            );
+        }
+        close(
+            "force",
+            K_H * (hand[0] - pose[0]) + floor.friction - wall.normal,
+            0.0,
+            1e-9,
+        );
+        // Along the wall t = (0, 1).
+        close(
+            "force",
+            K_H * (hand[1] - pose[1]) + floor.normal + wall.friction,
+            0.0,
+            1e-9,
+        );
+        let (sin, cos) = pose[2].sin_cos();
+        let top = [0.35 * cos - 0.4 * sin, 0.35 * sin + 0.4 * cos];
+        let moment = 100.0 * (hand[2] - pose[2]) - top[0] * floor.normal
+            + top[1] * floor.friction
+            + top[0] * wall.friction
+            + top[1] * wall.normal;
+        close("moment", moment, 0.0, 1e-8);
+        assert_eq!(rod.slips(), 0);
+    }
+    assert!(slides > 50, "{slides} frames slide");
+}
+
+#[test]
+fn a_body_without_torque_swings_out_of_the_way() {
+    let triangle = [[-0.2, -0.3], [0.3, -0.2], [0.0, 0.4]];
+    let start = [0.0, 0.5, 0.0];
+    let mut body = Reference::new(held(&triangle, 0.0, [0.5, 0.3]), start, start);
+    let mut touched = 0;
+    for i in 0..=20 {
+        let hand = [0.005 * f64::from(i), 0.31 - 0.0025 * f64::from(i), 0.0];
+        body.step(hand, SUBSTEPS);
+        for contact in body.contacts() {
+            touched += 1;
+            close("normal force", contact.normal, 0.0, 1e-9);
+        }
+        close("pose", body.pose()[0], hand[0], 1e-9);
+        close("pose", body.pose()[1], hand[1], 1e-9);
+    }
+    assert!(touched > 0);
+}
+
+#[test]
+fn a_run_goes_on_from_where_another_one_stopped() {
+    let hand = |i: i32| {
+        let i = f64::from(i);
+        [
+            0.72 + 0.06 * (0.31 * i).sin(),
+            0.36 + 0.03 * (0.17 * i).sin(),
+            0.3 * (0.11 * i).sin(),
+        ]
+    };
+    let scene = ladder([0.4, 0.25]);
+    let mut whole = Reference::new(scene.clone(), [0.6, 0.45, 0.0], [0.6, 0.45, 0.0]);
+    let mut met = [false; 3];
+    for i in 0..200 {
+        let feet: Vec<Foot> = whole
+            .contacts()
+            .iter()
+            .map(|contact| Foot {
+                vertex: contact.vertex,
+                surface: contact.surface,
+                slides: contact.slides,
+            })
+            .collect();
+        let before = if i == 0 {
+            [0.6, 0.45, 0.0]
+        } else {
+            hand(i - 1)
+        };
+        let held = (feet.as_slice(), whole.stiction());
+        let mut part = Reference::resumed(scene.clone(), whole.pose(), held, before);
+        whole.step(hand(i), SUBSTEPS);
+        part.step(hand(i), SUBSTEPS);
+        let slides = feet.iter().any(|foot| foot.slides != 0);
+        met = [
+            met[0] | slides,
+            met[1] | whole.stiction(),
+            met[2] | (whole.slips() > 0),
+        ];
+        for k in 0..3 {
+            close("pose", part.pose()[k], whole.pose()[k], 1e-9);
+        }
+        assert_eq!(
+            (part.state(), part.slips()),
+            (whole.state(), whole.slips()),
+            "frame {i}"
+        );
+        assert_eq!(
+            (part.contacts().len(), part.stiction()),
+            (whole.contacts().len(), whole.stiction())
+        );
+    }
+    assert_eq!(met, [true; 3]);
+}
