@@ -38,8 +38,17 @@ impl Reference {
         self.stiction = false;
     }
 
-    /// The balance is lost: a foot that slides goes on by a slip to its next balance; a body that sticks turns.
+    /// The balance is lost: a foot that slides sticks if it can, else goes on by a slip to its next balance; a body that sticks
+    /// turns.
     fn fold(&mut self) {
+        if let Some(pose) = self.followed(self.hand) {
+            // It has only turned far.
+            self.pose = pose;
+            return;
+        }
+        if self.slide.is_some() && self.sticks() {
+            return;
+        }
         let slide = self.slide.take().unwrap_or_default();
         let mut carry = Carry::default();
         match (self.pair(), self.contacts.as_slice(), slide.as_slice()) {
@@ -51,6 +60,22 @@ impl Reference {
             _ => {}
         }
         self.settle(self.hand, carry);
+    }
+
+    /// A slide that has lost its balance sticks if dynamic friction holds the foot where it is.
+    fn sticks(&mut self) -> bool {
+        let mut stuck = self.clone();
+        stuck.stop();
+        let Some(pose) = stuck.followed(self.hand) else {
+            return false;
+        };
+        let sticks =
+            stuck.admissible(&pose, &stuck.contacts, self.hand) && !stuck.enters(&pose, CLEARANCE);
+        if sticks {
+            stuck.pose = pose;
+            *self = stuck;
+        }
+        sticks
     }
 
     /// A vertex has reached a surface. From free flight the rates decide; an edge goes on as the vertex did; two surfaces under

@@ -1,6 +1,6 @@
 //! Slips under a frozen hand, and their ends: the memory of the contacts decides whether they stick or slide on with the hand.
 
-use super::relax::Carry;
+use super::relax::{Carry, Driven};
 use super::scene::{Pose, Screw, Touch, length, sub};
 use super::statics::sign;
 use super::walk::End;
@@ -86,7 +86,7 @@ impl Reference {
                     return true;
                 }
                 carry.unwatched = true;
-                carry.slipping = true;
+                carry.driven = Some(Driven::Pair(pair, way));
             }
             End::Rest if self.contacts.len() == 2 => {
                 if let Some(index) = self.pulled(ways, hand) {
