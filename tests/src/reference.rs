@@ -14,6 +14,7 @@
 //! * A foot is compared with the memory length of its own surface; a memory below 2^-19 body sizes counts as that.
 //! * A hand that rests ends a slide, and clears the bit, as one that turns back does.
 //! * A yield without the bit whose slide the hand does not drive, or that has no balance nearby, is a slip.
+//! * A slide whose balance folds sticks, without the bit, if dynamic friction holds the foot where it is; otherwise it is a slip.
 //! * Where one vertex no longer presses, but the free body would not leave, the rates of the forces decide as at a touch.
 //! * A contact that no longer presses in a joint slide opens if that leaves its gap open; otherwise both stick, without the bit.
 //! * Sliding contacts that close a third one, or a corner, stick without the bit.
@@ -21,7 +22,8 @@
 //! * A vertex that closes another contact in mid-slip slips on with it if dynamic friction does not hold the two; the length of that
 //!   slip counts from there. If it does hold them, that is the end of a slip, and on two surfaces both stick.
 //! * Where two surfaces do not turn the body, what brakes a joint slide is equal drag at both contacts instead of a couple.
-//! * In a joint slip, of the driven directions one that presses on both contacts comes first, then the one driven most.
+//! * In a joint slip, of the driven directions one that presses on both contacts comes first, then the one driven most. It keeps
+//!   its direction where a contact no longer presses but cannot open.
 //! * A joint slip whose balance pulls on a contact opens it, if the other one holds or slips either way; otherwise rest is
 //!   tested anew.
 //! * A slip counts where it ends at dynamic friction in contact; an opening before anything has moved is none.

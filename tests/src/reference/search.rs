@@ -1,7 +1,6 @@
 //! Where a function of one number changes: its lowest point, the place where it crosses, and the angle at which a moment vanishes.
 
-/// Largest turn in one look at the moment, rad.
-const TURN: f64 = 1e-3;
+use super::TURN;
 
 /// The first angle from `angle` on, in the direction of the moment, at which it vanishes; `None` if that is farther than `limit`.
 pub(super) fn descend(angle: f64, limit: f64, moment: impl Fn(f64) -> f64) -> Option<f64> {

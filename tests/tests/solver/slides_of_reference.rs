@@ -278,6 +278,37 @@ fn a_ladder_slides_in_balance_at_dynamic_friction() {
 }
 
 #[test]
+fn two_contacts_of_a_slot_slide_or_slip_by_the_length_of_the_slip() {
+    let ceiling = Surface {
+        normal: [0.0, -1.0],
+        offset: -1.0,
+        ..floor([0.5, 0.3])
+    };
+    let scene = Scene {
+        k_theta: 100.0,
+        surfaces: vec![floor([0.5, 0.3]), ceiling],
+        ..held(&[[-0.3, -0.5], [0.3, 0.5]], 0.0, [0.5, 0.3])
+    };
+    // Upright the rod is held by a couple of 0.6 N, so that a slip is 2 (mu_s - mu_d) N / k_h long: 0.0067 or 0.02 m.
+    for (turn, slips, place) in [(0.02, 0, 0.99), (0.06, 48, 0.96)] {
+        let start = [0.0, 0.5, -0.1];
+        let mut rod = Reference::new(scene.clone(), start, start);
+        rod.step([0.0, 0.5, turn], SUBSTEPS);
+        assert_eq!(rod.state(), "two-vertex");
+        let mut count = 0;
+        for i in 1..=100 {
+            rod.step([0.01 * f64::from(i), 0.5, turn], SUBSTEPS);
+            count += rod.slips();
+        }
+        assert_eq!((count, rod.stiction()), (slips, slips > 0));
+        close("foot", rod.pose()[0], place, 1e-9);
+        let slides: Vec<i8> = rod.contacts().iter().map(|c| c.slides).collect();
+        // The tangent of the ceiling is -x.
+        assert_eq!(slides, if slips > 0 { [0, 0] } else { [1, -1] });
+    }
+}
+
+#[test]
 fn a_body_without_torque_swings_out_of_the_way() {
     let triangle = [[-0.2, -0.3], [0.3, -0.2], [0.0, 0.4]];
     let start = [0.0, 0.5, 0.0];
