@@ -19,8 +19,8 @@
 //! * A contact that no longer presses in a joint slide opens if that leaves its gap open; otherwise both stick, without the bit.
 //! * Sliding contacts that close a third one, or a corner, stick without the bit.
 //! * Several contacts all of whose gaps the free body opens lift, before they yield.
-//! * A vertex that closes another contact in mid-slip slips on with it if dynamic friction does not hold the two; the length of that
-//!   slip counts from there. If it does hold them, that is the end of a slip, and on two surfaces both stick.
+//! * A vertex that closes another contact in mid-slip slips on with it if dynamic friction does not hold both; the length of that
+//!   slip counts from there. If it does, that is the end of a slip, and on two surfaces both stick.
 //! * Where two surfaces do not turn the body, what brakes a joint slide is equal drag at both contacts instead of a couple.
 //! * In a joint slip, of the driven directions one that presses on both contacts comes first, then the one driven most. It keeps
 //!   its direction where a contact no longer presses but cannot open.
