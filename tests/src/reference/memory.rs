@@ -133,8 +133,7 @@ impl Reference {
         };
         let speeds = self.speeds(pose, pair, twist);
         let surfaces = pair.map(|touch| &self.scene.surfaces[touch.surface]);
-        let drop =
-            |i: usize| (surfaces[i].mu_s - surfaces[i].mu_d) * here.normals[i] * speeds[i].abs();
+        let drop = self.drive_of_yield(pose, pair, (ways, brake), here.normals);
         let power = |reach: f64| {
             let there = self.onto(
                 pose.moved(times(reach * self.size, twist), self.size),
@@ -152,7 +151,7 @@ impl Reference {
         if stiffness <= 0.0 {
             return f64::INFINITY;
         }
-        let way = (drop(0) + drop(1)) / stiffness;
+        let way = drop / stiffness;
         let lengths = [0, 1].map(|i| way * speeds[i].abs() / self.memory(surfaces[i]));
         lengths[0].max(lengths[1])
     }

@@ -179,6 +179,27 @@ impl Reference {
             whole,
         })
     }
+
+    /// The drive of two contacts that slide along `ways` under the load that reactions of these normal forces balance, each on the
+    /// edge of its static cone: what falls away when they begin to move.
+    pub(super) fn drive_of_yield(
+        &self,
+        pose: &Pose,
+        pair: [Touch; 2],
+        (ways, brake): ([f64; 2], Screw),
+        normals: [f64; 2],
+    ) -> f64 {
+        let reaction = |i: usize, mu: f64| {
+            let surface = &self.scene.surfaces[pair[i].surface];
+            let lean = scale(-mu * ways[i], surface.tangent());
+            self.line(pose, pair[i], add(surface.normal, lean))
+        };
+        let of = |i: usize| &self.scene.surfaces[pair[i].surface];
+        let sliding = [0, 1].map(|i| reaction(i, of(i).mu_d));
+        let [first, second] = [0, 1].map(|i| times(normals[i], reaction(i, of(i).mu_s)));
+        let needed = [0, 1, 2].map(|k| first[k] + second[k]);
+        determinant(sliding[0], sliding[1], needed) / determinant(sliding[0], sliding[1], brake)
+    }
 }
 
 /// -1, 0 or 1.
