@@ -167,9 +167,13 @@ fn leaves<R: Real, W: World<R>>(
         ContactState::SingleVertex(_) => {
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
-            let pose = state.pose(scene);
-            *state = ContactState::Free(Free { pose });
-            Outcome::Next(Next::Rest)
+            let free = Free {
+                pose: state.pose(scene),
+            };
+            let near = free.is_near_balance(scene, path.0);
+            *state = ContactState::Free(free);
+            // What no force holds may be far from where the hand alone would have it.
+            Outcome::Next(if near { Next::Rest } else { Next::Relax(None) })
         }
         _ => Outcome::Next(apply(
             scene,

@@ -293,6 +293,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.rest_offset = rest_offset;
         state.grip = grip;
         state.contact.set_regime(Regime::LOOSE);
+        state.contact.press(&self.scene, &state.grip);
         settle(&self.scene, &state.grip, &mut state.contact, log);
         state.unrest = log.unrest();
     }

@@ -147,6 +147,25 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// Of contacts that fix the pose as a hand takes hold: they have stiction if one of them is pressed hard enough by a load that
+    /// they can bear (rule 10 a).
+    pub(crate) fn press<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) {
+        if !W::SURFACES || !matches!(self, Self::TwoVertex(_) | Self::Corner(_) | Self::Locked(_)) {
+            return;
+        }
+        self.set_regime(Regime::Stick { stiction: true });
+        let reactions = self.reactions(scene, grip, &self.load(scene, grip));
+        let contacts = self.contacts();
+        let mut pairs = contacts.iter().zip(&reactions);
+        let is_pressed = pairs.any(|(contact, &[normal, _])| {
+            let friction = scene.surface(contact.surface).friction;
+            friction.is_pressed(normal)
+        });
+        if !is_pressed {
+            self.set_regime(Regime::LOOSE);
+        }
+    }
+
     /// True if it has followed a frame in which certainly nothing happens.
     pub(crate) fn follow<W: World<R>>(
         &mut self,

@@ -67,6 +67,11 @@ pub(crate) trait World<R: Real> {
     /// The weight as a force, W / (k_h L).
     fn weight(&self) -> Vec2<R>;
 
+    /// Nothing holds the angle of the body in the hand: it swings freely about the holding point (STATICS 3.7).
+    fn swings(&self) -> bool {
+        self.stiffness() == R::ZERO && self.weight() == Vec2::ZERO
+    }
+
     /// v_i, body frame; the origin where there is no such vertex.
     fn vertex(&self, i: u8) -> Vec2<R> {
         let vertex = self.vertices().get(usize::from(i));

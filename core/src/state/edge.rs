@@ -252,6 +252,11 @@ impl<R: Real> Edge<R> {
         if W::GLIDES {
             return self.glide_down(scene, grip);
         }
+        let surface = self.pivot.surface(scene);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+        if surface.friction.is_pressed(normal) {
+            self.regime = Regime::Stick { stiction: true };
+        }
         Moved::by(self.test(scene, grip, sliding))
     }
 

@@ -6,7 +6,7 @@ use crate::detect::{Placed, PointPath};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
-use crate::moment::{Downhill, SecondHarmonic};
+use crate::moment::{Downhill, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
@@ -141,6 +141,17 @@ impl<R: Real> Free<R> {
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
         moved
+    }
+
+    /// The hand alone holds it where it is, but for what rounding leaves.
+    pub(crate) fn is_near_balance(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.load(scene, grip);
+        let turn = if Self::turns_with_hand(scene) {
+            load.turn
+        } else {
+            load.pinned::<Pinned>().polish()
+        };
+        load.force.length_bound() + turn.abs() <= load.release()
     }
 
     /// The turn to balance.

@@ -97,7 +97,9 @@ impl<R: Real> SingleVertex<R> {
         let weight = scene.weight();
         // About the holding point.
         let stability = load.stiffness + (load.centroid - load.lever).dot(weight);
-        let turn = if weight == Vec2::ZERO {
+        let turn = if scene.swings() {
+            R::ZERO
+        } else if weight == Vec2::ZERO {
             displacement.turn
         } else if stability > R::ZERO {
             load.stiffness * displacement.turn / stability

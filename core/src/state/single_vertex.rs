@@ -229,9 +229,19 @@ impl<R: Real> SingleVertex<R> {
             && self.has_room_to_turn(scene, &certified)
         {
             self.pivot.orientation = certified.orientation;
+            self.renew(scene, grip);
             return Moved::by(self.test(scene, &self.pivot.load(scene, grip)));
         }
         self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill())
+    }
+
+    /// At a frozen hand it has stiction where it is pressed hard enough (rule 3).
+    fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+        let surface = self.pivot.surface(scene);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+        if surface.friction.is_pressed(normal) {
+            self.regime = Regime::Stick { stiction: true };
+        }
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
@@ -269,6 +279,7 @@ impl<R: Real> SingleVertex<R> {
         let lasting = self.contacts();
         let mut moved = Segment::<R>::turn_downhill(scene, &mut self.pivot, &lasting, downhill);
         if moved.trigger == Trigger::Balanced {
+            self.renew(scene, grip);
             moved.trigger = self.test(scene, &self.pivot.load(scene, grip));
         }
         moved
@@ -377,6 +388,10 @@ impl<R: Real> SingleVertex<R> {
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
         let surface = self.pivot.surface(scene);
+        if scene.swings() && self.regime.slide().is_some() {
+            // It is where the hand alone holds it.
+            return gather([[R::ZERO; 2]]);
+        }
         let (normal, friction) = surface.reaction(load.force);
         gather([[normal.max(R::ZERO), friction]])
     }

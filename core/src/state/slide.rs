@@ -51,7 +51,12 @@ impl<R: Real> SingleVertex<R> {
         // The reaction strays by the turn from the straight line to where the hand alone would take it.
         let normal = -surface.normal.dot(load.force);
         let stray = load.lever.length_bound() * certified.turn_bound + load.rounding();
-        if normal <= stray {
+        let lifts = if scene.swings() {
+            surface.normal.dot(displacement.hand) > R::ZERO
+        } else {
+            normal <= stray
+        };
+        if lifts {
             return false;
         }
         let mut end = Self {
@@ -73,7 +78,7 @@ impl<R: Real> SingleVertex<R> {
             let way = (pivot.foot - self.pivot.foot).abs();
             // The foot goes one way.
             let travel = way + certified.turn_bound;
-            if advances <= slack
+            if (advances <= slack && !scene.swings())
                 || normal + stray >= surface.friction.threshold()
                 || !end.has_room(scene, &pivot, (travel, travel))
             {
@@ -113,6 +118,13 @@ impl<R: Real> SingleVertex<R> {
         let load = self.pivot.load(scene, from);
         let (surface, edge) = self.sliding(scene, sign);
         let displacement = from.displacement_to(to);
+        if scene.swings() && surface.normal.dot(displacement.hand) > R::ZERO {
+            // It bears nothing, and nothing turns it: the hand takes it off.
+            return Moved {
+                part: R::ZERO,
+                ..Moved::by(Trigger::Clear)
+            };
+        }
         let moment = load.sliding::<Sliding<R>>(scene, &surface, &edge);
         let pressing = displacement.pressing(&surface, &edge);
         let mut segment = Segment::balanced(&moment, (load.lever, &pressing), Trigger::Balanced);
@@ -122,8 +134,10 @@ impl<R: Real> SingleVertex<R> {
             segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
         }
         let normal = load.reaction(surface.normal, &displacement);
-        segment.stop_at(&normal, Trigger::Clear);
-        if !W::GLIDES {
+        if !scene.swings() {
+            segment.stop_at(&normal, Trigger::Clear);
+        }
+        if !W::GLIDES && !scene.swings() {
             let ahead = foot.combine(sign, foot, R::ZERO);
             segment.stop_at_reversal(&ahead, Self::slack(&displacement), Trigger::Halts);
             if let Some(loosens) = surface.friction.loosens(normal) {
@@ -192,7 +206,7 @@ impl<R: Real> SingleVertex<R> {
         let (surface, edge) = self.sliding(scene, sign);
         self.pivot.slide(scene, grip, &edge);
         let load = self.pivot.load(scene, grip);
-        if surface.normal.dot(load.force) > load.rounding() {
+        if !scene.swings() && surface.normal.dot(load.force) > load.rounding() {
             return Moved::by(Trigger::Clear);
         }
         let mut segment = Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced);
@@ -202,7 +216,9 @@ impl<R: Real> SingleVertex<R> {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);
             segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
         }
-        segment.stop_at(&load.reaction(surface.normal, &frozen), Trigger::Clear);
+        if !scene.swings() {
+            segment.stop_at(&load.reaction(surface.normal, &frozen), Trigger::Clear);
+        }
         let moved = segment.moved();
         self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         if moved.trigger == Trigger::Balanced {
