@@ -214,18 +214,39 @@ impl<'a> Step<'a> {
         is_braced: bool,
     ) -> (Vec<Finding>, Option<f64>) {
         let allowed = self.allowed(is_braced);
-        let window = match self.evolution {
-            Evolution::Frame if fixed.at(1.0) >= -allowed => Ok([1.0; 3]),
-            Evolution::Frame => Err(fixed.at(1.0)),
-            Evolution::Path => fixed.reaches(-allowed, 0.0).map(|first| {
-                let at_limit = fixed.reaches(0.0, first).unwrap_or(1.0);
-                [
-                    first,
-                    at_limit,
-                    fixed.reaches(allowed, at_limit).unwrap_or(1.0),
-                ]
-            }),
+        let on_the_way = fixed.reaches(-allowed, 0.0).map(|first| {
+            let at_limit = fixed.reaches(0.0, first).unwrap_or(1.0);
+            [
+                first,
+                at_limit,
+                fixed.reaches(allowed, at_limit).unwrap_or(1.0),
+            ]
+        });
+        let found = self.ends_in(on_the_way, sliding, is_braced);
+        if self.evolution == Evolution::Path || found.0.iter().all(Finding::holds) {
+            return found;
+        }
+        // After the first event of a frame the hand jumps, and the slip may be the end of that.
+        let at_the_end = match fixed.at(1.0) {
+            end if end >= -allowed => Ok([1.0; 3]),
+            end => Err(end),
         };
+        let last = self.ends_in(at_the_end, sliding, is_braced);
+        if last.0.iter().all(Finding::holds) {
+            last
+        } else {
+            found
+        }
+    }
+
+    /// The same where the slip begins within three parts of the hand's way, or with the highest that static friction fell short.
+    fn ends_in(
+        &self,
+        window: Result<[f64; 3], f64>,
+        sliding: Way<'_>,
+        is_braced: bool,
+    ) -> (Vec<Finding>, Option<f64>) {
+        let allowed = self.allowed(is_braced);
         let begins = |short: f64| self.finding(law::SLIP_BEGINS, short, is_braced);
         let [first, at_limit, last] = match window {
             Ok(window) => window,
@@ -282,12 +303,11 @@ impl<'a> Step<'a> {
             let pin = |back: f64| foot.pinned(contact.point, self.hand(1.0 - back));
             Some(pin(back).reaction(follow(pin, next.pose[2], back)?))
         };
-        // A hand that jumps, or takes hold, does all of it at its end; but the first touch is on its way.
-        let jumps = self.evolution == Evolution::Frame && !last.contacts.is_empty();
+        // A hand that takes hold does all of it at its end.
         let left = [1.0, -1.0].map(|sign| {
             let excess = |back| Some(drive(reaction(back)?, surface.friction_dynamic, sign));
             let end = Way(&excess).at(0.0);
-            if jumps || !last.held {
+            if !last.held {
                 return end.abs();
             }
             let towards_zero = |back| excess(back).map(|excess| -end.signum() * excess);

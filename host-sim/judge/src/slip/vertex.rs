@@ -2,7 +2,6 @@
 //! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
 
 use super::{Step, drive, static_excess};
-use crate::frame::Evolution;
 use crate::pin::{Foot, Pin, follow};
 use crate::vector::{Vec2, add, scaled, sub};
 
@@ -33,10 +32,7 @@ impl<'a> Slide<'a> {
     /// The angle at the old place: the one of the frame before, continued.
     fn angle_before(&self, part: f64) -> Option<f64> {
         let theta = self.step.last.pose[2];
-        match self.step.evolution {
-            Evolution::Path => follow(|part| self.before(part), theta, part),
-            Evolution::Frame => Some(self.before(part).downhill(theta)),
-        }
+        follow(|part| self.before(part), theta, part)
     }
 
     /// The angle at the new place: the one of this frame, followed back.
