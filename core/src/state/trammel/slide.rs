@@ -218,6 +218,13 @@ impl<R: Real> Slides<R> {
         if let SlideEnding::Arrives = ending {
             x = self.polished(x, most);
         }
+        for (opens, lasts) in [(0, 1), (1, 0)] {
+            if let Some(zero) = self.first_opening(&start, (x, most), opens) {
+                let [s1, s2] = self.trammel.sense.signs;
+                let sliding = if lasts == 0 { s1 } else { s2 };
+                (x, ending) = (zero, SlideEnding::Opens { lasts, sliding });
+            }
+        }
         if self.has_stiction()
             && self.excess_length(&standing) < R::ZERO
             && let Some(pressed) = self.first_pressed(x)
@@ -249,14 +256,12 @@ impl<R: Real> Slides<R> {
         (run, part, ending)
     }
 
-    /// The first ending but a touch and stiction on [0, window), the hand going the part `most` of its displacement.
+    /// The first ending but a touch, an opening and stiction on [0, window), the hand going the part `most` of its displacement.
     fn first_ending(&self, window: R, most: R) -> (R, SlideEnding<R>, bool) {
         let signs = self.trammel.sense.signs;
         let found = first_zero(window, |x| {
             let at = self.at(x);
             let arrives = (at.rest + at.drive.times(most * self.unit)).as_slope(R::ONE);
-            let [n1, n2] = (at.normals)
-                .map(|[rest, drive]| (rest * at.drive - at.rest * drive).as_slope(R::ONE));
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let halts = |velocity: Bounded<R>, sign: R| {
                 if sign == R::ZERO {
@@ -269,27 +274,65 @@ impl<R: Real> Slides<R> {
                 halts(at.velocities[0], signs[0]),
                 halts(at.velocities[1], signs[1]),
             ];
-            Samples::far([arrives, n1, n2, h1, h2])
+            Samples::far([arrives, h1, h2])
         });
         match found {
             Found::Nothing { .. } => (window, SlideEnding::Window, false),
             Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
             Found::Zero { x, which } => {
-                let ending = match which {
-                    0 => SlideEnding::Arrives,
-                    1 => SlideEnding::Opens {
-                        lasts: 1,
-                        sliding: signs[1],
-                    },
-                    2 => SlideEnding::Opens {
-                        lasts: 0,
-                        sliding: signs[0],
-                    },
-                    _ => SlideEnding::Halts,
+                let ending = if which == 0 {
+                    SlideEnding::Arrives
+                } else {
+                    SlideEnding::Halts
                 };
                 (x, ending, false)
             }
         }
+    }
+
+    /// Where N_i falls to zero before x: none, if it stays positive whatever part is done there, else the first place in quarters of
+    /// the way.
+    fn first_opening(&self, start: &Progress<R>, (x, most): (R, R), which: usize) -> Option<R> {
+        const QUARTERS: u8 = 4;
+        let whole = most * self.unit;
+        let of = |normals: [[Bounded<R>; 2]; 2]| if which == 0 { normals[0] } else { normals[1] };
+        let [rest, drive] = of(start.normals);
+        let least = rest.value.min(rest.value + drive.value * whole);
+        if least > x * (rest.bounds[1] + drive.bounds[1] * whole) {
+            return None;
+        }
+        let is_pulled = |x: R| {
+            let at = self.at(x);
+            let [n1, n2] = at.standing(at.gone().max(R::ZERO).min(whole)).normals;
+            (if which == 0 { n1 } else { n2 }) < R::ZERO
+        };
+        let quarter = x.halved().halved();
+        let mut presses = R::ZERO;
+        for _ in 0..QUARTERS {
+            let ahead = presses + quarter;
+            if is_pulled(ahead) {
+                return Some(Self::first(is_pulled, presses, ahead));
+            }
+            presses = ahead;
+        }
+        None
+    }
+
+    /// The first place of a property that holds at the second of two places, by bisection: the last one before it.
+    fn first(holds: impl Fn(R) -> bool, mut before: R, mut after: R) -> R {
+        const BISECTIONS: usize = 60;
+        for _ in 0..BISECTIONS {
+            let middle = (before + after).halved();
+            if middle <= before || middle >= after {
+                break;
+            }
+            if holds(middle) {
+                after = middle;
+            } else {
+                before = middle;
+            }
+        }
+        before
     }
 
     /// A place at which the part `most` is all but done, without the rounding of the search.
@@ -305,28 +348,12 @@ impl<R: Real> Slides<R> {
         x
     }
 
-    /// Where the slip that would begin there becomes as long as the memory, if it is so at x: between 0 and there, by bisection.
+    /// Where the slip that would begin there becomes as long as the memory, if it is so at x: between 0 and there.
     fn first_pressed(&self, x: R) -> Option<R> {
-        const BISECTIONS: usize = 60;
         let is_pressed = |x: R| {
             let at = self.at(x);
             self.excess_length(&at.standing(at.gone())) >= R::ZERO
         };
-        if !is_pressed(x) {
-            return None;
-        }
-        let (mut loose, mut pressed) = (R::ZERO, x);
-        for _ in 0..BISECTIONS {
-            let middle = (loose + pressed).halved();
-            if middle <= loose || middle >= pressed {
-                break;
-            }
-            if is_pressed(middle) {
-                pressed = middle;
-            } else {
-                loose = middle;
-            }
-        }
-        Some(pressed)
+        is_pressed(x).then(|| Self::first(is_pressed, R::ZERO, x))
     }
 }
