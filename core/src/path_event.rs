@@ -32,7 +32,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     log: &mut Log<R>,
 ) {
     log.ambiguous = false;
-    let slid = state.regime().slide().is_some();
+    let before = (state.kind(), state.regime().slide().is_some());
     let next = match outcome(scene, (at, to), state, trigger, log) {
         Outcome::Next(next) => next,
         Outcome::Release => {
@@ -41,7 +41,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
         }
     };
     run(scene, at, state, next, log);
-    log_slide(state, slid, log);
+    log_slide(state, before, log);
 }
 
 fn outcome<R: Real, W: World<R>>(

@@ -56,8 +56,10 @@ impl<R: Real> Pivot<R> {
 
     /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) {
-        let load = self.load(scene, grip);
-        self.foot = self.foot + edge.balanced.dot(load.force) / edge.cos;
+        let arm = grip.holding_point - scene.vertex(self.contact.vertex);
+        let lever = self.orientation.rotation().apply(arm);
+        let force = grip.hand - self.point(scene) - lever + scene.weight();
+        self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
     /// The same pivot after a slide along t and a turn.

@@ -39,9 +39,9 @@ pub(crate) fn settle<R: Real>(
     log: &mut Log<R>,
 ) {
     log.ambiguous = false;
-    let slid = state.regime().slide().is_some();
+    let before = (state.kind(), state.regime().slide().is_some());
     run(scene, grip, state, Next::Relax(None), log);
-    log_slide(state, slid, log);
+    log_slide(state, before, log);
 }
 
 /// One verb after another at a frozen hand, until the body rests.
@@ -86,14 +86,21 @@ pub(crate) fn run<R: Real>(
     stays(log);
 }
 
-/// Says where a slide begins and ends.
-pub(crate) fn log_slide<R: Real>(state: &ContactState<R>, slid: bool, log: &mut Log<R>) {
+/// Says where a slide begins and ends, of a body that was in a state and perhaps slid.
+pub(crate) fn log_slide<R: Real>(
+    state: &ContactState<R>,
+    (before, slid): (StateKind, bool),
+    log: &mut Log<R>,
+) {
+    let kind = state.kind();
     let slides = state.regime().slide().is_some();
     if slides && !slid {
         log.transitions.add(slide_arm(state));
         log.event(Event::Slide);
-    } else if slid && !slides && state.kind() != StateKind::NonContact {
-        log.transitions.add(halt_arm(state));
+    } else if slid && !slides && kind != StateKind::NonContact {
+        if kind == before {
+            log.transitions.add(halt_arm(state));
+        }
         log.event(Event::Stop);
     }
 }

@@ -122,6 +122,15 @@ impl Setup {
         self.surface([-1.0, 0.0], -x, friction)
     }
 
+    /// The same with a memory length (m) on every surface.
+    #[must_use]
+    pub fn remembering(mut self, memory: f64) -> Self {
+        for surface in &mut self.surfaces {
+            surface.memory = Some(memory);
+        }
+        self
+    }
+
     /// The same without friction anywhere.
     #[must_use]
     pub fn smooth(mut self) -> Self {
@@ -233,6 +242,6 @@ fn rounded_surface<R: Number>(s: &SurfaceDescription<f64>) -> SurfaceDescription
         offset: R::rounded(s.offset),
         friction_static: R::rounded(s.friction_static),
         friction_dynamic: R::rounded(s.friction_dynamic),
-        memory: None,
+        memory: s.memory.map(R::rounded),
     }
 }

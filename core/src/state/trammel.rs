@@ -212,28 +212,28 @@ impl<R: Real> Trammel<R> {
 
     /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone.
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
+        let [f1, f2] = self.sense.reactions;
+        let spread = f1.cross(f2);
+        if spread.abs() > R::HALF.halved().halved() {
+            // What balances the force does so to the last digit.
+            let force = self.load.force;
+            let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
+            return self.on_edges(sizes);
+        }
         let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
-        let [first, second] = [0, 1].map(|i| {
-            let surface = if i == 0 {
-                self.surfaces[0]
-            } else {
-                self.surfaces[1]
-            };
-            let sign = if i == 0 {
-                self.sense.signs[0]
-            } else {
-                self.sense.signs[1]
-            };
-            let size = if i == 0 {
-                found.normals[0]
-            } else {
-                found.normals[1]
-            };
-            let size = (size.value / (found.resistance.value * self.per_load)).max(R::ZERO);
+        let per = found.resistance.value * self.per_load;
+        self.on_edges(found.normals.map(|size| size.value / per))
+    }
+
+    /// (N, T) of both contacts from the parts of their reactions along the edges of the dynamic cones.
+    fn on_edges(&self, sizes: [R; 2]) -> [[R; 2]; 2] {
+        let ([first, second], [s1, s2]) = (self.surfaces, self.sense.signs);
+        let [size1, size2] = sizes;
+        [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {
             let (n, t) = surface.friction.sliding_edge(sign);
+            let size = size.max(R::ZERO);
             [size * n, size * t]
-        });
-        [first, second]
+        })
     }
 
     /// Slide along t1 and turn, per unit of the motion.
