@@ -1,7 +1,7 @@
 //! Forces and events of a step on the wire (FRAME 5.2, 5.3).
 
 use super::fault::FaultKind;
-use super::fields::{Fields, Sink, at, index_of, require};
+use super::fields::{Fields, Sink, at, index_of};
 use super::list::{Item, List};
 use crate::contact::MAX_CONTACTS;
 use crate::event::{Event, MAX_EVENTS};
@@ -61,7 +61,7 @@ impl<'a> Forces<'a> {
             wrench: on_body,
             feedback,
             turns,
-            contacts: List::take(fields, count),
+            contacts: List::take(fields, count)?,
         })
     }
 }
@@ -83,13 +83,10 @@ impl<'a> Events<'a> {
         let (slips, longest_slip) = (fields.u32(), fields.f32());
         let count = usize::from(fields.u8());
         fields.exactly(count)?;
-        let known = |code: &u8| at(&Event::ALL, *code).is_ok();
-        let mut ahead = *fields;
-        require(ahead.remaining().iter().all(known), FaultKind::Value)?;
         Ok(Self {
             slips,
             longest_slip,
-            list: List::take(fields, count),
+            list: List::take(fields, count)?,
         })
     }
 }
@@ -107,8 +104,7 @@ impl Item for Contact<f32> {
         let [vertex, surface] = fields.take().map(usize::from);
         let point = fields.f32s();
         let [normal, friction] = fields.f32s();
-        // The bits of a signed byte.
-        let [sliding] = fields.take().map(u8::cast_signed);
+        let sliding = fields.u8().cast_signed();
         Self {
             vertex,
             surface,
@@ -118,6 +114,11 @@ impl Item for Contact<f32> {
             sliding,
         }
     }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes
+            .last()
+            .is_some_and(|&byte| (-1..=1).contains(&byte.cast_signed()))
+    }
 }
 
 impl Item for Event {
@@ -125,8 +126,10 @@ impl Item for Event {
     fn put(&self, sink: &mut impl Sink) {
         sink.byte(index_of(&Event::ALL, self));
     }
-    /// The codes of a list are checked before it is made.
     fn get(fields: &mut Fields<'_>) -> Self {
         fields.code(&Event::ALL).unwrap_or(Self::Touch)
+    }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes.iter().all(|&code| at(&Event::ALL, code).is_ok())
     }
 }

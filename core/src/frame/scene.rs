@@ -124,14 +124,14 @@ impl<'a> SceneCommand<'a> {
         let holding_point = fields.f32s();
         let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
         Ok(Self {
-            vertices: List::take(fields, vertices),
+            vertices: List::take(fields, vertices)?,
             start,
             weight,
             holding_point: given.then_some(holding_point),
             reach,
             stiffness_translation,
             stiffness_rotation,
-            surfaces: List::take(fields, surfaces),
+            surfaces: List::take(fields, surfaces)?,
         })
     }
 }
@@ -167,22 +167,24 @@ impl Item for [f32; 2] {
 }
 
 impl Item for SurfaceDescription<f32> {
-    const BYTES: usize = 24;
+    const BYTES: usize = 25;
     fn put(&self, sink: &mut impl Sink) {
         sink.f32s(&self.normal);
         sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
-        // A negative one for that of the body's size.
-        sink.f32s(&[self.memory.unwrap_or(-1.0)]);
+        sink.option(self.memory);
     }
     fn get(fields: &mut Fields<'_>) -> Self {
         let normal = fields.f32s();
-        let [offset, friction_static, friction_dynamic, memory] = fields.f32s();
+        let [offset, friction_static, friction_dynamic] = fields.f32s();
         Self {
             normal,
             offset,
             friction_static,
             friction_dynamic,
-            memory: (memory >= 0.0).then_some(memory),
+            memory: fields.option().unwrap_or(None),
         }
+    }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes.get(20).is_some_and(|&flag| flag <= 1)
     }
 }

@@ -7,7 +7,7 @@ use stiction_core::frame::{
     Command, EventSet, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text,
     scene_bytes, wire_bytes,
 };
-use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
+use stiction_core::{Angle, Description, Event, Hand, Scene, Status, SurfaceDescription};
 
 #[test]
 fn random_messages_arrive_as_they_were_sent() {
@@ -37,7 +37,7 @@ fn random_messages_arrive_as_they_were_sent() {
 }
 
 #[test]
-fn pose_takes_32_bytes_whatever_it_says() {
+fn pose_takes_33_bytes_whatever_it_says() {
     let mut random = Random(2);
     for _ in 0..times(10_000) {
         let message = Report::Pose(crate::random::pose(&mut random));
@@ -46,7 +46,7 @@ fn pose_takes_32_bytes_whatever_it_says() {
             time: random.bits() as u32,
             message,
         };
-        assert_eq!(encoded(&frame).len(), 32);
+        assert_eq!(encoded(&frame).len(), 33);
     }
 }
 
@@ -181,11 +181,11 @@ fn turns_are_followed_from_pose_to_pose() {
     }
 }
 
-/// FRAME.md 5.1: bit 7 is grasp or release.
+/// FRAME.md 5.1.
 #[test]
 fn every_event_has_a_bit_of_its_own() {
     const EVENTS: usize = 7 + 17;
-    for (bit, event) in Event::ALL.into_iter().take(8).enumerate() {
+    for (bit, event) in Event::ALL.into_iter().enumerate() {
         let events = EventSet::of(&[event]);
         let message = Report::Pose(Pose {
             events,
@@ -198,8 +198,9 @@ fn every_event_has_a_bit_of_its_own() {
         });
         bytes.pop();
         cobs::decode_in_place(&mut bytes).expect("COBS");
-        assert_eq!(bytes[EVENTS], 1 << bit, "{event:?}");
-        for other in Event::ALL.into_iter().take(8) {
+        let bits = u16::from_le_bytes([bytes[EVENTS], bytes[EVENTS + 1]]);
+        assert_eq!(bits, 1 << bit, "{event:?}");
+        for other in Event::ALL {
             assert_eq!(
                 events.contains(other),
                 other == event,
@@ -211,8 +212,8 @@ fn every_event_has_a_bit_of_its_own() {
 
 #[test]
 fn union_of_events_has_those_of_both() {
-    let all = &Event::ALL[..8];
-    for split in 0..=8 {
+    let all = &Event::ALL;
+    for split in 0..=all.len() {
         for overlap in 0..=split {
             let (some, rest) = (EventSet::of(&all[..split]), EventSet::of(&all[overlap..]));
             assert_eq!(some.union(rest), EventSet::of(all));
@@ -275,18 +276,67 @@ fn text_is_compared_by_its_characters() {
 }
 
 #[test]
-fn grasp_and_release_are_told_by_the_hold() {
-    for (event, other, held) in [
-        (Event::Grasp, Event::Release, true),
-        (Event::Release, Event::Grasp, false),
-    ] {
-        let pose = Pose {
-            held,
-            events: EventSet::of(&[Event::Touch, event]),
-            ..Pose::default()
+fn grasp_and_release_are_told_apart() {
+    let both = EventSet::of(&[Event::Release, Event::Grasp]);
+    assert!(both.contains(Event::Grasp) && both.contains(Event::Release));
+    let one = EventSet::of(&[Event::Touch, Event::Release]);
+    assert!(one.contains(Event::Touch) && one.contains(Event::Release));
+    assert!(!one.contains(Event::Grasp) && !one.contains(Event::Slip));
+}
+
+/// Who does not know a status takes the pose as one that may be out of balance, FRAME 5.1.
+#[test]
+fn status_to_come_is_taken_for_ambiguous() {
+    let known = Status::ALL.len() as u8;
+    let mut random = Random(7);
+    for code in 0..16 {
+        let mut raw = vec![stiction_core::frame::VERSION, 0x81, 3, 0, 0, 0, 0];
+        raw.extend((0..16).map(|_| random.byte()));
+        raw.extend([code | 1 << 4, 5, 0xe0, 8]);
+        decoded(&crate::sealed(&raw), false, |received| {
+            let Ok(Either::Report(Frame {
+                message: Report::Pose(pose),
+                ..
+            })) = received
+            else {
+                panic!("no pose");
+            };
+            assert_eq!(pose.status == Status::Ambiguous, code == 3 || code >= known);
+            assert!(pose.held && !pose.force_off && pose.turns == 7);
+            assert_eq!(pose.events, EventSet::of(&[Event::Touch, Event::Slip]));
+        });
+    }
+}
+
+/// No number means that there is none, not even one that is refused.
+#[test]
+fn memory_length_arrives_or_is_absent() {
+    for memory in [None, Some(0.0), Some(2e-5), Some(-1.0), Some(f32::INFINITY)] {
+        let wall = SurfaceDescription {
+            normal: [0.0, 1.0],
+            offset: 0.0,
+            friction_static: 0.5,
+            friction_dynamic: 0.3,
+            memory,
         };
-        assert!(
-            pose.saw(event) && pose.saw(Event::Touch) && !pose.saw(other) && !pose.saw(Event::Slip)
+        let surfaces = [wall; 2];
+        let sent = SceneCommand {
+            surfaces: List::from(&surfaces),
+            ..scene(&[[0.0; 2]])
+        };
+        decoded(
+            &encoded(&to_board(Command::Scene(sent))),
+            true,
+            |received| {
+                let Ok(Either::Command(Frame {
+                    message: Command::Scene(scene),
+                    ..
+                })) = received
+                else {
+                    panic!("no scene");
+                };
+                assert!(scene.surfaces.iter().eq(surfaces));
+            },
         );
     }
 }

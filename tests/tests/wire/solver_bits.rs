@@ -116,7 +116,7 @@ fn poses_carry_the_bits<R: Real<Si = f32>>(evolution: Evolution) {
             assert!(
                 Event::ALL
                     .iter()
-                    .all(|e| pose.saw(*e) == expected.events().contains(e))
+                    .all(|e| pose.events.contains(*e) == expected.events().contains(e))
             );
             assert_eq!(pose.sample, number as u8);
         });
