@@ -16,6 +16,7 @@ pub(crate) const PARAMETERS: Parameters = Parameters {
     stiffness_rotation: 0.3,
     friction_static: 0.8,
     friction_dynamic: 0.2,
+    memory: None,
 };
 
 const DEEP: [f32; 3] = [0.001, 0.045, 0.0];
@@ -61,6 +62,7 @@ fn hello_is_answered_by_info() {
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
         friction: [0.5, 0.3],
+        memory: None,
         mode: Mode::DEFAULT,
         name: "bench".to_owned(),
     };
@@ -177,6 +179,7 @@ fn parameters_that_are_no_numbers_for_them_are_refused() {
             stiffness_rotation: k_theta,
             friction_static: mu_s,
             friction_dynamic: mu_d,
+            memory: None,
         });
         refused(
             &mut rig,
