@@ -310,7 +310,7 @@ fn arguments_that_mean_nothing_are_refused() {
                 "allowed: at most 1000000000",
             ],
         ),
-        (&["--tolerance", "0.02"], &["--tolerance", "0 to 0.01"]),
+        (&["--tolerance", "0.001"], &["--tolerance"]),
         (&["--events", "0"], &["--events", "1 to 128"]),
         (&["--hand", "absent.csv"], &["absent.csv"]),
         (&["--speed", "2"], &["--speed"]),

@@ -215,7 +215,7 @@ impl Setup {
             offset: R::si(s.offset),
             friction_static: R::si(s.friction_static),
             friction_dynamic: R::si(s.friction_dynamic),
-            memory: None,
+            memory: s.memory.map(R::si),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
         Scene::new(&Description {

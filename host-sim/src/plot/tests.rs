@@ -21,6 +21,7 @@ fn surface(name: &str, normal: [f64; 2], offset: f64) -> SurfaceInfo {
         offset,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     }
 }
 
@@ -38,6 +39,7 @@ fn drag(count: usize) -> Run {
             point: [x, 0.0],
             normal: 0.5 * normal,
             friction: 0.5 * friction,
+            sliding: 0,
         };
         Frame {
             t,
