@@ -37,14 +37,15 @@ use crate::world::World;
 /// #     }],
 /// # })?;
 /// // A box, flat on the floor, mu = 0.5 / 0.3, is pressed 10 mm down and dragged by 0.1 m in a
-/// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm.
+/// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm; where
+/// // the hand jumps, it slips the rest of the way at once.
 /// let drag = |evolution| {
 ///     let solver = Solver::new(scene.clone(), evolution);
 ///     let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
 ///     solver.step(&mut state, Hand::new(0.1, 0.04, 0.0)).slips
 /// };
 /// assert_eq!(drag(Evolution::Path), 48);
-/// assert_eq!(drag(Evolution::Frame), 1);
+/// assert_eq!(drag(Evolution::Frame), 2);
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -52,8 +53,8 @@ pub enum Evolution {
     /// Exact events along the straight path of the hand: the result does not depend on the frame rate.
     #[default]
     Path,
-    /// The hand jumps to its new pose (as in the paper): cheapest. What happens, happens at the end of a frame, so that number and
-    /// length of slips depend on the frame rate.
+    /// From the first event of a frame the hand jumps to its new pose (as in the paper, but for that event): cheapest. What else
+    /// happens, happens at the end of the frame, so that number and length of slips depend on the frame rate.
     Frame,
 }
 

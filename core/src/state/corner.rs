@@ -187,7 +187,7 @@ mod tests {
     use crate::real::Fixed;
     use crate::scene::{Description, Scene, SurfaceDescription};
 
-    /// A point on two surfaces whose normals are turned from the upright by these angles, with their mu_s.
+    /// A point on two surfaces whose normals are turned from the upright by these angles, with their mu_s, twice mu_d.
     fn corner<R: Real>(
         si: impl Fn(f64) -> R::Si,
         angles: [f64; 2],
@@ -215,10 +215,15 @@ mod tests {
             foot: R::ZERO,
             orientation: Orientation::new(Angle::default()),
         };
-        (scene.expect("a sound scene"), Corner { pivot, surface: 1 })
+        let corner = Corner {
+            pivot,
+            surface: 1,
+            stiction: true,
+        };
+        (scene.expect("a sound scene"), corner)
     }
 
-    /// The reaction may have any direction between the outer edges of the two cones, these included; where both surfaces are
+    /// The reaction may have any direction between the outer edges of the two cones, of mu_s or of mu_d, these included; where both surfaces are
     /// left the vertex is free, else it slides on one of them. The cone of a rough plane may have both.
     #[test]
     fn vertex_stays_while_the_reaction_is_between_the_outer_edges() {
@@ -229,9 +234,12 @@ mod tests {
             (-0.4, [0.2, 2.0]),
             (-0.4, [2.0, 0.2]),
         ];
-        for (angle, mu) in even.into_iter().chain(rough) {
-            let (scene, corner) = corner::<f64>(|x| x, [0.0, angle], mu);
-            let [floor, plane] = mu.map(libm::atan);
+        let both = |case| [true, false].map(|stiction| (case, stiction));
+        for ((angle, mu), stiction) in even.into_iter().chain(rough).flat_map(both) {
+            let (scene, mut corner) = corner::<f64>(|x| x, [0.0, angle], mu);
+            corner.stiction = stiction;
+            let dynamic = if stiction { 1.0 } else { 0.5 };
+            let [floor, plane] = mu.map(|mu| libm::atan(mu * dynamic));
             let (first, last) = (f64::min(-floor, angle - plane), floor.max(angle + plane));
             for i in -300..=300 {
                 // Of the reaction from the floor's normal; both edges are among them.
