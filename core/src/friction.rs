@@ -76,14 +76,14 @@ impl<R: Real> Coulomb<R> {
             }
         };
         let nd = |x: R::Si| R::from_si(x, R::Si::ONE).min(R::HUGE);
-        let drop = fixed - sliding;
         let memory = memory.max(R::MICRO.to_si(R::Si::ONE));
+        let (drop, least) = drop_and_threshold(fixed, sliding, memory);
         // Coefficients that the number type does not tell apart are one.
         let cones = [fixed, sliding].map(cone);
         let threshold = if cones[0] == cones[1] {
             R::HUGE
         } else {
-            nd(memory / drop)
+            nd(least)
         };
         Self {
             fixed: cones[0],
@@ -205,6 +205,12 @@ impl<R: Real> Coulomb<R> {
     pub(crate) fn sliding_edge(&self, sign: R) -> (R, R) {
         (self.sliding.cos, -self.sliding.sin * sign)
     }
+}
+
+/// mu_s - mu_d, and N* = D_c / (mu_s - mu_d).
+fn drop_and_threshold<F: Real>(fixed: F, sliding: F, memory: F) -> (F, F) {
+    let drop = fixed - sliding;
+    (drop, memory / drop)
 }
 
 #[cfg(test)]

@@ -32,10 +32,6 @@ impl<F: Real> Units<F> {
         let usable = |unit: F| unit.is_finite() && unit > F::ONE / F::HUGE;
         usable(self.length) && usable(self.force) && usable(self.moment)
     }
-    /// 1/L (1/m)
-    pub(crate) fn per_length(&self) -> F {
-        self.per_length
-    }
     /// A length in metres made non-dimensional.
     pub(crate) fn length_from_si<R: Real<Si = F>>(&self, x: F) -> R {
         R::from_si(x, self.per_length)

@@ -260,7 +260,7 @@ pub(super) fn surfaces<R: Real, const S: usize>(
         }
         let memory = d
             .memory
-            .map_or(default_memory(), |memory| memory * units.per_length());
+            .map_or(default_memory(), |memory| units.length_from_si(memory));
         let (x, y) = normalized(x, y);
         let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
         let offset = units.length_from_si(d.offset);
