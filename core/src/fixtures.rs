@@ -1,5 +1,5 @@
 //! What the tests of single functions share: random numbers, loads about as large as what is representable, a pivot without a load,
-//! bodies among planes, searches that are counted.
+//! bodies among planes, statics written out, searches that are counted.
 
 use crate::contact::Pair;
 use crate::detect::Placed;
@@ -8,6 +8,8 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::{Description, Scene, SurfaceDescription};
+
+pub(crate) mod bench;
 
 /// Random numbers from a seed, the same in every run.
 pub(crate) struct Random(pub(crate) u64);

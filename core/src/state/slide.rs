@@ -243,3 +243,6 @@ impl<R: Real> SingleVertex<R> {
         turn != R::ZERO || moment.now().abs() <= load.rounding()
     }
 }
+
+#[cfg(test)]
+mod tests;
