@@ -9,6 +9,7 @@ use crate::moment::Sliding;
 mod bounded;
 mod cases;
 mod ends;
+mod reversal;
 
 impl Random {
     /// Of sizes from 0.03 to 10.
