@@ -122,6 +122,16 @@ impl<R: Real> Load<R> {
         );
         // -h
         let pull = surface.normal.dot(self.force) + off;
+        if scene.swings() {
+            // Nothing but the gap turns it: -N instead of a moment, in the direction in which it is stable.
+            let sign = along.sign();
+            return Moment {
+                couple: pull * sign,
+                stiffness: R::ZERO,
+                hold: Vec2::new(along, -off) * sign,
+                harmonic: H::NONE,
+            };
+        }
         let mut hold = self.lever.conj_mul(edge.reaction) * pull;
         let weight = scene.weight();
         if weight != Vec2::ZERO {
@@ -135,6 +145,21 @@ impl<R: Real> Load<R> {
             hold,
             harmonic: H::sliding((along, off), (edge.cos, edge.sin)),
         }
+    }
+
+    /// What a displacement adds to z of that moment.
+    pub(crate) fn sliding_drive(
+        &self,
+        scene: &impl World<R>,
+        (surface, edge): (&Surface<R>, &SlidingEdge<R>),
+        displacement: &Displacement<R>,
+    ) -> Vec2<R> {
+        if scene.swings() {
+            let sign = surface.tangent.dot(self.lever).sign();
+            return Vec2::new(R::ZERO, surface.normal.dot(displacement.hand) * sign);
+        }
+        self.lever
+            .conj_mul(displacement.pressing(surface, edge).hand)
     }
 
     /// The displacement of the foot along t, times cos(lambda), of a point that slides with the hand (E10).

@@ -77,7 +77,9 @@ pub(crate) fn run<R: Real>(
             Next::Slip(sign) => sign,
             _ => R::ZERO,
         };
-        if moved.trigger == Trigger::Stopped && had_stiction {
+        // What slides on has not slipped; what moved and sticks has, with stiction or without.
+        let sticks = state.regime().slide().is_none() && moved.slip.abs() > R::MICRO;
+        if moved.trigger == Trigger::Stopped && (had_stiction || sticks) {
             log.transitions.add(slip_arm(state));
             log.slip(moved.slip);
         }

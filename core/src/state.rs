@@ -237,6 +237,8 @@ impl<R: Real> ContactState<R> {
         direction: R,
     ) -> Moved<R> {
         match self {
+            Self::Free(s) if W::GLIDES => s.snap::<Sliding<R>>(scene, grip, direction),
+            Self::Free(s) => s.snap::<Pinned>(scene, grip, direction),
             Self::SingleVertex(s) if W::GLIDES => s.snap_sliding(scene, grip, (direction, R::ONE)),
             Self::SingleVertex(s) => match s.regime {
                 Regime::Slide(sign) => s.snap_sliding(scene, grip, (direction, sign)),

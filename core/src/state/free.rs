@@ -124,7 +124,26 @@ impl<R: Real> Free<R> {
         scene: &impl World<R>,
         grip: &Grip<R>,
     ) -> Moved<R> {
-        let downhill = self.downhill::<H>(scene, grip);
+        self.relax_by::<H>(scene, grip, self.downhill::<H>(scene, grip))
+    }
+
+    /// The same from a fold of the balance of the weight, on in the direction of the sign.
+    pub(crate) fn snap<H: SecondHarmonic<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
+        let moment = self.load(scene, grip).pinned::<H>();
+        self.relax_by::<H>(scene, grip, moment.over_fold(direction))
+    }
+
+    fn relax_by<H: SecondHarmonic<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        downhill: Downhill<R>,
+    ) -> Moved<R> {
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
         let mut moved = self.straight::<H>(scene, grip, downhill.turn, R::ONE);

@@ -37,8 +37,8 @@ impl<R: Real> SingleVertex<R> {
     ) -> Option<Rates<R>> {
         let edge = surface.sliding(sign);
         let moment = load.sliding::<Sliding<R>>(scene, surface, &edge);
-        let pressing = displacement.pressing(surface, &edge);
-        let driven = moment.stiffness * displacement.turn + load.lever.cross(pressing.hand);
+        let drive = load.sliding_drive(scene, (surface, &edge), displacement);
+        let driven = moment.stiffness * displacement.turn + drive.y;
         let foot = load.foot(&edge, displacement);
         (moment.stability() > R::ZERO).then(|| {
             let turn = driven / moment.stability();

@@ -62,6 +62,16 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
+    /// The same, of what drives it instead of a lever and a displacement.
+    pub(super) fn driven(
+        moment: &Moment<R, H>,
+        (drive, turn): (Vec2<R>, R),
+        trigger: Trigger<R>,
+    ) -> Self {
+        let curve = BalanceCurve::balanced(moment, drive, turn);
+        Self::of(curve, curve.extent(), trigger)
+    }
+
     fn curve(
         moment: &Moment<R, H>,
         lever: Vec2<R>,

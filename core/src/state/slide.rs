@@ -36,7 +36,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let (surface, edge) = self.sliding(scene, sign);
         let displacement = from.displacement_to(to);
-        let drive = (load.lever).conj_mul(displacement.pressing(&surface, &edge).hand);
+        let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
         let sliding = |load: &Load<R>| load.sliding::<Sliding<R>>(scene, &surface, &edge);
         let mut moment = sliding(&load);
         let times = moment.softness();
@@ -126,8 +126,9 @@ impl<R: Real> SingleVertex<R> {
             };
         }
         let moment = load.sliding::<Sliding<R>>(scene, &surface, &edge);
-        let pressing = displacement.pressing(&surface, &edge);
-        let mut segment = Segment::balanced(&moment, (load.lever, &pressing), Trigger::Balanced);
+        let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
+        let mut segment =
+            Segment::driven(&moment, (drive, displacement.turn), Trigger::Balanced);
         let foot = load.foot(&edge, &displacement);
         if W::SEVERAL {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);
@@ -182,7 +183,12 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
-        let downhill = self.sliding_moment(scene, grip, sign).over_fold(direction);
+        let moment = self.sliding_moment(scene, grip, sign);
+        let downhill = if scene.swings() {
+            moment.downhill()
+        } else {
+            moment.over_fold(direction)
+        };
         self.slide_by(scene, grip, (&downhill, sign))
     }
 
@@ -192,7 +198,7 @@ impl<R: Real> SingleVertex<R> {
         let (_, edge) = self.sliding(scene, sign);
         let lever = self.pivot.load(scene, grip).lever;
         let ahead = -edge.balanced.dot(lever.turned()) * sign;
-        (moment.stability() <= R::ZERO).then_some(ahead.sign())
+        (scene.swings() || moment.stability() <= R::ZERO).then_some(ahead.sign())
     }
 
     /// Turns downhill, the foot in balance from the beginning: it gets there in a straight line, on which energy falls.

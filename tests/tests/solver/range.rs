@@ -203,7 +203,7 @@ fn depth_at_the_start_is_allowed_up_to_its_bound() {
 #[test]
 fn hundred_slips_of_a_frame_are_no_limit() {
     let (mut few, mut many) = (0, 0);
-    for mu_d in [0.1, 0.3, 0.4, 0.45, 0.49, 0.495] {
+    for mu_d in [0.1, 0.3, 0.4, 0.45, 0.495, 0.498] {
         let setup = Setup::block(2.0, 1.0)
             .held_at([0.0, 0.5])
             .floor([0.5, mu_d])
