@@ -134,8 +134,11 @@ impl<R: Real> Slides<R> {
     fn excess_length(&self, standing: &Standing<R>) -> R {
         let frictions = self.trammel.surfaces.map(|surface| surface.friction);
         let [v1, v2] = standing.speeds;
-        let [n1, n2] = standing.normals;
         let [f1, f2] = frictions;
+        // Across the surfaces, not along the edges of the cones.
+        let ([a1, a2], [(cos1, _), (cos2, _)]) =
+            (standing.normals, frictions.map(|f| f.sliding_edge(R::ZERO)));
+        let [n1, n2] = [a1 * cos1, a2 * cos2];
         let [c1, c2] = standing.frictions;
         // What E would be if mu_s bore the load at both contacts, over how fast it falls.
         let jump = f1.drop() * n1 * c1 + f2.drop() * n2 * c2;
