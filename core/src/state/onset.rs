@@ -154,3 +154,6 @@ impl<R: Real> Edge<R> {
         };
     }
 }
+
+#[cfg(test)]
+mod tests;

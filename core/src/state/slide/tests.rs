@@ -44,7 +44,7 @@ fn case(seed: u64) -> Option<Case> {
         && case.bench.least_gap(theta, foot) > 1e-3
         && case.bench.sliding_stability(&hand, theta, sign) > 0.05;
     // Mostly on, not back.
-    if is_lawful && seed % 4 > 0 && sign * (case.at(1e-4, theta).foot - foot) < 0.0 {
+    if is_lawful && !seed.is_multiple_of(4) && sign * (case.at(1e-4, theta).foot - foot) < 0.0 {
         case.way = (-case.way.0, -case.way.1);
     }
     is_lawful.then_some(case)

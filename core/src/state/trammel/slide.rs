@@ -360,3 +360,6 @@ impl<R: Real> Slides<R> {
         is_pressed(x).then(|| Self::first(is_pressed, R::ZERO, x))
     }
 }
+
+#[cfg(test)]
+mod tests;
