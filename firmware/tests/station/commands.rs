@@ -56,8 +56,8 @@ fn hello_is_answered_by_info() {
         number: NumberType::F32,
         room: [8, 4],
         has: [true, true, false],
-        // 11 + 39 + 8·8 + 20·4.
-        longest_frame: 194,
+        // 11 + 39 + 8·8 + 25·4.
+        longest_frame: 214,
         fastest_tick: 5_000,
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
@@ -124,6 +124,7 @@ fn parameters_in_mid_contact_leave_the_body_where_it_is() {
     rig.done(Command::Parameters(PARAMETERS));
     let info = rig.info();
     assert_eq!((info.stiffness, info.friction), ([400.0, 0.3], [0.8, 0.2]));
+    assert_eq!(info.memory, None);
     rig.tick();
     let after = rig.pose();
     assert!(after.held && after.status == Status::Ok);
@@ -151,6 +152,29 @@ fn parameters_before_the_first_sample_are_those_of_the_start() {
         (force.force[1] - 4.0).abs() < 1e-3,
         "4 mm of 1000 N/m: {force:?}"
     );
+}
+
+#[test]
+fn a_memory_length_is_told_and_taken_back() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 30);
+    for memory in [Some(1e-3), Some(0.0), None] {
+        rig.done(Command::Parameters(Parameters {
+            memory,
+            ..PARAMETERS
+        }));
+        assert_eq!(rig.info().memory, memory);
+    }
+    for wrong in [-1e-6, f32::NAN, f32::INFINITY] {
+        let command = Command::Parameters(Parameters {
+            memory: Some(wrong),
+            ..PARAMETERS
+        });
+        let subject = Subject::Scene(Parameter::Memory(0));
+        let expected = (Reason::Number, subject, wrong, f32::NAN);
+        refused(&mut rig, command, expected);
+        assert_eq!(rig.info().memory, None);
+    }
 }
 
 #[test]

@@ -90,7 +90,7 @@ fn poses_forces_and_health_must_fit_the_line() {
         pose_every: 2,
         ..mode
     });
-    // 78 bytes the forces of two contacts.
+    // 80 bytes the forces of two contacts.
     let forces = Mode {
         forces_every: 1,
         ..Mode::DEFAULT
@@ -98,7 +98,7 @@ fn poses_forces_and_health_must_fit_the_line() {
     refused(
         &mut rig,
         forces,
-        (Reason::Unsupported, line, 110_000.0 + health, 92_160.0),
+        (Reason::Unsupported, line, 113_000.0 + health, 92_160.0),
     );
     rig.mode(Mode {
         forces_every: 2,
@@ -116,7 +116,7 @@ fn poses_forces_and_health_must_fit_the_line() {
     refused(
         &mut slow,
         Mode::DEFAULT,
-        (Reason::Unsupported, line, 32_000.0 + health, 11_520.0),
+        (Reason::Unsupported, line, 33_000.0 + health, 11_520.0),
     );
     slow.mode(Mode {
         tick_rate: 300,
