@@ -96,6 +96,10 @@ fn touches<R: Real, W: World<R>>(
         (StateKind::NonContact, _, ContactState::Edge(s)) => s.begin(scene, path),
         (StateKind::NonContact, ..) => {}
         (_, Regime::Stick { .. }, state) => state.set_regime(regime),
+        // A contact that bears nothing is as one that has just been touched.
+        (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) if scene.swings() => {
+            s.begin(scene, path);
+        }
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
         (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s)) => {
             s.slide_on(scene, path, sign);
@@ -164,7 +168,8 @@ fn leaves<R: Real, W: World<R>>(
             }
             Outcome::Next(Next::Rest)
         }
-        ContactState::SingleVertex(_) => {
+        ContactState::SingleVertex(s) => {
+            let topples = s.topples_free(scene, path.0);
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
             let free = Free {
@@ -173,7 +178,11 @@ fn leaves<R: Real, W: World<R>>(
             let near = free.is_near_balance(scene, path.0);
             *state = ContactState::Free(free);
             // What no force holds may be far from where the hand alone would have it.
-            Outcome::Next(if near { Next::Rest } else { Next::Relax(None) })
+            Outcome::Next(match topples {
+                Some(direction) => Next::Snap(direction),
+                None if near => Next::Rest,
+                None => Next::Relax(None),
+            })
         }
         _ => Outcome::Next(apply(
             scene,

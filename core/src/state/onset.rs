@@ -110,6 +110,15 @@ impl<R: Real> SingleVertex<R> {
         self.pivot.surface(scene).normal.dot(opening) >= R::ZERO
     }
 
+    /// The direction in which the body turns about the hand as the vertex leaves its surface, if its balance in the air is not stable.
+    pub(crate) fn topples_free(&self, scene: &impl World<R>, grip: &Grip<R>) -> Option<R> {
+        let load = self.pivot.load(scene, grip);
+        let weight = scene.weight();
+        let stability = load.stiffness + (load.centroid - load.lever).dot(weight);
+        let opening = -self.pivot.surface(scene).normal.dot(load.lever.turned());
+        (weight != Vec2::ZERO && stability <= R::ZERO).then_some(opening.sign())
+    }
+
     /// True if the gap of another contact opens as this vertex slides on with the hand along sign·t.
     pub(crate) fn opens(
         &self,

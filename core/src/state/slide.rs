@@ -127,8 +127,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let moment = load.sliding::<Sliding<R>>(scene, &surface, &edge);
         let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
-        let mut segment =
-            Segment::driven(&moment, (drive, displacement.turn), Trigger::Balanced);
+        let mut segment = Segment::driven(&moment, (drive, displacement.turn), Trigger::Balanced);
         let foot = load.foot(&edge, &displacement);
         if W::SEVERAL {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);
