@@ -240,3 +240,6 @@ fn opens<R: Real, W: World<R>>(
     }
     Outcome::Next(Next::Rest)
 }
+
+#[cfg(test)]
+mod tests;
