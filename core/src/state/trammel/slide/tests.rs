@@ -25,7 +25,8 @@ impl Sliding {
         let mut random = Random(seed);
         let mut ladder = Ladder::random(&mut random)?;
         ladder.memory = libm::exp2(-6.0 + 4.0 * random.next());
-        let normals = [0.02, 0.02].map(|least| least + 0.3 * random.next().abs());
+        let most = if seed.is_multiple_of(2) { 3.0 } else { 0.3 };
+        let normals = [0.02, 0.02].map(|least| least + most * random.next().abs());
         Self::of(ladder, normals, &mut random)
     }
 
@@ -230,11 +231,17 @@ fn slide_of_two_lasts_to_its_first_ending() {
         state.regime = Regime::Slide(sliding.direction);
         let ladder = &sliding.ladder;
         let to = ladder.grip(&sliding.hand.on(sliding.way, 1.0));
-        let moved = state.advance(&sliding.case.scene, &sliding.case.grip, &to);
+        let (mut at, mut part) = (sliding.case.grip, 0.0);
+        let moved = loop {
+            let moved = state.advance(&sliding.case.scene, &at, &to);
+            part += (1.0 - part) * moved.part;
+            at = at.lerp(&to, moved.part);
+            // So far nothing has ended it: towards a fold the runs become short.
+            if !moved.unsure {
+                break moved;
+            }
+        };
         let turn = state.pivot.orientation.angle().radians() - ladder.theta;
-        if moved.unsure {
-            continue;
-        }
         let ending = match moved.trigger {
             Trigger::Balanced => SlideEnding::Arrives,
             Trigger::Halts => SlideEnding::Halts,
@@ -247,12 +254,12 @@ fn slide_of_two_lasts_to_its_first_ending() {
             } => SlideEnding::Opens { lasts, sliding },
             other => panic!("{seed}: {other:?}"),
         };
-        if moved.part == 0.0 {
+        if part == 0.0 {
             assert!(turn.abs() < 1e-12, "{seed}: {turn}");
             seen[0] += 1;
             continue;
         }
-        sliding.lasts(turn, moved.part, seed);
+        sliding.lasts(turn, part, seed);
         let left = sliding.left(&ending, turn);
         assert!(left.abs() < 1e-7, "{seed}: {ending:?} {left}");
         let which = match ending {
@@ -266,7 +273,7 @@ fn slide_of_two_lasts_to_its_first_ending() {
         seen[which] += 1;
     }
     assert!(
-        cfg!(miri) || [0, 1, 2, 4, 5, 6].into_iter().all(|i| seen[i] > 2),
+        cfg!(miri) || seen.iter().all(|count| *count > 2),
         "{seen:?}"
     );
 }

