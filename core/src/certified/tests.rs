@@ -230,6 +230,8 @@ fn rate_of_the_turn_is_within_its_spread() {
         let most = pull + (case.stiffness * turn).abs() / least;
         let terms = (pull + bend * most + most) * certified.turn_bound + most * pull;
         assert!(spread <= 4.0 * terms + 1e-12, "{case:?}: {spread} {terms}");
+        let least = terms * (1.0 - 1e-12);
+        assert!(spread >= least, "{case:?}: {spread} {terms}");
     }
 }
 

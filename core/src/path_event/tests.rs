@@ -148,6 +148,36 @@ fn yields_with_and_without_stiction_in_every_number_type() {
     }
 }
 
+/// At the edge of its cone, with a hand that goes back, it neither slides nor slips.
+#[test]
+fn hand_that_goes_back_begins_no_slide() {
+    const STEP: f64 = 1e-4;
+    let mut count = 0;
+    for seed in sampled(0..400, 97) {
+        let Some(case) = Case::random(seed, 0.5, |bench| bench.friction[1]) else {
+            continue;
+        };
+        let scene = case.bench.scene::<f64>().expect("a sound scene");
+        let hand = case.hand.on(case.way, STEP);
+        let (_, foot) = case.bench.slides(&hand, case.theta, case.sign);
+        let theta = case.bench.sticks(&hand, case.theta, case.foot);
+        let [n, t] = case.bench.reaction(&hand, theta, case.foot);
+        let within = case.bench.friction[1] * n + case.sign * t;
+        if case.sign * (foot - case.foot) > -0.01 * STEP || within < 0.01 * STEP {
+            continue;
+        }
+        let mut state = case.state::<f64>(Regime::LOOSE);
+        let [mut at, to] = case.grips::<f64>();
+        let mut log = Log::default();
+        let trigger = Trigger::Slide(case.sign);
+        happens(&scene, (&mut at, &to), &mut state, trigger, &mut log);
+        assert_eq!((state.regime(), log.slips), (Regime::LOOSE, 0), "{seed}");
+        assert!(log.events.is_empty(), "{seed}: {:?}", log.events);
+        count += 1;
+    }
+    assert!(cfg!(miri) || count > 20, "{count}");
+}
+
 /// What sticks loosely, or slides, gains stiction where N has risen to N*, neither before nor later; the stick stays as it is.
 #[test]
 fn stiction_is_gained_at_the_threshold() {
