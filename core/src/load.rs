@@ -183,7 +183,7 @@ impl<R: Real> Load<R> {
 
     /// A displacement of the hand after which a load that contacts had just borne is surely beyond that.
     pub(crate) fn release(&self) -> R {
-        self.little() * R::from_int(8)
+        self.little().doubled()
     }
 
     /// The rounding of forces and moments at a place.
