@@ -11,6 +11,8 @@ use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_scene::SurfaceInfo;
 
+mod slides;
+
 /// A size that an SVG stays below [bytes].
 const LARGEST_SVG: u64 = 1_000_000;
 
