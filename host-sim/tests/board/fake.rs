@@ -53,6 +53,7 @@ pub(crate) enum Part {
     Theta,
     Wrench,
     Friction,
+    Sliding,
 }
 
 /// What a board saw.
@@ -338,6 +339,9 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         flip(Part::Wrench, &mut wrench.moment);
         if let Some(contact) = contacts.last_mut() {
             flip(Part::Friction, &mut contact.friction);
+            if self.tricks.flip == Some((index, Part::Sliding)) {
+                contact.sliding = i8::from(contact.sliding == 0);
+            }
         }
         // A millisecond a step, whatever the clock says: parts of a step are known by their time.
         let time = 1000 * (index as u32 + 1);

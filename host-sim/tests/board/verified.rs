@@ -69,6 +69,7 @@ fn one_flipped_bit_is_found_in_its_frame() {
         (0, Part::Theta, "pose theta"),
         (300, Part::Wrench, "wrench moment"),
         (60, Part::Friction, "T of contact"),
+        (60, Part::Sliding, "sliding of contact"),
     ] {
         let tricks = Tricks {
             flip: Some((frame, part)),
