@@ -18,6 +18,7 @@ use crate::search::{Found, Samples, Slope, first_zero};
 
 mod bounded;
 mod margin;
+mod reversal;
 
 pub(crate) use margin::Margin;
 
@@ -34,8 +35,6 @@ pub(crate) struct BalanceCurve<R, H = Pinned> {
     drive: Vec2<R>,
     /// The second harmonic of H(ϑ).
     harmonic: H,
-    /// Places are found to within this x; 0: as far as the digits go.
-    tolerance: R,
 }
 
 /// A place on the curve.
@@ -109,7 +108,6 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             hold: hold.in_units(unit),
             drive: drive.in_units(unit),
             harmonic: harmonic.in_units(unit),
-            tolerance: R::ZERO,
         }
     }
 
@@ -145,17 +143,6 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             hold,
             drive: Vec2::ZERO,
             harmonic: H::NONE,
-            tolerance: R::ZERO,
-        }
-    }
-
-    /// The same with its places found only to within a tolerance, in ϑ (rad) and in the displacement of a point that goes
-    /// `shift` at tau = 1.
-    pub(crate) fn to_within(self, tolerance: R, shift: R) -> Self {
-        let swiftest = self.whole() * shift;
-        Self {
-            tolerance: tolerance / swiftest.max(R::ONE),
-            ..self
         }
     }
 
@@ -250,7 +237,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             }
         };
         let (per_change, per_changes) = (per(change), per(changes));
-        let found = first_zero((R::HUGE, self.tolerance), |x| {
+        let found = first_zero(R::HUGE, |x| {
             let p = self.at(x);
             let mut window = R::ONE + x.doubled();
             // Before the end H < D, so that dtau/dx D = H' - tau D' > 0 as long as neither H' nor H' - D' falls to zero.

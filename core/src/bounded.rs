@@ -24,6 +24,16 @@ impl<R: Real> Bounded<R> {
         }
     }
 
+    /// The same `k` times as large.
+    pub(crate) fn times(self, k: R) -> Self {
+        let size = k.abs();
+        Self {
+            value: self.value * k,
+            slope: self.slope * k,
+            bounds: self.bounds.map(|bound| bound * size),
+        }
+    }
+
     /// As a function whose first zero is searched for.
     pub(crate) fn as_slope(&self, sign: R) -> Slope<R> {
         Slope {

@@ -76,16 +76,13 @@ impl<R: Real> CertifiedTurn<R> {
             per_least,
             bend,
         };
-        if turn_bound <= moment.tolerance {
-            return Some(certified(orientation));
-        }
         let mut turn = moment.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
             orientation = orientation.plus(turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
             let change = bend * turn.abs();
             let left = (change * (change + turn.abs()) * turn.abs()).halved();
-            if left <= R::EPSILON.max(moment.tolerance) {
+            if left <= R::EPSILON {
                 return Some(certified(orientation));
             }
             let moment = then(orientation);
@@ -94,7 +91,21 @@ impl<R: Real> CertifiedTurn<R> {
         None
     }
 
-    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = turn_bound / 2 there.
+    /// The angular velocity in tau of the moment that was turned, and by how much any on the way differs from it.
+    pub(crate) fn rate<H: SecondHarmonic<R>>(
+        &self,
+        moment: &Moment<R, H>,
+        drive: Vec2<R>,
+        dphi: R,
+    ) -> (R, R) {
+        let along = drive.length_bound() * self.per_least;
+        let driven = moment.stiffness * dphi + drive.y;
+        let most = along + (moment.stiffness * dphi).abs() * self.per_least;
+        let turning = (along + self.bend * most + most) * self.turn_bound;
+        (driven / moment.stability(), turning + most * along)
+    }
+
+    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = reach / 2 there.
     pub(crate) fn swing(&self) -> R {
         self.turn_bound * (self.turn_bound + self.bend * self.turn_bound.halved().halved())
     }

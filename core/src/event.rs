@@ -63,7 +63,11 @@ pub enum Event {
     Snap,
     /// A contact more: three or more fix the body.
     Jam,
-    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not reported.
+    /// A contact began to slide with the hand at |T| = mu_d N.
+    Slide,
+    /// A contact that slid with the hand sticks again.
+    Stop,
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
     Grasp,
     /// The hand let go of the body.
     Release,
@@ -71,7 +75,7 @@ pub enum Event {
 
 impl Event {
     /// All events.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Touch,
         Self::Lift,
         Self::Slip,
@@ -79,6 +83,8 @@ impl Event {
         Self::Land,
         Self::Snap,
         Self::Jam,
+        Self::Slide,
+        Self::Stop,
         Self::Grasp,
         Self::Release,
     ];
@@ -93,6 +99,8 @@ impl Event {
             Self::Land => "land",
             Self::Snap => "snap",
             Self::Jam => "jam",
+            Self::Slide => "slide",
+            Self::Stop => "stop",
             Self::Grasp => "grasp",
             Self::Release => "release",
         }

@@ -1,6 +1,7 @@
 //! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta); and the displacement of the hand,
 //! which is the other end of both. Lengths / L, forces / (k_h L): k_h is 1.
 
+use crate::friction::SlidingEdge;
 use crate::geometry::{Angle, Pose, Vec2};
 use crate::real::Real;
 use crate::world::{Surface, World};
@@ -30,6 +31,20 @@ impl<R: Real> Grip<R> {
             holding_point: to.holding_point,
             hand: self.hand.lerp(to.hand, part),
             angle: self.angle.plus(to.angle.minus(self.angle) * part),
+        }
+    }
+
+    /// So far in the direction of another grip, which may be nearer.
+    pub(crate) fn ahead(&self, to: &Self, distance: R) -> Self {
+        let displacement = self.displacement_to(to);
+        let unit = displacement.size().unit();
+        if displacement.size() == R::ZERO {
+            return *self;
+        }
+        Self {
+            holding_point: self.holding_point,
+            hand: self.hand + displacement.hand.in_units(unit) * distance,
+            angle: self.angle.plus(displacement.turn.in_units(unit) * distance),
         }
     }
 
@@ -79,10 +94,10 @@ impl<R: Real> Displacement<R> {
         }
     }
 
-    /// What of it a foot that glides along a surface without friction does not go along with: n (n·dp) of (E11).
-    pub(crate) fn pressing(&self, surface: &Surface<R>) -> Self {
+    /// What of it drives the turn of a body whose foot slides along a surface: the rest the foot follows.
+    pub(crate) fn pressing(&self, surface: &Surface<R>, edge: &SlidingEdge<R>) -> Self {
         Self {
-            hand: surface.normal * surface.normal.dot(self.hand),
+            hand: edge.reaction * surface.normal.dot(self.hand),
             turn: self.turn,
         }
     }

@@ -23,6 +23,7 @@ use crate::real::Real;
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);

@@ -46,10 +46,6 @@ impl<R: Real> Log<R> {
             grave => grave,
         }
     }
-    /// Nothing but a single slip.
-    pub(crate) fn is_one_slip(&self) -> bool {
-        self.slips == 1 && self.events.len() == 1 && self.final_status() == Status::Ok
-    }
     /// Keeps the gravest status.
     pub(crate) fn limit(&mut self, status: Status) {
         self.status = self.status.max(status);

@@ -40,9 +40,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
     }
-    fn tolerance(&self) -> R {
-        self.tolerance
-    }
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
         let mut surface = surface.copied().unwrap_or(Surface::NOWHERE);
@@ -69,7 +66,6 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
     pub(crate) holding_point: Option<Vec2<R>>,
     pub(crate) reach: R,
     pub(crate) units: Units<R::Si>,
-    pub(crate) tolerance: R,
     model: PhantomData<M>,
 }
 
@@ -107,7 +103,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
-            tolerance: R::ZERO,
             model: PhantomData,
         };
         scene.check_range(d)?;

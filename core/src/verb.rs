@@ -19,6 +19,10 @@ pub(crate) enum Trigger<R> {
     Slide(R),
     /// The slip ended at mu_d N.
     Stopped,
+    /// The normal reaction has risen to N*: what sticks has stiction, what slides sticks (rule 3).
+    Pressed,
+    /// The foot of a slide comes to a halt (rule 7).
+    Halts,
     /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
     /// along sign·t.
     Keep {
@@ -40,22 +44,13 @@ pub(crate) struct Relax<R> {
     pub(crate) attempt: usize,
 }
 
-/// On what terms a certified frame is followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Terms<R> {
-    /// The hand jumps: what is on its path does not count.
-    pub(crate) jumps: bool,
-    /// The balance is found to within this angle (rad); 0: as far as the digits go.
-    pub(crate) tolerance: R,
-}
-
 /// The outcome of a verb, which has moved the state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved<R> {
     pub(crate) trigger: Trigger<R>,
     /// The part of the hand's path that was gone (`advance`).
     pub(crate) part: R,
-    /// How far a contact slid (`slide`).
+    /// How far a contact slid (`slip`).
     pub(crate) slip: R,
     /// The body turned over a fold (`relax`).
     pub(crate) snapped: bool,

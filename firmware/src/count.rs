@@ -6,7 +6,7 @@ use stiction_core::{
     Hand, Model, Output, Parameter, Real, Scene, SceneError, SiFloat, Solver, State, narrow_hand,
 };
 
-use crate::job::{self, FormatError, Frame, Head, Results, Setting, Totals};
+use crate::job::{self, FormatError, Frame, Head, Results, Totals};
 
 /// So many frames are read and written at once.
 const BATCH: usize = 16;
@@ -78,11 +78,7 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
 ) -> Result<(), Failure> {
     let head = head(files)?;
     let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    let Setting {
-        evolution,
-        tolerance,
-    } = head.setting;
-    let solver = Solver::new(scene, evolution).with_tolerance(R::Si::narrow(tolerance));
+    let solver = Solver::new(scene, head.evolution);
     ride(solver, head.samples, files, instruments)
 }
 

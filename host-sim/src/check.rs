@@ -16,8 +16,7 @@ use crate::scenes;
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
-    /// Trace (jsonl, csv) of `stiction run`, or of any other program; one of `run --tolerance` may be unlawful by these bounds:
-    /// its slips end beside mu_d N, and its forces and moments balance, by what the tolerance allows
+    /// Trace (jsonl, csv) of `stiction run`, or of any other program
     trace: PathBuf,
     /// Scene file (TOML) that the trace is of, or the name of a bundled scene
     #[arg(long)]

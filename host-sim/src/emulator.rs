@@ -16,8 +16,8 @@ use std::convert::Infallible;
 use std::fs;
 use std::process::Command;
 
-use stiction_core::Hand;
-use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
+use stiction_core::{Evolution, Hand};
+use stiction_firmware::job::{self, Frame, Results, Totals};
 use stiction_scene::{NumberType, SceneFile};
 use stiction_tools::process::{EmulatorError, output_of};
 
@@ -95,12 +95,12 @@ impl Counted {
 }
 
 /// A job for a [`Counter`]: the scene, and a hand sample for every frame.
-pub fn job(scene: &SceneFile, setting: Setting, hands: &[Hand<f64>]) -> Vec<u8> {
+pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     scene.described(|description| {
         // A sink that keeps everything does not fail.
-        let _ = job::write_scene(description, setting, samples, |part| {
+        let _ = job::write_scene(description, evolution, samples, |part| {
             bytes.extend_from_slice(part);
             Ok::<_, Infallible>(())
         });

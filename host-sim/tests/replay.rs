@@ -36,7 +36,7 @@ fn a_recording_gives_the_same_bits_again() {
     for number in ["f64", "f32", "fixed"] {
         for evolution in ["path", "frame"] {
             let options = ["--number", number, "--evolution", evolution];
-            let dials = ["--rate", "777", "--tolerance", "0.001", "--events", "3"];
+            let dials = ["--rate", "777", "--events", "3"];
             let folder = recorded(&[&options[..], &dials].concat());
             let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
             let (status, message) = said(
@@ -177,8 +177,16 @@ fn what_is_no_recording_is_refused_with_its_line() {
         (folder.read("trace.jsonl"), "line 1: "),
         (head.clone() + "\n", "line 1: no sample follows the head"),
         (
-            recording.replacen(r#""recording":1"#, r#""recording":2"#, 1),
-            "allowed: 1, the version",
+            recording.replacen(r#""recording":2"#, r#""recording":3"#, 1),
+            "allowed: 2, the version",
+        ),
+        (
+            recording.replacen(r#""recording":2"#, r#""recording":1,"tolerance":0.0"#, 1),
+            "with a `tolerance`, which the solver does not have any more), allowed: 2",
+        ),
+        (
+            recording.replacen(r#""events":128"#, r#""tolerance":0.0,"events":128"#, 1),
+            "line 1: unknown field `tolerance`",
         ),
         (
             recording.replacen(r#""number":"f32""#, r#""number":"f16""#, 1),

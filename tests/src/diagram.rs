@@ -14,7 +14,7 @@ use stiction_core::Transition;
 use words::markup;
 
 /// Width and height of the picture (px).
-pub const SIZE: [f64; 2] = [1560.0, 1320.0];
+pub const SIZE: [f64; 2] = [1560.0, 1470.0];
 const INK: &str = "#1d2b36";
 const CLOSES: &str = "#15616d";
 const OPENS: &str = "#a8461f";
@@ -204,7 +204,7 @@ impl Diagram {
 
 /// What the colours mean, and the arms that every state has.
 fn legend(out: &mut String) -> fmt::Result {
-    let (x, mut y) = (30.0, 1190.0);
+    let (x, mut y) = (30.0, 1340.0);
     for (colour, text) in [(CLOSES, "contacts close"), (OPENS, "contacts open")] {
         writeln!(
             out,

@@ -211,6 +211,11 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F) -> Checked<F> {
     Ok(())
 }
 
+/// The memory length where none is given, in body sizes.
+fn default_memory<F: Real>() -> F {
+    F::ONE / F::from_int(4096)
+}
+
 /// Checks and normalises the surfaces.
 pub(super) fn surfaces<R: Real, const S: usize>(
     given: &[SurfaceDescription<R::Si>],
@@ -245,6 +250,17 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             mu_s,
             "not less than the dynamic friction",
         )?;
+        if let Some(memory) = d.memory {
+            require(
+                memory >= R::Si::ZERO,
+                Parameter::Memory(i),
+                memory,
+                "0 or more",
+            )?;
+        }
+        let memory = d
+            .memory
+            .map_or(default_memory(), |memory| units.length_from_si(memory));
         let (x, y) = normalized(x, y);
         let normal = Vec2::new(R::from_si(x, R::Si::ONE), R::from_si(y, R::Si::ONE));
         let offset = units.length_from_si(d.offset);
@@ -254,7 +270,7 @@ pub(super) fn surfaces<R: Real, const S: usize>(
             tangent: Vec2::new(normal.y, -normal.x),
             offset,
             origin: normal * offset,
-            friction: Coulomb::from_coefficients(mu_s, mu_d),
+            friction: Coulomb::from_coefficients(mu_s, mu_d, memory),
         });
     }
     Ok(checked)

@@ -3,7 +3,7 @@
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::Pair;
-use crate::detect::{Moving, Placed};
+use crate::detect::{Moving, Placed, PointPath};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::moment::{Downhill, Moment, Pinned, SecondHarmonic};
@@ -62,6 +62,16 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
+    /// The same, of what drives it instead of a lever and a displacement.
+    pub(super) fn driven(
+        moment: &Moment<R, H>,
+        (drive, turn): (Vec2<R>, R),
+        trigger: Trigger<R>,
+    ) -> Self {
+        let curve = BalanceCurve::balanced(moment, drive, turn);
+        Self::of(curve, curve.extent(), trigger)
+    }
+
     fn curve(
         moment: &Moment<R, H>,
         lever: Vec2<R>,
@@ -69,7 +79,6 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
     ) -> BalanceCurve<R, H> {
         let drive = lever.conj_mul(displacement.hand);
         BalanceCurve::balanced(moment, drive, displacement.turn)
-            .to_within(moment.tolerance, displacement.hand.length_bound())
     }
 
     fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {
@@ -94,16 +103,24 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Ends where a further vertex reaches a surface, if that is earlier. The placed point moves by `shift` at tau = 1.
+    /// Ends where a foot turns back whose displacement is a margin, if that is earlier.
+    pub(super) fn stop_at_reversal(&mut self, foot: &Margin<R>, slack: R, trigger: Trigger<R>) {
+        if self.curve.stop_at_reversal(foot, slack, &mut self.extent) {
+            self.trigger = trigger;
+            self.goes_on = false;
+        }
+    }
+
+    /// Ends where a further vertex reaches a surface, if that is earlier, the placed point going along a path.
     pub(super) fn stop_at_touch(
         &mut self,
         scene: &impl World<R>,
         placed: &Placed<R>,
-        (shift, lasting): (Vec2<R>, &[Pair]),
+        (path, lasting): (&PointPath<R>, &[Pair]),
     ) {
         let moving = Moving {
             curve: &self.curve,
-            shift,
+            path,
             lasting,
         };
         if let Some(pair) = placed.first_touch(scene, &mut self.extent, &moving) {
@@ -146,12 +163,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             let moment = pivot.load(scene, to).pinned::<H>();
-            let polished = pivot.moved(R::ZERO, moment.polish());
-            // Within a tolerance touches were looked for up to the end of the segment only.
-            let is_exact = moment.tolerance == R::ZERO;
-            if is_exact || polished.placed(scene).touching(scene, -R::TOUCH).is_empty() {
-                *pivot = polished;
-            }
+            *pivot = pivot.moved(R::ZERO, moment.polish());
         }
         moved
     }
@@ -164,7 +176,11 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         let mut segment = Self::turning(downhill.turn, Trigger::Balanced);
-        segment.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, lasting));
+        segment.stop_at_touch(
+            scene,
+            &pivot.placed(scene),
+            (&PointPath::straight(Vec2::ZERO), lasting),
+        );
         *pivot = pivot.moved(R::ZERO, segment.turn());
         let moved = segment.moved();
         Moved {

@@ -4,7 +4,7 @@
 use crate::balance_curve::{BalanceCurve, Place};
 use crate::bounded::{Bounded, BoundedVec};
 use crate::contact::Pair;
-use crate::detect::Moving;
+use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::load::Load;
@@ -12,6 +12,10 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
 use crate::world::{Surface, World};
+
+mod slide;
+
+pub(crate) use slide::{SlideEnding, Slides};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +33,8 @@ pub(crate) struct Trammel<R> {
 /// What depends on the direction of a trammel motion.
 #[derive(Clone, Copy, Debug)]
 struct Sense<R> {
+    /// The sign of the unit twist.
+    direction: R,
     curve: BalanceCurve<R>,
     /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
     signs: [R; 2],
@@ -86,10 +92,50 @@ struct Quantities<R> {
     velocities: [Bounded<R>; 2],
 }
 
+/// What a place of the motion is, whatever the load.
+struct Kinematics<R> {
+    /// f_1, f_2
+    reactions: [BoundedVec<R>; 2],
+    /// r×f_2
+    second: Bounded<R>,
+    /// -(the force and the moment of a drag along the motion)
+    drag: BoundedVec<R>,
+    drag_moment: Bounded<R>,
+    /// (E6), times the resistance, of a force along each tangent at its contact.
+    frictions: [Bounded<R>; 2],
+    /// f_1×f_2
+    spread: Bounded<R>,
+    resistance: Bounded<R>,
+    velocities: [Bounded<R>; 2],
+}
+
+/// What is linear in a load: (E6) and N_1, N_2, all times the resistance.
+struct Response<R> {
+    imbalance: Bounded<R>,
+    normals: [Bounded<R>; 2],
+}
+
+impl<R: Real> Kinematics<R> {
+    /// (E6) is cited here: delta times the resistance.
+    fn response(&self, (force, moment): (BoundedVec<R>, Bounded<R>)) -> Response<R> {
+        let [f1, f2] = self.reactions;
+        Response {
+            imbalance: moment * self.spread - self.second * f1.cross(force),
+            normals: [
+                self.second * force.cross(self.drag)
+                    - moment * f2.cross(self.drag)
+                    - self.drag_moment * force.cross(f2),
+                moment * f1.cross(self.drag) - self.drag_moment * f1.cross(force),
+            ],
+        }
+    }
+}
+
 impl<R: Real> Sense<R> {
     /// Along a motion whose friction is not known yet.
-    fn along(curve: BalanceCurve<R>) -> Self {
+    fn along(curve: BalanceCurve<R>, direction: R) -> Self {
         Self {
+            direction,
             curve,
             signs: [R::ZERO; 2],
             reactions: [Vec2::ZERO; 2],
@@ -108,37 +154,86 @@ impl<R: Real> Trammel<R> {
         grip: &Grip<R>,
         demand: Demand,
     ) -> Option<Self> {
-        let placed = pivot.placed(scene);
-        let mut load = Load::new(scene, placed, grip);
-        let arm = placed.arm(scene, other.vertex);
-        let size =
-            load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
-        let per_load = R::ONE / (size + load.couple.abs() + load.stiffness);
-        let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
-        if surfaces
-            .iter()
-            .all(|surface| surface.friction.is_continuous())
-        {
-            // Where it stops it must also stick.
-            load.tolerance = R::ZERO;
-        }
-        let mut trammel = Self {
-            sense: Sense::along(BalanceCurve::straight()),
-            surfaces,
-            load,
-            arm,
-            weight: scene.weight(),
-            per_load,
-        };
+        let mut trammel = Self::at(scene, (pivot, other), grip);
         let mut best: Option<Sense<R>> = None;
         for direction in [R::ONE, -R::ONE] {
-            trammel.sense = Sense::along(Self::curve(&surfaces, arm, direction));
+            trammel.sense = trammel.turned_to(direction);
             let excess = best.map_or(R::LEAST, |sense| sense.excess);
             if trammel.meets_friction(demand) && trammel.sense.excess > excess {
                 best = Some(trammel.sense);
             }
         }
         best.map(|sense| Self { sense, ..trammel })
+    }
+
+    /// In a direction, driven or not.
+    pub(crate) fn in_sense(
+        scene: &impl World<R>,
+        contacts: (&Pivot<R>, Pair),
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Self {
+        let mut trammel = Self::at(scene, contacts, grip);
+        trammel.sense = trammel.turned_to(direction);
+        trammel.meets_friction(Demand::AtTheEnd);
+        trammel
+    }
+
+    /// At a place, without a motion yet.
+    fn at(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), grip: &Grip<R>) -> Self {
+        let placed = pivot.placed(scene);
+        let load = Load::new(scene, placed, grip);
+        let size =
+            load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
+        Self {
+            sense: Sense::along(BalanceCurve::straight(), R::ONE),
+            surfaces: [pivot.surface(scene), scene.surface(other.surface)],
+            load,
+            arm: placed.arm(scene, other.vertex),
+            weight: scene.weight(),
+            per_load: R::ONE / (size + load.couple.abs() + load.stiffness),
+        }
+    }
+
+    fn turned_to(&self, direction: R) -> Sense<R> {
+        let curve = Self::curve(&self.surfaces, self.arm, direction);
+        Sense::along(curve, direction)
+    }
+
+    /// The sign of the unit twist.
+    pub(crate) fn direction(&self) -> R {
+        self.sense.direction
+    }
+
+    /// The signs of the velocities of both contacts along their tangents; 0 where one rests.
+    pub(crate) fn signs(&self) -> [R; 2] {
+        self.sense.signs
+    }
+
+    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone.
+    pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
+        let [f1, f2] = self.sense.reactions;
+        let spread = f1.cross(f2);
+        if spread.abs() > R::HALF.halved().halved() {
+            // What balances the force does so to the last digit.
+            let force = self.load.force;
+            let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
+            return self.on_edges(sizes);
+        }
+        let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
+        let per = found.resistance.value * self.per_load;
+        self.on_edges(found.normals.map(|size| size.value / per))
+    }
+
+    /// (N, T) of both contacts from the parts of their reactions along the edges of the dynamic cones.
+    fn on_edges(&self, sizes: [R; 2]) -> [[R; 2]; 2] {
+        let ([first, second], [s1, s2]) = (self.surfaces, self.sense.signs);
+        let [size1, size2] = sizes;
+        [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {
+            let (n, t) = surface.friction.sliding_edge(sign);
+            let size = size.max(R::ZERO);
+            [size * n, size * t]
+        })
     }
 
     /// Slide along t1 and turn, per unit of the motion.
@@ -239,12 +334,49 @@ impl<R: Real> Trammel<R> {
         }
     }
 
+    /// What the place is whatever the load.
+    fn kinematics(&self, p: &Place<R>) -> Kinematics<R> {
+        let arm = self.rotated(p, self.arm);
+        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
+        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
+        let velocities = self.velocities(p);
+        let second = arm.cross(f2);
+        let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
+        let tangent_moment = arm.cross(t2);
+        let drag_moment = tangent_moment * velocities[1];
+        let spread = f1.cross(f2);
+        Kinematics {
+            frictions: [
+                -(second * f1.cross(t1)),
+                tangent_moment * spread - second * f1.cross(t2),
+            ],
+            reactions: [f1, f2],
+            second,
+            drag,
+            drag_moment,
+            spread,
+            resistance: drag_moment * spread - second * f1.cross(drag),
+            velocities,
+        }
+    }
+
     fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
+        let place = self.kinematics(p);
+        let Response { imbalance, normals } = place.response(self.load_at(p, window));
+        Quantities {
+            imbalance,
+            normals,
+            resistance: place.resistance,
+            velocities: place.velocities,
+        }
+    }
+
+    /// Force and moment about contact 1.
+    fn load_at(&self, p: &Place<R>, window: R) -> (BoundedVec<R>, Bounded<R>) {
         let slide = self.sense.curve.part_bounded(p, window);
         let turn = self.sense.curve.turn_bounded(p, window);
         let lever = self.rotated(p, self.load.lever);
         let centroid = self.rotated(p, self.load.centroid);
-        let arm = self.rotated(p, self.arm);
         let relative = |v: Vec2<R>| BoundedVec::constant(v * self.per_load);
         let hand = relative(self.load.spring + self.load.lever)
             - relative(self.surfaces[0].tangent).scaled(slide);
@@ -253,24 +385,7 @@ impl<R: Real> Trammel<R> {
         let couple = Bounded::constant(self.load.couple * self.per_load)
             - turn * Bounded::constant(self.load.stiffness * self.per_load);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
-        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
-        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
-        let velocities = self.velocities(p);
-        let second = arm.cross(f2);
-        let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
-        let drag_moment = arm.cross(t2) * velocities[1];
-        let spread = f1.cross(f2);
-        Quantities {
-            imbalance: moment * spread - second * f1.cross(force),
-            normals: [
-                second * force.cross(drag)
-                    - moment * f2.cross(drag)
-                    - drag_moment * force.cross(f2),
-                moment * f1.cross(drag) - drag_moment * f1.cross(force),
-            ],
-            resistance: drag_moment * spread - second * f1.cross(drag),
-            velocities,
-        }
+        (force, moment)
     }
 
     /// Runs to the first ending; `lasting`: the two contacts.
@@ -284,7 +399,7 @@ impl<R: Real> Trammel<R> {
         let sense = self.sense.resistance.sign();
         let begin = self.velocities(&self.sense.curve.at(R::ZERO));
         let are_turning = begin.map(|v| v.value.abs() <= Self::standstill());
-        let found = first_zero((window, self.load.tolerance), |x| {
+        let found = first_zero(window, |x| {
             let q = self.quantities(&self.sense.curve.at(x), window);
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
@@ -315,7 +430,7 @@ impl<R: Real> Trammel<R> {
         let mut extent = self.sense.curve.extent_to(x);
         let moving = Moving {
             curve: &self.sense.curve,
-            shift: self.surfaces[0].tangent,
+            path: &PointPath::straight(self.surfaces[0].tangent),
             lasting,
         };
         if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {

@@ -2,13 +2,12 @@
 //! From scenes to the instructions of a frame, the stack, the state, and the flash.
 
 use stiction_core::{Evolution, Hand};
-use stiction_firmware::job;
 use stiction_scene::{NumberType, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
 
 use super::cost::Emulated;
 use super::measure::Row;
-use super::setting::{RATES, Setting};
+use super::setting::{Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::emulator::{Chip, Counter, Profile, footprint, job};
 use crate::number::Number;
@@ -63,7 +62,9 @@ const BUILDS: [Build; 3] = [
 impl Build {
     fn settings(&self) -> impl Iterator<Item = Setting> {
         let number = Number::from(self.number);
-        Setting::all().filter(move |setting| setting.number == number)
+        let counted =
+            move |setting: &Setting| setting.number == number && setting.memory != Memory::NONE;
+        Setting::all().filter(counted)
     }
 
     /// The flash of the solver of a scene (bytes), by evolution.
@@ -85,11 +86,8 @@ impl Build {
         for case in cases {
             let samples = case.path.frames(Some(rate));
             let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
-            let setting = job::Setting {
-                evolution: setting.evolution,
-                tolerance: setting.dial.tolerance,
-            };
-            let counted = counter.count(&job(&case.scene, setting, &hands))?;
+            let scene = setting.memory.of(&case.scene);
+            let counted = counter.count(&job(&scene, setting.evolution, &hands))?;
             for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;

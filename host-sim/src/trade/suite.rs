@@ -5,7 +5,7 @@ use std::path::Path;
 
 use stiction_scene::{HandPath, InputError, Motion, SceneFile, Source};
 
-use super::setting::FINEST;
+use super::setting::{FINEST, Memory};
 use super::{hand, random};
 use crate::number::Number;
 use crate::scenes;
@@ -57,6 +57,14 @@ impl Case {
                 scene,
             }),
             _ => Err(scene.source().error("[hand] has no `keyframes`")),
+        }
+    }
+
+    /// The same with a memory length on all surfaces.
+    pub(super) fn with(&self, memory: Memory) -> Self {
+        Self {
+            scene: memory.of(&self.scene),
+            ..self.clone()
         }
     }
 

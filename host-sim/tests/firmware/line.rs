@@ -346,6 +346,7 @@ fn in_mid_contact(chip: &'static Chip) {
         stiffness_rotation: 0.5,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     }));
     let after = pressed(&mut board);
     assert_eq!(after.position, before.position, "it lies on its edge");

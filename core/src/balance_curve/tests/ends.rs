@@ -85,7 +85,6 @@ fn margin_is_used_up_between_neighbouring_turns() {
                 stiffness: 0.0,
                 hold: Vec2::new(pull, 0.0),
                 harmonic: Pinned,
-                tolerance: 0.0,
             };
             let curve = BalanceCurve::balanced(&moment, Vec2::new(cos, sin), 0.0);
             for (start, along, stops) in [(0.0, -0.1, true), (0.5, -0.7, true), (0.5, -0.3, false)]

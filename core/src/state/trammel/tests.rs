@@ -34,6 +34,7 @@ fn case(random: &mut Random) -> Option<Case> {
             offset: Vec2::new(-sin, cos).dot(at(vertices[i])),
             friction_static: MU_D[i] + 0.2,
             friction_dynamic: MU_D[i],
+            memory: None,
         }
     };
     let surfaces = [surface(0), surface(1)];
@@ -289,7 +290,7 @@ fn slip_is_told_as_it_is() {
         };
         let (scene, grip) = (&case.scene, &case.grip);
         let mut state = case.state.clone();
-        let moved = state.slide(scene, grip);
+        let moved = state.slip(scene, grip);
         let displacement = state.pivot.foot - case.state.pivot.foot;
         assert!(
             (displacement - moved.slip).abs() < 1e-9,
@@ -317,7 +318,7 @@ fn slip_is_told_as_it_is() {
         }
         for most in [1, 2, 4] {
             let mut state = case.state.clone();
-            let (moved, counts) = searches::giving_up(most, || state.slide(scene, grip));
+            let (moved, counts) = searches::giving_up(most, || state.slip(scene, grip));
             assert_eq!(moved.unsure, counts.unsure > 0, "{seed} {most}");
             seen[3] += usize::from(moved.unsure);
         }

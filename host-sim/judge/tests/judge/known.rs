@@ -24,6 +24,7 @@ fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
             point: [x, 0.0],
             normal: -force[1],
             friction: -force[0],
+            sliding: None,
         }],
         wrench: [
             force[0],
@@ -176,6 +177,7 @@ fn leaning(theta: f64) -> Frame {
         point,
         normal: reactions(low)[vertex],
         friction: low * reactions(low)[vertex],
+        sliding: None,
     };
     Frame {
         state: State::TwoVertex,
