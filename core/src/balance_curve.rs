@@ -12,7 +12,7 @@
 //! Everything that can end the motion is a [`Margin`].
 
 use crate::geometry::Vec2;
-use crate::moment::{Moment, Pinned, SecondHarmonic};
+use crate::moment::{Drive, Moment, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::search::{Found, Samples, Slope, first_zero};
 
@@ -84,19 +84,19 @@ impl<R: Real> Extent<R> {
 }
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
-    /// Balanced about the contact: the moment with k and z0, zp of the module's text, and the hand's turn dphi.
-    pub(crate) fn balanced(moment: &Moment<R, H>, drive: Vec2<R>, dphi: R) -> Self {
+    /// Balanced about the contact: the moment with k and z0 of the module's text, and what drives it, k dphi and zp.
+    pub(crate) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>) -> Self {
         let Moment {
             stiffness,
             hold,
             harmonic,
             ..
         } = *moment;
-        let start = stiffness * dphi + drive.y;
+        let start = drive.now();
         // With a quarter of the largest part neither the distance to the end nor the bounds of the curvatures grow large.
         let largest = harmonic
             .bound(stiffness + hold.length_bound(), 1)
-            .max(drive.length_bound());
+            .max(drive.hold.length_bound());
         let size = start.abs().max(largest.halved().halved());
         if size == R::ZERO {
             return Self::straight();
@@ -106,7 +106,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rate: start.in_units(unit),
             stiffness: stiffness.in_units(unit),
             hold: hold.in_units(unit),
-            drive: drive.in_units(unit),
+            drive: drive.hold.in_units(unit),
             harmonic: harmonic.in_units(unit),
         }
     }

@@ -6,7 +6,7 @@ use crate::detect::Placed;
 use crate::friction::SlidingEdge;
 use crate::geometry::{Orientation, Vec2};
 use crate::grip::{Displacement, Grip};
-use crate::moment::{Moment, SecondHarmonic};
+use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::{Surface, World};
 use crate::wrench2::Wrench2;
@@ -147,19 +147,34 @@ impl<R: Real> Load<R> {
         }
     }
 
-    /// What a displacement adds to z of that moment.
+    /// What a displacement adds to the moment about the pinned point.
+    pub(crate) fn drive(&self, displacement: &Displacement<R>) -> Drive<R> {
+        Drive {
+            couple: self.stiffness * displacement.turn,
+            hold: self.lever.conj_mul(displacement.hand),
+        }
+    }
+
+    /// What a displacement adds to that of a sliding point.
     pub(crate) fn sliding_drive(
         &self,
         scene: &impl World<R>,
         (surface, edge): (&Surface<R>, &SlidingEdge<R>),
         displacement: &Displacement<R>,
-    ) -> Vec2<R> {
+    ) -> Drive<R> {
         if scene.swings() {
+            // The gap that it closes, however the body has turned.
             let sign = surface.tangent.dot(self.lever).sign();
-            return Vec2::new(R::ZERO, surface.normal.dot(displacement.hand) * sign);
+            return Drive {
+                couple: surface.normal.dot(displacement.hand) * sign,
+                hold: Vec2::ZERO,
+            };
         }
-        self.lever
-            .conj_mul(displacement.pressing(surface, edge).hand)
+        let pressing = displacement.pressing(surface, edge);
+        Drive {
+            couple: self.stiffness * edge.cos * pressing.turn,
+            hold: self.lever.conj_mul(pressing.hand),
+        }
     }
 
     /// The displacement of the foot along t, times cos(lambda), of a point that slides with the hand (E10).

@@ -31,6 +31,30 @@ pub(crate) struct Moment<R, H> {
     pub(crate) harmonic: H,
 }
 
+/// What a displacement of the hand, the whole of it, adds to a moment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drive<R> {
+    /// k dphi
+    pub(crate) couple: R,
+    /// zp = Yp + iXp as (Yp, Xp).
+    pub(crate) hold: Vec2<R>,
+}
+
+impl<R: Real> Drive<R> {
+    /// What it adds in the present position, D(0).
+    pub(crate) fn now(&self) -> R {
+        self.couple + self.hold.y
+    }
+
+    /// The drive `k` times as large.
+    pub(crate) fn times(&self, k: R) -> Self {
+        Self {
+            couple: self.couple * k,
+            hold: self.hold * k,
+        }
+    }
+}
+
 impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
     /// The moment in the present position.
     pub(crate) fn now(&self) -> R {

@@ -4,7 +4,7 @@
 use super::*;
 use crate::bounded::Bounded;
 use crate::fixtures::{Random, sampled, searches};
-use crate::moment::Sliding;
+use crate::moment::{Drive, Sliding};
 
 mod bounded;
 mod cases;
@@ -33,8 +33,14 @@ impl Random {
             harmonic: H::sliding((self.number(), self.number()), self.edge()),
         }
     }
+    fn drive(&mut self) -> Drive<f64> {
+        Drive {
+            couple: self.number(),
+            hold: self.numbers(),
+        }
+    }
     fn curve<H: SecondHarmonic<f64>>(&mut self) -> BalanceCurve<f64, H> {
-        BalanceCurve::balanced(&self.moment::<H>(), self.numbers(), self.number())
+        BalanceCurve::balanced(&self.moment::<H>(), &self.drive())
     }
     fn kinematic(&mut self) -> BalanceCurve<f64> {
         BalanceCurve::kinematic(self.number(), self.numbers())
@@ -141,7 +147,11 @@ fn turning(kappa: f64, dphi: f64) -> BalanceCurve<f64> {
         hold: Vec2::new(kappa, 0.0),
         harmonic: Pinned,
     };
-    BalanceCurve::balanced(&moment, Vec2::ZERO, dphi)
+    let drive = Drive {
+        couple: dphi,
+        hold: Vec2::ZERO,
+    };
+    BalanceCurve::balanced(&moment, &drive)
 }
 
 /// STATICS 11: u + kappa sin u = delta folds as delta grows from 0.

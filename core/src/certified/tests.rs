@@ -1,9 +1,9 @@
 //! The certified frame against the balance found by halving: its conditions, its end and its bounds.
 
 use super::*;
-use crate::fixtures::{sampled, unloaded};
-use crate::geometry::Angle;
-use crate::moment::Pinned;
+use crate::fixtures::sampled;
+use crate::geometry::{Angle, Vec2};
+use crate::moment::{Drive, Pinned};
 
 /// A balance at the end of the hand's path, and what the displacement added to z.
 #[derive(Clone, Copy, Debug)]
@@ -28,9 +28,17 @@ impl Case {
         }
     }
 
+    /// What the whole path adds to the moment, which is balanced where it begins.
+    fn drives(&self) -> Drive<f64> {
+        Drive {
+            couple: self.now - self.drive.y,
+            hold: self.drive,
+        }
+    }
+
     fn certified(&self) -> Option<CertifiedTurn<f64>> {
         let start = Orientation::new(Angle::default());
-        CertifiedTurn::of(&self.moment(0.0), self.drive, start, |orientation| {
+        CertifiedTurn::of(&self.moment(0.0), &self.drives(), start, |orientation| {
             self.moment(orientation.angle().radians())
         })
     }
@@ -154,19 +162,7 @@ fn balance_bends_no_more_than_promised() {
         let Some(certified) = case.certified() else {
             continue;
         };
-        // About a pivot at a distance of 1 from the holding point, along x.
-        let lever = Vec2::new(1.0, 0.0);
-        let displacement = Displacement {
-            hand: case.drive,
-            turn: (case.now - case.drive.y) / case.stiffness,
-        };
-        let load = Load {
-            lever,
-            hold: case.hold,
-            stiffness: case.stiffness,
-            ..unloaded()
-        };
-        let curvature_bound = certified.curvature_bound(&load, &displacement);
+        let curvature_bound = certified.curvature_bound(&case.drives());
         let mut most = 0.0_f64;
         for i in 1..10 {
             let part = f64::from(i) / 10.0;
@@ -187,7 +183,7 @@ fn balance_bends_no_more_than_promised() {
         let (pull, hold) = (case.drive, case.hold);
         let p = libm::hypot(pull.x, pull.y) / least;
         let bend = libm::hypot(hold.x, hold.y) / least + p;
-        let r = p + case.stiffness * displacement.turn.abs() / least;
+        let r = p + case.drives().couple.abs() / least;
         let formula = r * r + bend * r * r + 2.0 * p * r;
         assert!(
             curvature_bound <= 4.0 * formula + 1e-12,
@@ -209,8 +205,7 @@ fn rate_of_the_turn_is_within_its_spread() {
         let Some(certified) = case.certified() else {
             continue;
         };
-        let turn = (case.now - case.drive.y) / case.stiffness;
-        let (rate, spread) = certified.rate(&case.moment(0.0), case.drive, turn);
+        let (rate, spread) = certified.rate(&case.moment(0.0), &case.drives());
         let stability = case.stiffness + case.hold.x;
         let formula = case.now / stability;
         assert!((rate - formula).abs() < 1e-12, "{case:?}: {rate} {formula}");
@@ -227,7 +222,7 @@ fn rate_of_the_turn_is_within_its_spread() {
         let least = stability - case.drive.x.max(0.0);
         let pull = case.drive.length() / least;
         let bend = case.hold.length() / least + pull;
-        let most = pull + (case.stiffness * turn).abs() / least;
+        let most = pull + case.drives().couple.abs() / least;
         let terms = (pull + bend * most + most) * certified.turn_bound + most * pull;
         assert!(spread <= 4.0 * terms + 1e-12, "{case:?}: {spread} {terms}");
         let least = terms * (1.0 - 1e-12);

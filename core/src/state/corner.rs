@@ -115,8 +115,8 @@ impl<R: Real> Corner<R> {
         let load = self.pivot.load(scene, from);
         let displacement = from.displacement_to(to);
         let moment = load.pinned::<Pinned>();
-        let mut segment =
-            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         segment.stop_at_touch(
             scene,
             &load.placed,

@@ -84,12 +84,12 @@ impl<R: Real> Free<R> {
         let load = self.load(scene, from);
         let displacement = from.displacement_to(to);
         let mut moment = load.pinned::<H>();
+        let mut drive = load.drive(&Displacement::turn(displacement.turn));
         if Self::turns_with_hand(scene) {
             // As the hand does, however little of the moment the number type sees.
-            moment.stiffness = R::ONE;
+            (moment.stiffness, drive.couple) = (R::ONE, displacement.turn);
         }
-        let turns = Displacement::turn(displacement.turn);
-        let segment = Segment::balanced(&moment, (load.lever, &turns), Trigger::Balanced);
+        let segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         let moved = self.sweep(scene, &load.placed, segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the path.

@@ -21,10 +21,9 @@ impl<R: Real> SingleVertex<R> {
     /// Pinned; nothing where that is not stable.
     fn pinned_rates(load: &Load<R>, displacement: &Displacement<R>) -> Option<Rates<R>> {
         let moment = load.pinned::<Pinned>();
-        let driven = load.stiffness * displacement.turn + load.lever.cross(displacement.hand);
         (moment.stability() > R::ZERO).then(|| Rates {
             foot: R::ZERO,
-            turn: driven / moment.stability(),
+            turn: load.drive(displacement).now() / moment.stability(),
         })
     }
 
@@ -38,10 +37,9 @@ impl<R: Real> SingleVertex<R> {
         let edge = surface.sliding(sign);
         let moment = load.sliding::<Sliding<R>>(scene, surface, &edge);
         let drive = load.sliding_drive(scene, (surface, &edge), displacement);
-        let driven = moment.stiffness * displacement.turn + drive.y;
         let foot = load.foot(&edge, displacement);
         (moment.stability() > R::ZERO).then(|| {
-            let turn = driven / moment.stability();
+            let turn = drive.now() / moment.stability();
             Rates {
                 foot: (foot.along + foot.turning.y * turn) / edge.cos,
                 turn,

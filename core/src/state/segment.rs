@@ -5,8 +5,8 @@ use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::Pair;
 use crate::detect::{Moving, Placed, PointPath};
 use crate::geometry::Vec2;
-use crate::grip::{Displacement, Grip};
-use crate::moment::{Downhill, Moment, Pinned, SecondHarmonic};
+use crate::grip::Grip;
+use crate::moment::{Downhill, Drive, Moment, Pinned, SecondHarmonic};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
@@ -39,46 +39,27 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
     /// Of a body that turns about a point in balance of moments, to the end of the path of the hand or to the fold before.
     pub(super) fn balanced(
         moment: &Moment<R, H>,
-        (lever, displacement): (Vec2<R>, &Displacement<R>),
+        drive: &Drive<R>,
         trigger: Trigger<R>,
     ) -> Self {
-        let curve = Self::curve(moment, lever, displacement);
+        let curve = BalanceCurve::balanced(moment, drive);
         Self::of(curve, curve.extent(), trigger)
     }
 
     /// The same, to where a margin is used up, if that is earlier: what usually ends it, in one search with the others.
     pub(super) fn balanced_until(
         moment: &Moment<R, H>,
-        (lever, displacement): (Vec2<R>, &Displacement<R>),
+        drive: &Drive<R>,
         trigger: Trigger<R>,
         (margin, ends): (&Margin<R>, Trigger<R>),
     ) -> Self {
-        let curve = Self::curve(moment, lever, displacement);
+        let curve = BalanceCurve::balanced(moment, drive);
         let (extent, ended) = curve.extent_until(Some(margin));
         let segment = Self::of(curve, extent, if ended { ends } else { trigger });
         Self {
             goes_on: segment.goes_on && !ended,
             ..segment
         }
-    }
-
-    /// The same, of what drives it instead of a lever and a displacement.
-    pub(super) fn driven(
-        moment: &Moment<R, H>,
-        (drive, turn): (Vec2<R>, R),
-        trigger: Trigger<R>,
-    ) -> Self {
-        let curve = BalanceCurve::balanced(moment, drive, turn);
-        Self::of(curve, curve.extent(), trigger)
-    }
-
-    fn curve(
-        moment: &Moment<R, H>,
-        lever: Vec2<R>,
-        displacement: &Displacement<R>,
-    ) -> BalanceCurve<R, H> {
-        let drive = lever.conj_mul(displacement.hand);
-        BalanceCurve::balanced(moment, drive, displacement.turn)
     }
 
     fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {

@@ -77,7 +77,7 @@ impl<R: Real> SingleVertex<R> {
         if !self.holds(scene, &load, certified.turn_bound) {
             // ... and by much less from the one to where it ends.
             let end = load.turned(scene, orientation, to);
-            let stray = certified.curvature_bound(&load, &displacement).halved();
+            let stray = certified.curvature_bound(&load.drive(&displacement)).halved();
             if !self.holds(scene, &end, stray) {
                 return false;
             }
@@ -173,8 +173,8 @@ impl<R: Real> SingleVertex<R> {
         let surface = self.pivot.surface(scene);
         let displacement = from.displacement_to(to);
         let moment = load.pinned::<Pinned>();
-        let mut segment =
-            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         segment.stop_at_touch(
             scene,
             &load.placed,
@@ -359,9 +359,8 @@ impl<R: Real> SingleVertex<R> {
         let Reaction { normal, friction } = Self::reaction(load, &surface, &displacement);
         let drives = surface.friction.drives(normal, friction, shift.sign());
         let ends = (&drives, Trigger::Stopped);
-        let lever = load.lever;
-        let mut segment =
-            Segment::balanced_until(&moment, (lever, &displacement), Trigger::Stopped, ends);
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced_until(&moment, &drive, Trigger::Stopped, ends);
         let lasting = self.contacts();
         segment.stop_at_touch(
             scene,

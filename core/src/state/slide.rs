@@ -41,8 +41,8 @@ impl<R: Real> SingleVertex<R> {
         let mut moment = sliding(&load);
         let times = moment.softness();
         moment = moment.times(times);
-        let drive = drive * times;
-        let certified = CertifiedTurn::of(&moment, drive, load.placed.orientation, |o| {
+        let drive = drive.times(times);
+        let certified = CertifiedTurn::of(&moment, &drive, load.placed.orientation, |o| {
             sliding(&load.turned(scene, o, to)).times(times)
         });
         let Some(certified) = certified else {
@@ -71,7 +71,7 @@ impl<R: Real> SingleVertex<R> {
                 return false;
             }
         } else {
-            let rate = certified.rate(&moment, drive, displacement.turn);
+            let rate = certified.rate(&moment, &drive);
             let advances = Self::least_advance(&load, &edge, (&displacement, sign), rate);
             let slack = Self::slack(&displacement);
             let pivot = end.pivot;
@@ -127,7 +127,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let moment = load.sliding::<Sliding<R>>(scene, &surface, &edge);
         let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
-        let mut segment = Segment::driven(&moment, (drive, displacement.turn), Trigger::Balanced);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         let foot = load.foot(&edge, &displacement);
         if W::SEVERAL {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);

@@ -21,7 +21,11 @@ pub(super) fn curve_is_in_balance<H: SecondHarmonic<f64>>(random: &mut Random) {
         hold,
         harmonic,
     };
-    let curve = BalanceCurve::balanced(&moment, drive, dphi);
+    let drives = Drive {
+        couple: k * dphi,
+        hold: drive,
+    };
+    let curve = BalanceCurve::balanced(&moment, &drives);
     for x in [0.0, 1e-3, 0.1, 0.7] {
         let p = curve.at(x);
         let (sin, cos) = libm::sincos(p.turn);

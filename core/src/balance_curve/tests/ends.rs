@@ -86,7 +86,11 @@ fn margin_is_used_up_between_neighbouring_turns() {
                 hold: Vec2::new(pull, 0.0),
                 harmonic: Pinned,
             };
-            let curve = BalanceCurve::balanced(&moment, Vec2::new(cos, sin), 0.0);
+            let drive = Drive {
+                couple: 0.0,
+                hold: Vec2::new(cos, sin),
+            };
+            let curve = BalanceCurve::balanced(&moment, &drive);
             for (start, along, stops) in [(0.0, -0.1, true), (0.5, -0.7, true), (0.5, -0.3, false)]
             {
                 let margin = margin(start, along);

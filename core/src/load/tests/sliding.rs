@@ -171,9 +171,7 @@ fn foot_moves_with_hand_and_turn() {
         let displacement = Displacement { hand: way, turn };
         let margin = load.foot(&edge, &displacement);
         let begin = bench.sliding_foot(&case.hand, case.theta, sign);
-        let drive = load
-            .lever
-            .conj_mul(displacement.pressing(&surface, &edge).hand);
+        let drive = load.sliding_drive(&scene, (&surface, &edge), &displacement);
         for (part, angle) in [(0.0, 0.0), (1.0, 0.0), (0.3, 0.7), (0.0, -2.0), (2.0, 1.4)] {
             let hand = case.hand.on((way, turn), part);
             let moved = bench.sliding_foot(&hand, case.theta + angle, sign) - begin;
@@ -181,10 +179,10 @@ fn foot_moves_with_hand_and_turn() {
             let Vec2 { x, y } = margin.turning;
             let found = margin.start + margin.along * part - x * (1.0 - cos) + y * sin;
             assert!((found - moved * case.cos).abs() < 1e-12, "{found} {moved}");
-            // The moment grows by tau (k dphi + Im(e^{-iϑ} zp)).
+            // The moment grows by tau (k dphi + Im(e^{-iϑ} zp)), all times cos(lambda).
             let with = bench.sliding_moment(&hand, case.theta + angle, sign);
             let without = bench.sliding_moment(&case.hand, case.theta + angle, sign);
-            let grows = bench.stiffness * turn * case.cos + cos * drive.y - sin * drive.x;
+            let grows = drive.couple + cos * drive.hold.y - sin * drive.hold.x;
             assert!(((with - without) * case.cos - part * grows).abs() < 1e-12);
         }
     }
