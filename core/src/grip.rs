@@ -34,31 +34,30 @@ impl<R: Real> Grip<R> {
         }
     }
 
-    /// So far in the direction of another grip, which may be nearer.
-    pub(crate) fn ahead(&self, to: &Self, distance: R) -> Self {
+    /// On in the direction of another grip, which may be nearer, until the load on a body that stays has changed by so much.
+    pub(crate) fn ahead(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
         let displacement = self.displacement_to(to);
-        let unit = displacement.size().unit();
-        if displacement.size() == R::ZERO {
+        let changes = displacement.changes(scene);
+        if changes == R::ZERO {
             return *self;
         }
+        let unit = changes.unit();
         Self {
             holding_point: self.holding_point,
-            hand: self.hand + displacement.hand.in_units(unit) * distance,
-            angle: self.angle.plus(displacement.turn.in_units(unit) * distance),
+            hand: self.hand + displacement.hand.in_units(unit) * change,
+            angle: self.angle.plus(displacement.turn.in_units(unit) * change),
         }
     }
 
-    /// On the straight path of the hand to another grip, as far as there but at most so far.
-    pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
-        let distance = self.displacement_to(to).size();
-        self.lerp(
-            to,
-            if distance > most {
-                most / distance
-            } else {
-                R::ONE
-            },
-        )
+    /// The same, but not beyond the other grip.
+    pub(crate) fn toward(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
+        let changes = self.displacement_to(to).changes(scene);
+        let part = if changes > change {
+            change / changes
+        } else {
+            R::ONE
+        };
+        self.lerp(to, part)
     }
 
     /// The displacement of the hand to another grip, and its turn.
@@ -100,6 +99,11 @@ impl<R: Real> Displacement<R> {
             hand: edge.reaction * surface.normal.dot(self.hand),
             turn: self.turn,
         }
+    }
+
+    /// By how much the load on a body that stays changes with it.
+    fn changes(&self, scene: &impl World<R>) -> R {
+        self.hand.length_bound() + scene.stiffness() * self.turn.abs()
     }
 
     /// How far the body can be moved by it: displacement and turn at a lever of one body size.

@@ -36,7 +36,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     let next = match outcome(scene, (at, to), state, trigger, log) {
         Outcome::Next(next) => next,
         Outcome::Release => {
-            *at = at.toward(to, state.load(scene, at).release());
+            *at = at.toward(scene, to, state.load(scene, at).release());
             Next::Relax(None)
         }
     };
@@ -67,6 +67,7 @@ fn outcome<R: Real, W: World<R>>(
             contacts: [first, second],
             sliding,
         } if W::SEVERAL && first == second => opens(scene, path, state, (first, sliding), log),
+        Trigger::Keep { .. } if W::SEVERAL => Outcome::Release,
         Trigger::Fold(_) if matches!(state, ContactState::TwoVertex(_)) => {
             state.set_regime(Regime::LOOSE);
             Outcome::Next(Next::Slip(R::ONE))
@@ -229,6 +230,13 @@ fn opens<R: Real, W: World<R>>(
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
         s.regime = Regime::Slide(along);
+        if scene.swings() {
+            // A single vertex that slides bears nothing: it may stick instead.
+            s.begin(scene, path);
+        }
+        if s.regime.slide().is_none() {
+            return Outcome::Next(Next::Rest);
+        }
         if kind == StateKind::TwoVertex && !s.opens(scene, path, (other, along)) {
             // It cannot leave: both stick.
             touch(scene, state, other, log);

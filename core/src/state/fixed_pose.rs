@@ -109,7 +109,7 @@ impl<R: Real> FixedPose<R> {
                 let at = from.lerp(to, part);
                 // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
                 let load = self.pivot.load(scene, &at);
-                let ahead = at.ahead(to, load.release());
+                let ahead = at.ahead(scene, to, load.release());
                 Moved {
                     part,
                     ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
