@@ -170,9 +170,14 @@ pub(crate) fn apply<R: Real, W: World<R>>(
         Trigger::Pressed | Trigger::Halts => Next::Rest,
         Trigger::Stopped => {
             if moved.unsure || moved.unbalanced {
-                Next::Relax(Some(sliding))
-            } else {
-                Next::Rest
+                return Next::Relax(Some(sliding));
+            }
+            match state {
+                // As it slides on it bears nothing.
+                ContactState::SingleVertex(s) if scene.swings() && s.regime.slide().is_some() => {
+                    Next::Snap(sliding)
+                }
+                _ => Next::Rest,
             }
         }
         Trigger::Slide(sign) => Next::Slip(sign),

@@ -132,16 +132,17 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         } else {
             self.curved_zero(margin, extent)
         };
+        // What comes before the end is sure, though a search for the end gave up.
         let (end, unsure) = match found {
             Found::Nothing { .. } => return false,
-            Found::Zero { x, .. } if x == limit.x => (limit, false),
+            Found::Zero { x, .. } if x == limit.x => (limit, extent.unsure),
             Found::Zero { x, .. } => (self.at(x), false),
             Found::Unsure { x, .. } => (self.at(x), true),
         };
         *extent = Extent {
             end,
             folds: false,
-            unsure: extent.unsure || unsure,
+            unsure,
             ..*extent
         };
         true

@@ -27,6 +27,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             *extent = Extent {
                 end: self.at(R::ZERO),
                 folds: false,
+                unsure: false,
                 ..*extent
             };
             return true;
@@ -42,7 +43,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         *extent = Extent {
             end: self.at(x),
             folds: false,
-            unsure: extent.unsure || unsure,
+            unsure,
             ..*extent
         };
         true

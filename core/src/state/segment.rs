@@ -37,11 +37,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
     }
 
     /// Of a body that turns about a point in balance of moments, to the end of the path of the hand or to the fold before.
-    pub(super) fn balanced(
-        moment: &Moment<R, H>,
-        drive: &Drive<R>,
-        trigger: Trigger<R>,
-    ) -> Self {
+    pub(super) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>, trigger: Trigger<R>) -> Self {
         let curve = BalanceCurve::balanced(moment, drive);
         Self::of(curve, curve.extent(), trigger)
     }

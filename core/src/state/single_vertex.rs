@@ -77,7 +77,9 @@ impl<R: Real> SingleVertex<R> {
         if !self.holds(scene, &load, certified.turn_bound) {
             // ... and by much less from the one to where it ends.
             let end = load.turned(scene, orientation, to);
-            let stray = certified.curvature_bound(&load.drive(&displacement)).halved();
+            let stray = certified
+                .curvature_bound(&load.drive(&displacement))
+                .halved();
             if !self.holds(scene, &end, stray) {
                 return false;
             }

@@ -1,7 +1,7 @@
 //! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
-use crate::balance_curve::{BalanceCurve, Place};
+use crate::balance_curve::{BalanceCurve, Extent, Place};
 use crate::bounded::{Bounded, BoundedVec};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
@@ -427,7 +427,10 @@ impl<R: Real> Trammel<R> {
             // So far nothing ended it: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
-        let mut extent = self.sense.curve.extent_to(x);
+        let mut extent = Extent {
+            unsure,
+            ..self.sense.curve.extent_to(x)
+        };
         let moving = Moving {
             curve: &self.sense.curve,
             path: &PointPath::straight(self.surfaces[0].tangent),
@@ -439,7 +442,7 @@ impl<R: Real> Trammel<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure: unsure || extent.unsure,
+            unsure: extent.unsure,
         };
         (run, ending)
     }

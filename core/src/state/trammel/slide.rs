@@ -2,6 +2,7 @@
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
 use super::{Run, Trammel};
+use crate::balance_curve::Extent;
 use crate::bounded::{Bounded, BoundedVec};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
@@ -235,7 +236,10 @@ impl<R: Real> Slides<R> {
             (x, ending) = (pressed, SlideEnding::Pressed);
         }
         let curve = &self.trammel.sense.curve;
-        let mut extent = curve.extent_to(x);
+        let mut extent = Extent {
+            unsure,
+            ..curve.extent_to(x)
+        };
         let moving = Moving {
             curve,
             path: &PointPath::straight(self.trammel.surfaces[0].tangent),
@@ -254,7 +258,7 @@ impl<R: Real> Slides<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure: unsure || extent.unsure,
+            unsure: extent.unsure,
         };
         (run, part, ending)
     }

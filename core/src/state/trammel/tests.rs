@@ -319,7 +319,13 @@ fn slip_is_told_as_it_is() {
         for most in [1, 2, 4] {
             let mut state = case.state.clone();
             let (moved, counts) = searches::giving_up(most, || state.slip(scene, grip));
-            assert_eq!(moved.unsure, counts.unsure > 0, "{seed} {most}");
+            // A touch before the place where the search gave up is sure.
+            let touches = matches!(moved.trigger, Trigger::Touch(_));
+            let gave_up = counts.unsure > 0;
+            assert!(
+                moved.unsure == gave_up || gave_up && touches,
+                "{seed} {most}"
+            );
             seen[3] += usize::from(moved.unsure);
         }
     }
