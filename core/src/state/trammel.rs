@@ -154,9 +154,19 @@ impl<R: Real> Trammel<R> {
         grip: &Grip<R>,
         demand: Demand,
     ) -> Option<Self> {
-        let mut trammel = Self::at(scene, (pivot, other), grip);
+        Self::driven_in(scene, (pivot, other), grip, (&[R::ONE, -R::ONE], demand))
+    }
+
+    /// That of some directions that the hand drives most, if any.
+    pub(crate) fn driven_in(
+        scene: &impl World<R>,
+        contacts: (&Pivot<R>, Pair),
+        grip: &Grip<R>,
+        (directions, demand): (&[R], Demand),
+    ) -> Option<Self> {
+        let mut trammel = Self::at(scene, contacts, grip);
         let mut best: Option<Sense<R>> = None;
-        for direction in [R::ONE, -R::ONE] {
+        for &direction in directions {
             trammel.sense = trammel.turned_to(direction);
             let excess = best.map_or(R::LEAST, |sense| sense.excess);
             if trammel.meets_friction(demand) && trammel.sense.excess > excess {

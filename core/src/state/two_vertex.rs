@@ -186,14 +186,18 @@ impl<R: Real> TwoVertex<R> {
     pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
         let (begin, mut turn) = (self.pivot, R::ZERO);
-        let mut sense = R::ONE;
+        let mut sense = None;
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
-            let any = |demand| Trammel::driven(scene, (&self.pivot, self.other), grip, demand);
+            // It goes one way.
+            let senses = sense.map_or([R::ONE, -R::ONE], |sense| [sense; 2]);
+            let any = |demand| {
+                Trammel::driven_in(scene, (&self.pivot, self.other), grip, (&senses, demand))
+            };
             let Some(trammel) = any(demand).or_else(|| any(Demand::AtTheEnd)) else {
                 break;
             };
-            sense = trammel.direction();
+            sense = Some(trammel.direction());
             let (run, ending) = trammel.run(scene, &self.contacts(), demand);
             self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
@@ -224,7 +228,11 @@ impl<R: Real> TwoVertex<R> {
                 moved.trigger = Trigger::Undriven;
             }
         }
-        if moved.trigger == Trigger::Stopped && !moved.unsure && !moved.unbalanced {
+        if let Some(sense) = sense
+            && moved.trigger == Trigger::Stopped
+            && !moved.unsure
+            && !moved.unbalanced
+        {
             self.regime = Regime::after_slip(self.has_renewed(scene, &begin), sense);
         }
         moved
