@@ -59,9 +59,10 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rate * self.harmonic.bound(z0, 2),
             rate * rate * self.harmonic.bound(z0, 3),
         );
-        let quantity = |value, slope, bounds| Bounded {
+        let quantity = |value, slope, bounds: [R; 3]| Bounded {
             value,
             slope,
+            error: R::rounding(bounds[0]),
             bounds,
         };
         let h = quantity(p.h, p.h_slope, [most * window, most, bent]);

@@ -1,8 +1,8 @@
 //! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
-use crate::balance_curve::{BalanceCurve, Extent, Place};
-use crate::bounded::{Bounded, BoundedVec};
+use crate::balance_curve::{BalanceCurve, Extent};
+use crate::bounded::Bounded;
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
@@ -13,6 +13,7 @@ use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
 use crate::world::{Surface, World};
 
+mod kinematics;
 mod slide;
 
 pub(crate) use slide::{SlideEnding, Slides};
@@ -78,57 +79,6 @@ pub(crate) enum Ending<R> {
     Reverses,
     /// The end of the range in which the bounds hold.
     Window,
-}
-
-/// The quantities of the motion at a place.
-struct Quantities<R> {
-    /// (E6), delta times the resistance: zero in balance.
-    imbalance: Bounded<R>,
-    /// N_1, N_2 times the resistance.
-    normals: [Bounded<R>; 2],
-    /// det [w1 w2 drag]
-    resistance: Bounded<R>,
-    /// Velocities of the contacts along their tangents.
-    velocities: [Bounded<R>; 2],
-}
-
-/// What a place of the motion is, whatever the load.
-struct Kinematics<R> {
-    /// f_1, f_2
-    reactions: [BoundedVec<R>; 2],
-    /// r×f_2
-    second: Bounded<R>,
-    /// -(the force and the moment of a drag along the motion)
-    drag: BoundedVec<R>,
-    drag_moment: Bounded<R>,
-    /// (E6), times the resistance, of a force along each tangent at its contact.
-    frictions: [Bounded<R>; 2],
-    /// f_1×f_2
-    spread: Bounded<R>,
-    resistance: Bounded<R>,
-    velocities: [Bounded<R>; 2],
-}
-
-/// What is linear in a load: (E6) and N_1, N_2, all times the resistance.
-struct Response<R> {
-    imbalance: Bounded<R>,
-    normals: [Bounded<R>; 2],
-}
-
-impl<R: Real> Kinematics<R> {
-    /// (E6) is cited here: delta times the resistance.
-    fn response(&self, (force, moment): (BoundedVec<R>, Bounded<R>)) -> Response<R> {
-        let [f1, f2] = self.reactions;
-        Response {
-            imbalance: moment * self.spread - self.second * f1.cross(force),
-            normals: [
-                self.second * force.cross(self.drag)
-                    - moment * f2.cross(self.drag)
-                    - self.drag_moment * force.cross(f2),
-                moment * f1.cross(self.drag) - self.drag_moment * f1.cross(force),
-            ],
-        }
-    }
 }
 
 impl<R: Real> Sense<R> {
@@ -322,80 +272,6 @@ impl<R: Real> Trammel<R> {
     /// Velocities below this are none.
     fn standstill() -> R {
         R::from_int(16) * R::EPSILON
-    }
-
-    fn velocities(&self, p: &Place<R>) -> [Bounded<R>; 2] {
-        let [first, second] = self.surfaces;
-        let rate = self.sense.curve.rate_bounded();
-        let slide = self.sense.curve.part_velocity(p);
-        let turning = self.rotated(p, self.arm.turned());
-        let along = second.tangent.dot(first.tangent);
-        let swing = turning.x * Bounded::constant(second.tangent.x)
-            + turning.y * Bounded::constant(second.tangent.y);
-        [slide, slide * Bounded::constant(along) + swing * rate]
-    }
-
-    fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> BoundedVec<R> {
-        let (cos, sin) = self.sense.curve.rotation_bounded(p);
-        let at = BoundedVec::constant(v);
-        BoundedVec {
-            x: at.x * cos - at.y * sin,
-            y: at.x * sin + at.y * cos,
-        }
-    }
-
-    /// What the place is whatever the load.
-    fn kinematics(&self, p: &Place<R>) -> Kinematics<R> {
-        let arm = self.rotated(p, self.arm);
-        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
-        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
-        let velocities = self.velocities(p);
-        let second = arm.cross(f2);
-        let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
-        let tangent_moment = arm.cross(t2);
-        let drag_moment = tangent_moment * velocities[1];
-        let spread = f1.cross(f2);
-        Kinematics {
-            frictions: [
-                -(second * f1.cross(t1)),
-                tangent_moment * spread - second * f1.cross(t2),
-            ],
-            reactions: [f1, f2],
-            second,
-            drag,
-            drag_moment,
-            spread,
-            resistance: drag_moment * spread - second * f1.cross(drag),
-            velocities,
-        }
-    }
-
-    fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
-        let place = self.kinematics(p);
-        let Response { imbalance, normals } = place.response(self.load_at(p, window));
-        Quantities {
-            imbalance,
-            normals,
-            resistance: place.resistance,
-            velocities: place.velocities,
-        }
-    }
-
-    /// Force and moment about contact 1.
-    fn load_at(&self, p: &Place<R>, window: R) -> (BoundedVec<R>, Bounded<R>) {
-        let slide = self.sense.curve.part_bounded(p, window);
-        let turn = self.sense.curve.turn_bounded(p, window);
-        let lever = self.rotated(p, self.load.lever);
-        let centroid = self.rotated(p, self.load.centroid);
-        let relative = |v: Vec2<R>| BoundedVec::constant(v * self.per_load);
-        let hand = relative(self.load.spring + self.load.lever)
-            - relative(self.surfaces[0].tangent).scaled(slide);
-        let weight = relative(self.weight);
-        let force = hand - lever.scaled(Bounded::constant(self.per_load)) + weight;
-        let couple = Bounded::constant(self.load.couple * self.per_load)
-            - turn * Bounded::constant(self.load.stiffness * self.per_load);
-        let moment = couple + lever.cross(hand) + centroid.cross(weight);
-        (force, moment)
     }
 
     /// Runs to the first ending; `lasting`: the two contacts.

@@ -98,7 +98,6 @@ impl<R: Real> TwoVertex<R> {
             done = done + (R::ONE - done) * part;
             let trigger = match ending {
                 SlideEnding::Window => continue,
-                SlideEnding::Arrives if part < R::ONE => continue,
                 SlideEnding::Arrives => Trigger::Balanced,
                 SlideEnding::Halts => Trigger::Halts,
                 SlideEnding::Folds => Trigger::Fold(sense),

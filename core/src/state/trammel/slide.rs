@@ -15,7 +15,7 @@ use crate::world::World;
 /// What ended a slide with the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum SlideEnding<R> {
-    /// The end of the displacement, or of the part of it for which the balance is surely stable.
+    /// The end of the displacement.
     Arrives,
     /// The end of the range in which the bounds hold.
     Window,
@@ -48,24 +48,21 @@ struct Progress<R> {
     /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
     rest: Bounded<R>,
     drive: Bounded<R>,
-    /// The same of N_1 and N_2, times the size of the resistance.
+    /// Their derivatives by x.
+    rest_slope: Bounded<R>,
+    drive_slope: Bounded<R>,
+    /// The same of N_1 and N_2 as of E, times the size of the resistance.
     normals: [[Bounded<R>; 2]; 2],
     velocities: [Bounded<R>; 2],
     /// How much of E a friction along the slide is worth at each contact, and the size of the resistance.
-    frictions: [R; 2],
-    resistance: R,
+    frictions: [Bounded<R>; 2],
+    resistance: Bounded<R>,
 }
 
-/// What a slide is at a place where its part tau is known.
+/// The stability -dE/dx at the frozen hand, and N_i times the size of the resistance; both times a common factor.
 struct Standing<R> {
-    /// -dE/dx at the frozen hand.
-    stability: R,
-    /// N_i times the size of the resistance.
-    normals: [R; 2],
-    /// |v_i·t_i|
-    speeds: [R; 2],
-    frictions: [R; 2],
-    resistance: R,
+    stability: Bounded<R>,
+    normals: [Bounded<R>; 2],
 }
 
 impl<R: Real> Progress<R> {
@@ -74,15 +71,19 @@ impl<R: Real> Progress<R> {
         -self.rest.value / self.drive.value
     }
 
-    fn standing(&self, gone: R) -> Standing<R> {
+    /// Where nothing is done of the displacement yet.
+    fn begin(&self) -> Standing<R> {
         Standing {
-            stability: -(self.rest.slope + self.drive.slope * gone),
-            normals: self
-                .normals
-                .map(|[rest, drive]| rest.value + drive.value * gone),
-            speeds: self.velocities.map(|v| v.value.abs()),
-            frictions: self.frictions,
-            resistance: self.resistance,
+            stability: -self.rest_slope,
+            normals: self.normals.map(|[rest, _]| rest),
+        }
+    }
+
+    /// In balance, times the drive: what is linear in tau is so without a quotient.
+    fn balanced(&self) -> Standing<R> {
+        Standing {
+            stability: self.rest * self.drive_slope - self.drive * self.rest_slope,
+            normals: (self.normals).map(|[rest, drive]| rest * self.drive - drive * self.rest),
         }
     }
 }
@@ -103,48 +104,51 @@ impl<R: Real> Slides<R> {
         }
     }
 
-    fn at(&self, x: R) -> Progress<R> {
+    /// At a place, with bounds for no more than a window from there.
+    fn at(&self, x: R, window: R) -> Progress<R> {
         let trammel = &self.trammel;
         let p = trammel.sense.curve.at(x);
-        let place = trammel.kinematics(&p);
-        let before = place.response(trammel.load_at(&p, R::ONE));
+        let place = trammel.kinematics(&p, window);
+        let rate = trammel.sense.curve.rate_bounded();
+        let swing = trammel.rotated(&p, trammel.arm.turned()).scaled(rate);
+        let load = trammel.load_at(&p, window);
+        let before = place.response(load);
+        let before_slope = place.imbalance_slope(swing, load, trammel.load_slope_at(&p, window));
         let force = BoundedVec::constant(self.force);
-        let lever = trammel.rotated(&p, trammel.load.lever);
-        let moment = Bounded::constant(self.couple) + lever.cross(force);
-        let change = place.response((force, moment));
+        let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
+        let lever = trammel.load.lever;
+        let displaced = (force, Bounded::constant(self.couple) + of(lever));
+        let displaced_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
+        let change = place.response(displaced);
+        let change_slope = place.imbalance_slope(swing, displaced, displaced_slope);
         let sense = trammel.sense.resistance.sign();
-        let [first, second] = [0, 1].map(|i| {
-            let pick = |normals: [Bounded<R>; 2]| if i == 0 { normals[0] } else { normals[1] };
-            [before.normals, change.normals].map(|normals| pick(normals).times(sense))
-        });
+        let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
+        let ([n1, n2], [c1, c2]) = (before.normals, change.normals);
+        let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
         Progress {
-            rest: before.imbalance.times(sense),
-            drive: change.imbalance.times(sense),
-            normals: [first, second],
+            rest: falling(before.imbalance),
+            drive: falling(change.imbalance),
+            rest_slope: falling(before_slope),
+            drive_slope: falling(change_slope),
+            normals: [[n1, c1], [n2, c2]].map(|normals| normals.map(falling)),
             velocities: place.velocities,
-            frictions: [
-                place.frictions[0].value * sense * trammel.sense.signs[0],
-                place.frictions[1].value * sense * trammel.sense.signs[1],
-            ],
-            resistance: place.resistance.value.abs(),
+            frictions: [f1.times(sense * s1), f2.times(sense * s2)],
+            resistance: falling(place.resistance),
         }
     }
 
-    /// Positive where a slip that began at a place would be as long as the memory of a contact (rule 10e): of its length per
-    /// memory, times the stability.
-    fn excess_length(&self, standing: &Standing<R>) -> R {
-        let frictions = self.trammel.surfaces.map(|surface| surface.friction);
-        let [v1, v2] = standing.speeds;
-        let [f1, f2] = frictions;
-        // Across the surfaces, not along the edges of the cones.
-        let ([a1, a2], [(cos1, _), (cos2, _)]) =
-            (standing.normals, frictions.map(|f| f.sliding_edge(R::ZERO)));
-        let [n1, n2] = [a1 * cos1, a2 * cos2];
-        let [c1, c2] = standing.frictions;
-        // What E would be if mu_s bore the load at both contacts, over how fast it falls.
-        let jump = f1.drop() * n1 * c1 + f2.drop() * n2 * c2;
-        let resists = standing.stability * standing.resistance;
-        (v1 * jump - f1.memory() * resists).max(v2 * jump - f2.memory() * resists)
+    /// What a slip that began there lacks of the memory of each contact (E14), times stability and resistance.
+    fn lacks(&self, at: &Progress<R>, standing: &Standing<R>) -> [Bounded<R>; 2] {
+        let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
+        let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
+        // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
+        let [d1, d2] = [first, second].map(|f| f.drop() * f.sliding_edge(R::ZERO).0);
+        let jump = n1 * f1.times(d1) + n2 * f2.times(d2);
+        let falls = standing.stability * at.resistance;
+        let ([v1, v2], [s1, s2]) = (at.velocities, self.trammel.sense.signs);
+        [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
+            falls.times(friction.memory()) - velocity.times(sign) * jump
+        })
     }
 
     /// mu_s > mu_d at one of the contacts.
@@ -153,39 +157,43 @@ impl<R: Real> Slides<R> {
         f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
     }
 
+    /// A slip that began here would be as long as the memory of a contact.
+    fn is_pressed(&self, at: &Progress<R>, standing: &Standing<R>) -> bool {
+        let mut lacks = self.lacks(at, standing).into_iter();
+        self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
+    }
+
     /// The slide would go back as the hand goes on (rule 7).
     fn recedes(&self, start: &Progress<R>, standing: &Standing<R>) -> bool {
-        let [v1, v2] = standing.speeds;
-        start.drive.value * v1.max(v2) < -self.slack * standing.stability
+        let [v1, v2] = start.velocities.map(|v| v.value.abs());
+        start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
     }
 
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
     pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
-        let start = self.at(R::ZERO);
-        let standing = start.standing(R::ZERO);
+        let start = self.at(R::ZERO, R::ONE);
+        let standing = start.begin();
         let rounding = self.trammel.sense.rounding;
-        if standing.normals.iter().any(|&normal| normal < -rounding)
-            || self.recedes(&start, &standing)
-        {
+        let mut normals = standing.normals.iter();
+        if normals.any(|normal| normal.value < -rounding) || self.recedes(&start, &standing) {
             return None;
         }
-        Some(if standing.stability <= R::ZERO {
+        Some(if standing.stability.value <= R::ZERO {
             SlideEnding::Folds
-        } else if self.has_stiction() && self.excess_length(&standing) >= R::ZERO {
+        } else if self.is_pressed(&start, &standing) {
             SlideEnding::Pressed
         } else {
             SlideEnding::Arrives
         })
     }
 
-    /// The rates at which the slide advances and N_i grow, in tau, each times a positive number; nothing where it is not stable.
+    /// The rates at which the slide advances and those N_i grow that are zero, in tau, each times a positive number; nothing where it is
+    /// not stable.
     pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
-        let start = self.at(R::ZERO);
-        let stability = -start.rest.slope;
-        let normals = start
-            .normals
-            .map(|[rest, drive]| rest.slope * start.drive.value + drive.value * stability);
-        (stability > R::ZERO).then_some((start.drive.value, normals))
+        let start = self.at(R::ZERO, R::ONE);
+        let is_stable = start.begin().stability.value > R::ZERO;
+        let normals = start.balanced().normals.map(|normal| normal.slope);
+        is_stable.then_some((start.drive.value, normals))
     }
 
     /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
@@ -194,46 +202,24 @@ impl<R: Real> Slides<R> {
         scene: &impl World<R>,
         lasting: &[Pair],
     ) -> (Run<R>, R, SlideEnding<R>) {
+        let start = self.at(R::ZERO, R::ONE);
+        let standing = start.begin();
         let nowhere = Run {
             slide: R::ZERO,
             turn: R::ZERO,
             unsure: false,
         };
-        let start = self.at(R::ZERO);
-        let standing = start.standing(R::ZERO);
-        let curvature = start.rest.bounds[2] + start.drive.bounds[2] * self.unit;
-        let stability = standing.stability;
-        if stability <= R::MICRO * curvature {
+        if standing.stability.value <= R::ZERO {
             return (nowhere, R::ZERO, SlideEnding::Folds);
         }
         if self.recedes(&start, &standing) {
             return (nowhere, R::ZERO, SlideEnding::Halts);
         }
-        // As far as the stability surely stays above a quarter.
-        let half = stability.halved();
-        let change = start.drive.slope * self.unit;
-        let most = if change > half { half / change } else { R::ONE };
-        let window = if half.halved() < curvature {
-            half.halved() / curvature
-        } else {
-            R::ONE
-        };
-        let (mut x, mut ending, unsure) = self.first_ending(window, most);
+        let remembers = self.has_stiction() && !self.is_pressed(&start, &standing);
+        let (mut x, mut ending, unsure) =
+            self.first_ending(self.window(&start, &standing), remembers);
         if let SlideEnding::Arrives = ending {
-            x = self.polished(x, most);
-        }
-        for (opens, lasts) in [(0, 1), (1, 0)] {
-            if let Some(zero) = self.first_opening(&start, (x, most), opens) {
-                let [s1, s2] = self.trammel.sense.signs;
-                let sliding = if lasts == 0 { s1 } else { s2 };
-                (x, ending) = (zero, SlideEnding::Opens { lasts, sliding });
-            }
-        }
-        if self.has_stiction()
-            && self.excess_length(&standing) < R::ZERO
-            && let Some(pressed) = self.first_pressed(x)
-        {
-            (x, ending) = (pressed, SlideEnding::Pressed);
+            x = self.polished(x);
         }
         let curve = &self.trammel.sense.curve;
         let mut extent = Extent {
@@ -250,10 +236,9 @@ impl<R: Real> Slides<R> {
             x = extent.end.x;
         }
         let part = if ending == SlideEnding::Arrives {
-            most
+            R::ONE
         } else {
-            let gone = self.at(x).gone().max(R::ZERO);
-            (gone.min(self.unit) / self.unit).min(most)
+            self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit
         };
         let run = Run {
             slide: extent.part(),
@@ -263,105 +248,71 @@ impl<R: Real> Slides<R> {
         (run, part, ending)
     }
 
-    /// The first ending but a touch, an opening and stiction on [0, window), the hand going the part `most` of its displacement.
-    fn first_ending(&self, window: R, most: R) -> (R, SlideEnding<R>, bool) {
-        let signs = self.trammel.sense.signs;
+    /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
+    fn window(&self, start: &Progress<R>, standing: &Standing<R>) -> R {
+        let longest = R::HALF.halved().halved();
+        let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
+        let window = if goes.doubled().doubled() < stability * longest {
+            (goes / stability).doubled().doubled()
+        } else {
+            longest
+        };
+        window.max(R::MICRO)
+    }
+
+    /// The first ending but a touch, within a window.
+    fn first_ending(&self, window: R, remembers: bool) -> (R, SlideEnding<R>, bool) {
+        let [s1, s2] = self.trammel.sense.signs;
         let found = first_zero(window, |x| {
-            let at = self.at(x);
-            let arrives = (at.rest + at.drive.times(most * self.unit)).as_slope(R::ONE);
-            let never = Bounded::constant(R::ONE).as_slope(R::ONE);
-            let halts = |velocity: Bounded<R>, sign: R| {
-                if sign == R::ZERO {
-                    never
-                } else {
-                    velocity.as_slope(sign)
-                }
-            };
-            let [h1, h2] = [
-                halts(at.velocities[0], signs[0]),
-                halts(at.velocities[1], signs[1]),
-            ];
-            Samples::far([arrives, h1, h2])
+            let at = self.at(x, window);
+            let standing = at.balanced();
+            let arrives = (at.rest + at.drive.times(self.unit)).as_slope(R::ONE);
+            let [n1, n2] = standing.normals.map(|normal| normal.as_slope(R::ONE));
+            let ([v1, v2], moves) = (at.velocities, |sign: R| sign != R::ZERO);
+            let lacks = remembers.then(|| self.lacks(&at, &standing).map(|l| l.as_slope(R::ONE)));
+            let [l1, l2] = lacks.map_or([None, None], |lacks| lacks.map(Some));
+            Samples {
+                functions: [
+                    Some(arrives),
+                    Some(standing.stability.as_slope(R::ONE)),
+                    Some(n1),
+                    Some(n2),
+                    moves(s1).then(|| v1.as_slope(s1)),
+                    moves(s2).then(|| v2.as_slope(s2)),
+                    l1,
+                    l2,
+                ],
+                window: R::HUGE,
+            }
         });
         match found {
             Found::Nothing { .. } => (window, SlideEnding::Window, false),
             Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
             Found::Zero { x, which } => {
-                let ending = if which == 0 {
-                    SlideEnding::Arrives
-                } else {
-                    SlideEnding::Halts
+                let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
+                let ending = match which {
+                    0 => SlideEnding::Arrives,
+                    1 => SlideEnding::Folds,
+                    2 => opens(1, s2),
+                    3 => opens(0, s1),
+                    4 | 5 => SlideEnding::Halts,
+                    _ => SlideEnding::Pressed,
                 };
                 (x, ending, false)
             }
         }
     }
 
-    /// Where N_i falls to zero before x: none, if it stays positive whatever part is done there, else the first place in quarters of
-    /// the way.
-    fn first_opening(&self, start: &Progress<R>, (x, most): (R, R), which: usize) -> Option<R> {
-        const QUARTERS: u8 = 4;
-        let whole = most * self.unit;
-        let of = |normals: [[Bounded<R>; 2]; 2]| if which == 0 { normals[0] } else { normals[1] };
-        let [rest, drive] = of(start.normals);
-        let least = rest.value.min(rest.value + drive.value * whole);
-        if least > x * (rest.bounds[1] + drive.bounds[1] * whole) {
-            return None;
-        }
-        let is_pulled = |x: R| {
-            let at = self.at(x);
-            let [n1, n2] = at.standing(at.gone().max(R::ZERO).min(whole)).normals;
-            (if which == 0 { n1 } else { n2 }) < R::ZERO
-        };
-        let quarter = x.halved().halved();
-        let mut presses = R::ZERO;
-        for _ in 0..QUARTERS {
-            let ahead = presses + quarter;
-            if is_pulled(ahead) {
-                return Some(Self::first(is_pulled, presses, ahead));
-            }
-            presses = ahead;
-        }
-        None
-    }
-
-    /// The first place of a property that holds at the second of two places, by bisection: the last one before it.
-    fn first(holds: impl Fn(R) -> bool, mut before: R, mut after: R) -> R {
-        const BISECTIONS: usize = 60;
-        for _ in 0..BISECTIONS {
-            let middle = (before + after).halved();
-            if middle <= before || middle >= after {
-                break;
-            }
-            if holds(middle) {
-                after = middle;
-            } else {
-                before = middle;
-            }
-        }
-        before
-    }
-
-    /// A place at which the part `most` is all but done, without the rounding of the search.
-    fn polished(&self, mut x: R, most: R) -> R {
+    /// A place at which the whole displacement is all but done, without the rounding of the search.
+    fn polished(&self, mut x: R) -> R {
         for _ in 0..2 {
-            let at = self.at(x);
-            let value = at.rest.value + at.drive.value * (most * self.unit);
-            let slope = at.rest.slope + at.drive.slope * (most * self.unit);
-            if slope < R::ZERO {
-                x = (x - value / slope).max(R::ZERO);
+            let at = self.at(x, R::ZERO);
+            let left = at.rest + at.drive.times(self.unit);
+            if left.slope < R::ZERO {
+                x = (x - left.value / left.slope).max(R::ZERO);
             }
         }
         x
-    }
-
-    /// Where the slip that would begin there becomes as long as the memory, if it is so at x: between 0 and there.
-    fn first_pressed(&self, x: R) -> Option<R> {
-        let is_pressed = |x: R| {
-            let at = self.at(x);
-            self.excess_length(&at.standing(at.gone())) >= R::ZERO
-        };
-        is_pressed(x).then(|| Self::first(is_pressed, R::ZERO, x))
     }
 }
 

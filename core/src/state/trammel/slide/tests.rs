@@ -96,7 +96,7 @@ fn slide_is_in_balance_all_along() {
         let per_load = slides.trammel.per_load;
         for i in 0..=10 {
             let x = 0.02 * f64::from(i);
-            let at = slides.at(x);
+            let at = slides.at(x, 1.0);
             let theta = ladder.theta + slides.trammel.sense.curve.at(x).turn;
             let gone = at.gone();
             let (part, tau) = (gone / slides.unit, sliding.part(theta));
@@ -110,10 +110,10 @@ fn slide_is_in_balance_all_along() {
             let hand = sliding.hand.on(sliding.way, tau);
             let (normals, left) = ladder.balance(&hand, theta);
             assert!(left.abs() < 1e-9, "{seed} {i}: {left}");
-            let standing = at.standing(gone);
+            let per = at.drive.value * at.resistance.value * per_load;
             for (k, normal) in normals.into_iter().enumerate() {
                 let edge = libm::hypot(1.0, ladder.mu_d[k]);
-                let found = standing.normals[k] / (standing.resistance * per_load * edge);
+                let found = at.balanced().normals[k].value / (per * edge);
                 let off = found - normal;
                 assert!(off.abs() < 1e-8 * (1.0 + normal.abs()), "{seed} {i}: {off}");
             }
