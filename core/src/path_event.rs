@@ -68,10 +68,6 @@ fn outcome<R: Real, W: World<R>>(
             sliding,
         } if W::SEVERAL && first == second => opens(scene, path, state, (first, sliding), log),
         Trigger::Keep { .. } if W::SEVERAL => Outcome::Release,
-        Trigger::Fold(_) if matches!(state, ContactState::TwoVertex(_)) => {
-            state.set_regime(Regime::LOOSE);
-            Outcome::Next(Next::Slip(R::ONE))
-        }
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
             log.event(Event::Snap);

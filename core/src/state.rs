@@ -244,6 +244,7 @@ impl<R: Real> ContactState<R> {
                 Regime::Slide(sign) => s.snap_sliding(scene, grip, (direction, sign)),
                 Regime::Stick { .. } => s.snap(scene, grip, direction),
             },
+            Self::TwoVertex(s) if W::SURFACES => s.snap(scene, grip, direction),
             Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
         }

@@ -86,7 +86,8 @@ transitions! {
     TwoLifts(TwoVertex -> NonContact): "Both reactions are negative: the body leaves both surfaces.",
     TwoSlips(TwoVertex -> TwoVertex): "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
     TwoSlides(TwoVertex -> TwoVertex): "Two dynamic cone edges bind without stiction: the trammel slides with the hand.",
-    TwoStops(TwoVertex -> TwoVertex): "A slide of two comes to a halt, or slips would be as long as the memory: both stick.",
+    TwoStops(TwoVertex -> TwoVertex): "The slide halts, or a slip would be as long as the memory: both stick.",
+    TwoSnaps(TwoVertex -> TwoVertex): "The balance of a slide folds: both slip on to the next one.",
     TwoOpensSliding(TwoVertex -> SingleVertex): "One reaction vanishes in mid-slip: the other vertex slides on.",
     TwoJams(TwoVertex -> Locked): "A further vertex reaches a surface: locked.",
     CornerSticks(Corner -> Corner): "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
@@ -174,6 +175,7 @@ pub(crate) fn halt_arm<R: Real>(state: &ContactState<R>) -> Transition {
 pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Free(_) => Transition::FreeFolds,
+        ContactState::TwoVertex(_) => Transition::TwoSnaps,
         ContactState::Corner(_) => Transition::CornerSnaps,
         _ => Transition::VertexSnaps,
     }

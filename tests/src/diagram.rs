@@ -87,7 +87,7 @@ const WAYS: [(StateKind, StateKind, [Port; 2], [f64; 2]); 12] = [
         SingleVertex,
         Corner,
         [Port(Side::Right, 0.85), Port(Side::Right, 0.25)],
-        [80.0, 9.0],
+        [160.0, 9.0],
     ),
     (
         Edge,

@@ -274,12 +274,24 @@ impl<R: Real> Trammel<R> {
         R::from_int(16) * R::EPSILON
     }
 
-    /// Runs to the first ending; `lasting`: the two contacts.
+    /// At a fold of (E6), where it and its slope are zero: up to here it grows with the curvature ahead.
+    pub(crate) fn clear_of_fold(&self) -> R {
+        let p = self.sense.curve.at(R::ZERO);
+        let curved = self.imbalance_slope(&p, R::ONE);
+        let ahead = curved.slope * self.sense.resistance.sign();
+        if ahead > R::ZERO {
+            (R::ONE + R::HALF) * ahead / curved.bounds[2].max(ahead)
+        } else {
+            R::ZERO
+        }
+    }
+
+    /// Runs to the first ending, of which the balance is not before `clear`; `lasting`: the two contacts.
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
         lasting: &[Pair],
-        demand: Demand,
+        (clear, demand): (R, Demand),
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
@@ -305,7 +317,16 @@ impl<R: Real> Trammel<R> {
             // What drives it is not nothing to the search, whatever its bound.
             let mut imbalance = q.imbalance.as_slope(sense);
             imbalance.rounding = imbalance.rounding.min(self.sense.rounding);
-            Samples::far([imbalance, n1, n2, turns1, turns2])
+            let (balance, window) = if x < clear {
+                (None, clear - x)
+            } else {
+                (Some(imbalance), R::HUGE)
+            };
+            let [n1, n2, turns1, turns2] = [n1, n2, turns1, turns2].map(Some);
+            Samples {
+                functions: [balance, n1, n2, turns1, turns2],
+                window,
+            }
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),

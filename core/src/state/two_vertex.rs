@@ -183,21 +183,40 @@ impl<R: Real> TwoVertex<R> {
     /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
     /// its memory, else they slide on with the hand (rule 10d).
     pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        self.slip_on(scene, grip, None)
+    }
+
+    /// From a fold of a slide, on in the same sense.
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Moved<R> {
+        self.slip_on(scene, grip, Some(sense))
+    }
+
+    /// In the sense that is driven most, or over a fold in the sense of the slide.
+    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, over_fold: Option<R>) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
         let (begin, mut turn) = (self.pivot, R::ZERO);
-        let mut sense = None;
+        let (mut sense, mut folds) = (over_fold, over_fold.is_some());
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
             // It goes one way.
             let senses = sense.map_or([R::ONE, -R::ONE], |sense| [sense; 2]);
-            let any = |demand| {
-                Trammel::driven_in(scene, (&self.pivot, self.other), grip, (&senses, demand))
+            let contacts = (&self.pivot, self.other);
+            let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
+            let trammel = match sense {
+                Some(sense) if folds => Some(Trammel::in_sense(scene, contacts, grip, sense)),
+                _ => any(demand).or_else(|| any(Demand::AtTheEnd)),
             };
-            let Some(trammel) = any(demand).or_else(|| any(Demand::AtTheEnd)) else {
+            let Some(trammel) = trammel else {
                 break;
             };
             sense = Some(trammel.direction());
-            let (run, ending) = trammel.run(scene, &self.contacts(), demand);
+            let clear = if folds {
+                trammel.clear_of_fold()
+            } else {
+                R::ZERO
+            };
+            folds = false;
+            let (run, ending) = trammel.run(scene, &self.contacts(), (clear, demand));
             self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
             moved.slip = moved.slip + run.slide;
             turn = turn + run.turn;

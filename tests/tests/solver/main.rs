@@ -4,6 +4,7 @@
 mod allocation;
 mod ambiguous;
 mod analytic;
+mod buckles;
 mod comparison;
 mod creep;
 mod documents;

@@ -58,7 +58,7 @@ impl<R: Real> Kinematics<R> {
     }
 
     /// The derivative of (E6) by x, of a wrench that changes: `swing` is that of r.
-    pub(super) fn imbalance_slope(
+    pub(super) fn slope(
         &self,
         swing: BoundedVec<R>,
         (force, _): Wrench<R>,
@@ -116,6 +116,19 @@ impl<R: Real> Trammel<R> {
             resistance: drag_moment * spread - second * f1.cross(drag),
             velocities,
         }
+    }
+
+    /// The derivative of (E6) by x at the frozen hand.
+    pub(super) fn imbalance_slope(&self, p: &Place<R>, window: R) -> Bounded<R> {
+        let load = self.load_at(p, window);
+        let slope = self.load_slope_at(p, window);
+        self.kinematics(p, window).slope(self.swing(p), load, slope)
+    }
+
+    /// How fast r changes along x.
+    pub(super) fn swing(&self, p: &Place<R>) -> BoundedVec<R> {
+        let rate = self.sense.curve.rate_bounded();
+        self.rotated(p, self.arm.turned()).scaled(rate)
     }
 
     pub(super) fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {

@@ -224,7 +224,8 @@ fn slopes_are_derivatives_and_bounds_hold() {
 fn run_ends_at_what_comes_first() {
     let mut ends = [0; 4];
     driven(Demand::Pressed, |case, trammel, seed| {
-        let (run, ending) = trammel.run(&case.scene, &case.state.contacts(), Demand::Pressed);
+        let (run, ending) =
+            trammel.run(&case.scene, &case.state.contacts(), (0.0, Demand::Pressed));
         let (_, begin, _) = quantities(trammel, 0.0);
         let left = |x: f64| {
             let (_, velocities, [n1, n2, delta]) = quantities(trammel, x);

@@ -8,7 +8,8 @@ use crate::real::Fixed;
 fn what_is_driven_moves() {
     let mut count = 0;
     driven(Demand::Pressed, |case, trammel, seed| {
-        let (run, ending) = trammel.run(&case.scene, &case.state.contacts(), Demand::Pressed);
+        let (run, ending) =
+            trammel.run(&case.scene, &case.state.contacts(), (0.0, Demand::Pressed));
         if ending != Ending::Stopped {
             return;
         }
@@ -26,7 +27,7 @@ fn what_is_driven_moves() {
                 &case.grip,
                 Demand::Pressed,
             ) {
-                let (run, _) = near.run(&case.scene, &state.contacts(), Demand::Pressed);
+                let (run, _) = near.run(&case.scene, &state.contacts(), (0.0, Demand::Pressed));
                 assert!(run.slide != 0.0 || run.turn != 0.0, "{seed} {slide}");
                 count += 1;
             }
