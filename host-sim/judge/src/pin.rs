@@ -91,29 +91,6 @@ impl Pin<'_> {
         (self.moment(at).1 > 0.0).then_some(at)
     }
 
-    /// The first balance in the direction of the moment, searched in small steps.
-    pub(crate) fn downhill(&self, theta: f64) -> f64 {
-        if let Some(balance) = self.near(theta) {
-            return balance;
-        }
-        let direction = self.moment(theta).0.signum();
-        let (mut from, mut to) = (theta, theta);
-        // Over two turns there is a balance, or there is none.
-        while direction * self.moment(to).0 > 0.0 && (to - theta).abs() < 14.0 {
-            from = to;
-            to += direction * STEP / 16.0;
-        }
-        for _ in 0..60 {
-            let middle = f64::midpoint(from, to);
-            if direction * self.moment(middle).0 > 0.0 {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        to
-    }
-
     /// Two angles are on one stable branch.
     pub(crate) fn on_one_branch(&self, a: f64, b: f64) -> bool {
         (b - a).abs() <= STEP * STEP
