@@ -58,6 +58,78 @@ fn a_trace_tells_what_slides_and_which_way() {
     }
 }
 
+/// A bundled scene, its surface with a memory length (m).
+fn bundled(name: &str, memory: f64) -> String {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenes/{name}.toml"));
+    let scene = fs::read_to_string(file).expect("a bundled scene");
+    let friction = "[friction]\n";
+    assert!(scene.contains(friction), "{name}");
+    scene.replace(friction, &format!("{friction}memory = {memory:?}\n"))
+}
+
+/// How often the box of `burst` slips, by the law alone: it is flat, the hand goes as far to the side as down and up, and so T
+/// grows by what N changes. Lengths in m: N / k_h and T / k_h.
+fn slips_of_the_burst(memory: f64) -> usize {
+    let (mu_s, mu_d, depth) = (0.5, 0.3, 0.01);
+    let least = memory / (mu_s - mu_d);
+    // Down: from a slip at N to the next one. Stiction comes where N is N*.
+    let (mut normal, mut slips) = (least, 0);
+    let further = |normal: f64| normal * (1.0 - mu_d) / (1.0 - mu_s);
+    while further(normal) <= depth {
+        normal = further(normal);
+        slips += 1;
+    }
+    // Across the turn, and up, until a slip ends below N*.
+    normal = (2.0 * depth - (1.0 - mu_d) * normal) / (1.0 + mu_s);
+    slips += 1;
+    while normal >= least {
+        normal *= (1.0 + mu_d) / (1.0 + mu_s);
+        slips += 1;
+    }
+    slips
+}
+
+/// As many as the README says.
+#[test]
+fn slips_of_a_burst_are_counted_by_its_memory_length() {
+    let folder = Folder::new();
+    let size = f64::hypot(0.1, 0.06);
+    for (part, told) in [(19, 91), (12, 43), (8, 15)] {
+        let memory = size / f64::from(1 << part);
+        // No memory counts as 2^-19 of the size.
+        let given = if part == 19 { 0.0 } else { memory };
+        assert_eq!(slips_of_the_burst(memory), told, "2^-{part}");
+        for number in ["f32", "f64", "fixed"] {
+            let trace = folder.trace(&bundled("burst", given), &["--number", number]);
+            let slips = trace.iter().filter_map(|record| record["slips"].as_u64());
+            assert_eq!(slips.sum::<u64>(), told as u64, "{number}, 2^-{part}");
+            let happened = events(&trace);
+            let slides = happened.iter().filter(|event| **event == "slide");
+            assert_eq!(slides.count(), 2, "{number}, 2^-{part}");
+        }
+    }
+}
+
+/// It sticks, slides, stays where the hand stops, sticks as the hand turns back, and slides back until it is lifted.
+#[test]
+fn with_one_coefficient_of_friction_it_slides_and_never_slips() {
+    let folder = Folder::new();
+    let trace = folder.trace(&bundled("slide", 0.0), &[]);
+    let signs = sliding(&trace);
+    let mut order: Vec<i64> = Vec::new();
+    for sign in signs {
+        if order.last() != Some(&sign) {
+            order.push(sign);
+        }
+    }
+    assert_eq!(order, [0, 1, 0, -1]);
+    let happened = events(&trace);
+    assert_eq!(happened, ["touch", "slide", "stop", "slide", "lift"]);
+    // The hand rests from 2 s to 2.5 s, and so does the body.
+    let pose = |i: usize| &trace[i]["pose"];
+    assert!((2001..2500).all(|i| pose(i) == pose(2000)));
+}
+
 #[test]
 fn with_a_short_memory_it_sticks_and_slips() {
     let folder = Folder::new();

@@ -204,6 +204,8 @@ fn scenes_are_changed() {
         "parallel-walls",
         "point-frictionless",
         "rod-on-floor",
+        "slide",
+        "burst",
     ] {
         client.done(json!({"type": "scene", "name": name}));
         client.state(|state| state["scene"]["title"] == name);
