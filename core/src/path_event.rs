@@ -36,7 +36,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     let next = match outcome(scene, (at, to), state, trigger, log) {
         Outcome::Next(next) => next,
         Outcome::Release => {
-            *at = at.toward(scene, to, state.load(scene, at).release());
+            *at = at.toward(scene, to, state.release(scene, at));
             Next::Relax(None)
         }
     };

@@ -167,6 +167,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             Err(status) => log.limit(status),
             Ok((position, angle)) => {
                 state.hand = hand;
+                if hand.tilted {
+                    log.limit(Status::Twist);
+                }
                 if hand.held {
                     self.take_hold(&mut state, (position, angle), &mut log);
                 }
@@ -184,6 +187,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         match self.non_dimensional(&hand) {
             Err(status) => log.limit(status),
             Ok(target) => {
+                if hand.tilted {
+                    log.limit(Status::Twist);
+                }
                 self.switch(state, &hand, target, &mut log);
                 if self.go_to(state, target, &mut log) {
                     state.hand = hand;
@@ -295,7 +301,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.contact.set_regime(Regime::LOOSE);
         state.contact.press(&self.scene, &state.grip);
         settle(&self.scene, &state.grip, &mut state.contact, log);
-        state.unrest = log.unrest();
+        self.rest(state, log);
     }
 
     /// The number type can represent the springs between a body and a hand: the pull, the turn, and the moment of both.

@@ -106,6 +106,25 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
+    /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
+    pub(crate) fn is_jammed<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+        match self {
+            Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip),
+            Self::Corner(s) if W::SURFACES => s.is_jammed(scene, grip),
+            Self::Locked(s) if W::SURFACES => s.is_jammed(scene, grip),
+            _ => false,
+        }
+    }
+
+    /// A displacement of the hand after which what the contacts have just borne is surely not borne any more.
+    pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> R {
+        match self {
+            Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip),
+            Self::Locked(s) if W::SURFACES => s.release(scene, grip),
+            _ => self.load(scene, grip).release(),
+        }
+    }
+
     /// Whether the contacts stick or slide; without contact nothing sticks.
     pub(crate) fn regime(&self) -> Regime<R> {
         match self {

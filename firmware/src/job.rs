@@ -85,5 +85,6 @@ pub(crate) fn decode_sample(bytes: &[u8; SAMPLE_BYTES]) -> Hand<f64> {
         angle: Angle { turns, rest },
         depth: 0.0,
         held: fields.u32() != 0,
+        tilted: false,
     }
 }

@@ -87,6 +87,7 @@ fn hand(i: u32) -> Hand<f64> {
         },
         depth: 0.0,
         held: i != 60,
+        tilted: false,
     }
 }
 

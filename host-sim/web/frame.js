@@ -9,7 +9,9 @@ const VERSION = 2;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** What limited an answer, in the order of its codes. */
-const STATUS = ["ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last"];
+const STATUS = [
+  "ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist",
+];
 /** The name of a status; one that is not known may be out of balance (FRAME 5.1). @param {number} code */
 export const statusName = (code) => STATUS[code] ?? "ambiguous";
 /** Why a command is refused, in the order of its codes. */

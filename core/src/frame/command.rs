@@ -205,6 +205,7 @@ fn read_hand(fields: &mut Fields<'_>) -> Result<Hand<f32>, FaultKind> {
         angle: Angle { turns, rest },
         depth: fields.f32(),
         held: fields.flag()?,
+        tilted: false,
     })
 }
 

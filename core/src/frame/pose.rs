@@ -182,6 +182,8 @@ const fn status_code(status: Status) -> u8 {
         Status::Ambiguous => 3,
         Status::Saturated => 4,
         Status::HeldLast => 5,
+        Status::Jammed => 6,
+        Status::Twist => 7,
     }
 }
 

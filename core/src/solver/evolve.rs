@@ -97,17 +97,29 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
         if (state.contact).follow(&self.scene, (&state.grip, &to)) {
             rests(&state.contact, log);
-        } else if !self.can_represent(&state.contact, &to) {
+            state.grip = to;
+            state.unrest = Status::Ok;
+            return true;
+        }
+        if !self.can_represent(&state.contact, &to) {
             return false;
-        } else if state.unrest == Status::Ok {
+        } else if matches!(state.unrest, Status::Ok | Status::Jammed) {
             self.along_path(state, &to, log);
         } else {
             // A path begins in balance: out of it there is only a jump.
             settle(&self.scene, &to, &mut state.contact, log);
         }
         state.grip = to;
-        state.unrest = log.unrest();
+        self.rest(state, log);
         true
+    }
+
+    /// How the body rests at the end of a frame.
+    pub(super) fn rest(&self, state: &mut State<R>, log: &mut Log<R>) {
+        if state.contact.is_jammed(&self.scene, &state.grip) {
+            log.limit(Status::Jammed);
+        }
+        state.unrest = log.unrest();
     }
 
     /// Event by event along the straight path of the hand (STATICS 7); after the last one that counts the hand jumps.

@@ -175,8 +175,21 @@ impl<R: Real> Corner<R> {
         if pulled { Trigger::Clear } else { trigger }
     }
 
+    fn fixed_pose(&self, scene: &impl World<R>) -> FixedPose<R> {
+        FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
+    }
+
+    /// Surfaces press harder than the load pulls by at most 1 over the sine of their angle.
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let [first, second] =
+            [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
+        let narrow = first.cross(second).abs() * WrenchCone::<R>::limit();
+        let size = self.pivot.load(scene, grip).force.length_bound();
+        narrow < size && self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction)).reactions(scene, load)
+        self.fixed_pose(scene).reactions(scene, load)
     }
 }
 

@@ -76,8 +76,8 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// True if the contacts bear the load on three edges of their cones: those of the last time, or others, which are
-    /// remembered.
+    /// True if the contacts bear the load on three edges of their cones, within the limit: those of the last time, or others, which
+    /// are remembered.
     pub(super) fn bears(
         &self,
         scene: &impl World<R>,
@@ -98,18 +98,40 @@ impl<R: Real> FixedPose<R> {
         found.is_some()
     }
 
-    /// To the end of the hand's path, or to where the load is not borne any more.
+    /// True if the contacts bear the load, however large their reactions.
+    fn holds(&self, load: &Load<R>) -> bool {
+        let (wrench, little) = (load.wrench(), load.little());
+        if self.cone.jams(wrench, little) {
+            return true;
+        }
+        // Contacts without friction bear a load on fewer edges, at the edge of a cone and beyond a facet by a rounding.
+        let rounding = load.rounding().doubled().doubled();
+        let is_inside = self.cone.first_yield(wrench, wrench, rounding).is_none();
+        is_inside && self.cone.left(wrench, little) <= little
+    }
+
+    /// True if the contacts bear the load with no reactions within the limit.
+    pub(super) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let (wrench, little) = (load.wrench(), load.little());
+        self.cone.bearers(wrench, little).is_none() && self.cone.exceeds_limit(wrench, little)
+    }
+
+    /// To the end of the hand's path, or to where the load is not borne any more. The loads that are borne are convex, so that
+    /// the end decides.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
+        if self.holds(&after) {
+            return Moved::by(Trigger::Balanced);
+        }
         let rounding = (before.rounding() + after.rounding()).doubled();
         match (self.cone).first_yield(before.wrench(), after.wrench(), rounding) {
             // Facets may be known less well than reactions.
-            None => Moved::by(self.test(scene, to, 0)),
+            None => Moved::by(self.give_way(scene, (to, to), 0)),
             Some(part) => {
                 let at = from.lerp(to, part);
                 // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
-                let load = self.pivot.load(scene, &at);
-                let ahead = at.ahead(scene, to, load.release());
+                let ahead = at.ahead(scene, to, self.release(scene, &at));
                 Moved {
                     part,
                     ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
@@ -118,15 +140,18 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
+    /// A displacement of the hand after which a load that the contacts had just borne is surely beyond that.
+    pub(super) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        let load = self.pivot.load(scene, grip);
+        let of_reactions = self
+            .cone
+            .rounding_of_reactions(load.wrench(), load.little());
+        load.release() + of_reactions.doubled()
+    }
+
     /// At rest, or what begins. `attempt`: how many motions were tried in vain.
     pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
-        let load = self.pivot.load(scene, grip);
-        let (wrench, rounding) = (load.wrench(), load.rounding().doubled().doubled());
-        let holds = || self.cone.first_yield(wrench, wrench, rounding).is_none();
-        // At the edge of a cone a load may be borne and beyond a facet by a rounding.
-        let little = load.little();
-        let is_borne = self.cone.bearers(wrench, little).is_some();
-        if is_borne || (holds() && self.cone.left(wrench, little) <= little) {
+        if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
         } else {
             self.give_way(scene, (grip, grip), attempt)

@@ -59,6 +59,14 @@ impl<R: Real> Locked<R> {
         Moved::by(fixed_pose.test(scene, grip, attempt))
     }
 
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        self.fixed_pose(scene).release(scene, grip)
+    }
+
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
         self.fixed_pose(scene).reactions(scene, load)
     }

@@ -280,6 +280,14 @@ impl<R: Real> TwoVertex<R> {
             .any(|sliding| fixed_pose.opens(scene, grip, &([lasts, lasts], sliding)))
     }
 
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        self.regime.slide().is_none() && self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        self.fixed_pose(scene).release(scene, grip)
+    }
+
     pub(crate) fn reactions(
         &self,
         scene: &impl World<R>,

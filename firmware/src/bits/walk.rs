@@ -85,6 +85,7 @@ impl Walk {
             angle: Angle { turns: 0, rest },
             depth: rest,
             held: self.held,
+            tilted: false,
         }
     }
 }

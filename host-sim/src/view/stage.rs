@@ -62,6 +62,7 @@ fn at_start(scene: &SceneFile) -> Hand<f64> {
         angle: Angle::from_radians(theta),
         depth: 0.0,
         held: true,
+        tilted: false,
     }
 }
 

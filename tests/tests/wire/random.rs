@@ -172,6 +172,7 @@ impl Store {
                 },
                 depth: random.float(),
                 held: random.flag(),
+                tilted: false,
             }),
             1 => Command::Tracker(TrackerSample {
                 position: random.floats(),

@@ -296,6 +296,8 @@ fn status(status: Status) -> i64 {
         "ambiguous",
         "saturated",
         "held-last",
+        "jammed",
+        "twist",
     ];
     names
         .iter()
