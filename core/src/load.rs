@@ -122,16 +122,6 @@ impl<R: Real> Load<R> {
         );
         // -h
         let pull = surface.normal.dot(self.force) + off;
-        if scene.swings() {
-            // Nothing but the gap turns it: -N instead of a moment, in the direction in which it is stable.
-            let sign = along.sign();
-            return Moment {
-                couple: pull * sign,
-                stiffness: R::ZERO,
-                hold: Vec2::new(along, -off) * sign,
-                harmonic: H::NONE,
-            };
-        }
         let mut hold = self.lever.conj_mul(edge.reaction) * pull;
         let weight = scene.weight();
         if weight != Vec2::ZERO {
@@ -158,18 +148,9 @@ impl<R: Real> Load<R> {
     /// What a displacement adds to that of a sliding point.
     pub(crate) fn sliding_drive(
         &self,
-        scene: &impl World<R>,
         (surface, edge): (&Surface<R>, &SlidingEdge<R>),
         displacement: &Displacement<R>,
     ) -> Drive<R> {
-        if scene.swings() {
-            // The gap that it closes, however the body has turned.
-            let sign = surface.tangent.dot(self.lever).sign();
-            return Drive {
-                couple: surface.normal.dot(displacement.hand) * sign,
-                hold: Vec2::ZERO,
-            };
-        }
         let pressing = displacement.pressing(surface, edge);
         Drive {
             couple: self.stiffness * edge.cos * pressing.turn,

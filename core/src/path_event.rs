@@ -59,9 +59,16 @@ fn outcome<R: Real, W: World<R>>(
             Outcome::Next(Next::Rest)
         }
         Trigger::Halts => {
-            state.set_regime(Regime::LOOSE);
+            match state {
+                // What bears nothing may go back.
+                ContactState::SingleVertex(s) if scene.swings() && !s.leans(scene, path.0) => {
+                    s.begin(scene, path);
+                }
+                _ => state.set_regime(Regime::LOOSE),
+            }
             Outcome::Next(Next::Rest)
         }
+        Trigger::Bears => bears(scene, path, state),
         Trigger::Clear => leaves(scene, path, state, log),
         Trigger::Keep {
             contacts: [first, second],
@@ -87,6 +94,10 @@ fn touches<R: Real, W: World<R>>(
     log: &mut Log<R>,
 ) -> Outcome<R> {
     let (before, regime) = (state.kind(), state.regime());
+    let bears = match state {
+        ContactState::SingleVertex(s) => !scene.swings() || s.leans(scene, path.0),
+        _ => true,
+    };
     touch(scene, state, pair, log);
     match (before, regime, &mut *state) {
         (StateKind::NonContact, _, ContactState::SingleVertex(s)) => s.begin(scene, path),
@@ -94,7 +105,7 @@ fn touches<R: Real, W: World<R>>(
         (StateKind::NonContact, ..) => {}
         (_, Regime::Stick { .. }, state) => state.set_regime(regime),
         // A contact that bears nothing is as one that has just been touched.
-        (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) if scene.swings() => {
+        (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) if !bears => {
             s.begin(scene, path);
         }
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
@@ -125,6 +136,14 @@ fn yields<R: Real, W: World<R>>(
                 log.event(Event::Snap);
                 return Outcome::Next(Next::Snap(direction));
             }
+            if scene.swings() && !s.is_leaning(scene, path.0, sign) {
+                s.begin(scene, path);
+                return if s.regime.slide().is_some() {
+                    Outcome::Next(Next::Rest)
+                } else {
+                    Outcome::Release
+                };
+            }
             if s.recedes(scene, path, sign) {
                 return Outcome::Release;
             }
@@ -146,6 +165,22 @@ fn yields<R: Real, W: World<R>>(
             None => Outcome::Release,
         },
         _ => Outcome::Release,
+    }
+}
+
+/// The lever of a body that swings has come to lie on the edge of the friction cone: it bears, unless it stands upright there.
+fn bears<R: Real>(
+    scene: &impl World<R>,
+    path: Path<'_, R>,
+    state: &mut ContactState<R>,
+) -> Outcome<R> {
+    match state {
+        ContactState::SingleVertex(s) if s.stands(scene, path.0) => Outcome::Release,
+        ContactState::SingleVertex(s) => {
+            s.bears(scene, path);
+            Outcome::Next(Next::Rest)
+        }
+        _ => Outcome::Next(Next::Rest),
     }
 }
 

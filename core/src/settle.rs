@@ -167,18 +167,12 @@ pub(crate) fn apply<R: Real, W: World<R>>(
             rests(state, log);
             Next::Rest
         }
-        Trigger::Pressed | Trigger::Halts => Next::Rest,
+        Trigger::Pressed | Trigger::Halts | Trigger::Bears => Next::Rest,
         Trigger::Stopped => {
             if moved.unsure || moved.unbalanced {
                 return Next::Relax(Some(sliding));
             }
-            match state {
-                // As it slides on it bears nothing.
-                ContactState::SingleVertex(s) if scene.swings() && s.regime.slide().is_some() => {
-                    Next::Snap(sliding)
-                }
-                _ => Next::Rest,
-            }
+            Next::Rest
         }
         Trigger::Slide(sign) => Next::Slip(sign),
         Trigger::Fold(direction) => {

@@ -33,6 +33,7 @@ mod segment;
 mod short_slip;
 mod single_vertex;
 mod slide;
+mod swing;
 mod trammel;
 mod two_vertex;
 

@@ -23,6 +23,8 @@ pub(crate) enum Trigger<R> {
     Pressed,
     /// The foot of a slide comes to a halt (rule 7).
     Halts,
+    /// The lever of a body that swings has come to lie on the edge of the friction cone (STATICS 3.7).
+    Bears,
     /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
     /// along sign·t.
     Keep {

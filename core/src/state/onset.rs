@@ -1,6 +1,7 @@
 //! What begins where a reaction is zero: there friction does not decide by the reaction, but by the rates at which it grows along the
 //! displacement of the hand (STATICS 7, rule 6).
 
+use super::swing::Swing;
 use super::{Edge, SingleVertex};
 use crate::contact::{Pair, Regime};
 use crate::geometry::Vec2;
@@ -34,9 +35,13 @@ impl<R: Real> SingleVertex<R> {
         displacement: &Displacement<R>,
         sign: R,
     ) -> Option<Rates<R>> {
+        if scene.swings() {
+            let rates = Swing::new(load, surface, sign).rates(displacement);
+            return rates.map(|(foot, turn)| Rates { foot, turn });
+        }
         let edge = surface.sliding(sign);
         let moment = load.sliding::<Sliding<R>>(scene, surface, &edge);
-        let drive = load.sliding_drive(scene, (surface, &edge), displacement);
+        let drive = load.sliding_drive((surface, &edge), displacement);
         let foot = load.foot(&edge, displacement);
         (moment.stability() > R::ZERO).then(|| {
             let turn = drive.now() / moment.stability();
@@ -55,6 +60,9 @@ impl<R: Real> SingleVertex<R> {
     /// Of a vertex that has just touched, or whose reaction has fallen to zero: it sticks if the friction grows more slowly than
     /// mu_d times the normal reaction, else it slides with the load.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
+        if scene.swings() {
+            return self.begin_swinging(scene, (at, to));
+        }
         self.regime = Regime::LOOSE;
         let load = self.pivot.load(scene, at);
         let surface = self.pivot.surface(scene);

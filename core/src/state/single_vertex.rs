@@ -261,7 +261,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// What the friction at the end of a slip may be off.
-    fn found_to(load: &Load<R>) -> R {
+    pub(super) fn found_to(load: &Load<R>) -> R {
         load.rounding_with_foot() * R::from_int(64)
     }
 
@@ -310,7 +310,7 @@ impl<R: Real> SingleVertex<R> {
             let end = self.pivot.moved(slip.slide, slip.turn);
             if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
-                self.end_slip(scene, &end.load(scene, grip), sign);
+                self.end_slip(scene, grip, sign);
                 return Moved {
                     slip: slip.slide,
                     ..Moved::by(Trigger::Stopped)
@@ -338,7 +338,7 @@ impl<R: Real> SingleVertex<R> {
         let unbalanced = !self.is_balanced(&load)
             || self.is_driven_beyond(scene, &load, (sign, Self::found_to(&load)));
         if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
-            self.end_slip(scene, &load, sign);
+            self.end_slip(scene, grip, sign);
         }
         Moved {
             slip,
@@ -347,9 +347,12 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    fn end_slip(&mut self, scene: &impl World<R>, load: &Load<R>, sign: R) {
+    fn end_slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
+        if scene.swings() {
+            self.lean_on(scene, grip, sign);
+        }
         let surface = self.pivot.surface(scene);
-        let (normal, _) = surface.reaction(load.force);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
         self.regime = Regime::after_slip(surface.friction.is_pressed(normal), sign);
     }
 
@@ -389,10 +392,6 @@ impl<R: Real> SingleVertex<R> {
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
         let surface = self.pivot.surface(scene);
-        if scene.swings() && self.regime.slide().is_some() {
-            // It is where the hand alone holds it.
-            return gather([[R::ZERO; 2]]);
-        }
         let (normal, friction) = surface.reaction(load.force);
         gather([[normal.max(R::ZERO), friction]])
     }

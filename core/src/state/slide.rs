@@ -31,12 +31,12 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> bool {
         let load = self.pivot.load(scene, to);
-        if !load.is_representable() {
+        if scene.swings() || !load.is_representable() {
             return false;
         }
         let (surface, edge) = self.sliding(scene, sign);
         let displacement = from.displacement_to(to);
-        let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
+        let drive = load.sliding_drive((&surface, &edge), &displacement);
         let sliding = |load: &Load<R>| load.sliding::<Sliding<R>>(scene, &surface, &edge);
         let mut moment = sliding(&load);
         let times = moment.softness();
@@ -51,12 +51,7 @@ impl<R: Real> SingleVertex<R> {
         // The reaction strays by the turn from the straight line to where the hand alone would take it.
         let normal = -surface.normal.dot(load.force);
         let stray = load.lever.length_bound() * certified.turn_bound + load.rounding();
-        let lifts = if scene.swings() {
-            surface.normal.dot(displacement.hand) > R::ZERO
-        } else {
-            normal <= stray
-        };
-        if lifts {
+        if normal <= stray {
             return false;
         }
         let mut end = Self {
@@ -78,7 +73,7 @@ impl<R: Real> SingleVertex<R> {
             let way = (pivot.foot - self.pivot.foot).abs();
             // The foot goes one way.
             let travel = way + certified.turn_bound;
-            if (advances <= slack && !scene.swings())
+            if advances <= slack
                 || normal + stray >= surface.friction.threshold()
                 || !end.has_room(scene, &pivot, (travel, travel))
             {
@@ -115,18 +110,14 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
+        if scene.swings() {
+            return self.advance_swinging(scene, (from, to), sign);
+        }
         let load = self.pivot.load(scene, from);
         let (surface, edge) = self.sliding(scene, sign);
         let displacement = from.displacement_to(to);
-        if scene.swings() && surface.normal.dot(displacement.hand) > R::ZERO {
-            // It bears nothing, and nothing turns it: the hand takes it off.
-            return Moved {
-                part: R::ZERO,
-                ..Moved::by(Trigger::Clear)
-            };
-        }
         let moment = load.sliding::<Sliding<R>>(scene, &surface, &edge);
-        let drive = load.sliding_drive(scene, (&surface, &edge), &displacement);
+        let drive = load.sliding_drive((&surface, &edge), &displacement);
         let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         let foot = load.foot(&edge, &displacement);
         if W::SEVERAL {
@@ -134,10 +125,8 @@ impl<R: Real> SingleVertex<R> {
             segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
         }
         let normal = load.reaction(surface.normal, &displacement);
-        if !scene.swings() {
-            segment.stop_at(&normal, Trigger::Clear);
-        }
-        if !W::GLIDES && !scene.swings() {
+        segment.stop_at(&normal, Trigger::Clear);
+        if !W::GLIDES {
             let ahead = foot.combine(sign, foot, R::ZERO);
             segment.stop_at_reversal(&ahead, Self::slack(&displacement), Trigger::Halts);
             if let Some(loosens) = surface.friction.loosens(normal) {
@@ -171,7 +160,11 @@ impl<R: Real> SingleVertex<R> {
 
     /// Glides downhill at a frozen hand, to the first of balance, touch, lift-off.
     pub(crate) fn glide_down<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let downhill = self.sliding_moment(scene, grip, R::ONE).downhill();
+        let downhill = if scene.swings() {
+            self.swing_down(scene, grip, (None, R::ONE))
+        } else {
+            self.sliding_moment(scene, grip, R::ONE).downhill()
+        };
         self.slide_by(scene, grip, (&downhill, R::ONE))
     }
 
@@ -182,10 +175,10 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
-        let moment = self.sliding_moment(scene, grip, sign);
         let downhill = if scene.swings() {
-            moment.downhill()
+            self.swing_down(scene, grip, (Some(direction), sign))
         } else {
+            let moment = self.sliding_moment(scene, grip, sign);
             moment.over_fold(direction)
         };
         self.slide_by(scene, grip, (&downhill, sign))
@@ -193,11 +186,15 @@ impl<R: Real> SingleVertex<R> {
 
     /// The direction in which the body turns as its foot begins to slide along sign·t, if the balance of that slide is not stable.
     pub(crate) fn topples(&self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Option<R> {
-        let moment = self.sliding_moment(scene, grip, sign);
         let (_, edge) = self.sliding(scene, sign);
         let lever = self.pivot.load(scene, grip).lever;
         let ahead = -edge.balanced.dot(lever.turned()) * sign;
-        (scene.swings() || moment.stability() <= R::ZERO).then_some(ahead.sign())
+        let topples = if scene.swings() {
+            self.swing(scene, grip, sign).topples()
+        } else {
+            self.sliding_moment(scene, grip, sign).stability() <= R::ZERO
+        };
+        topples.then_some(ahead.sign())
     }
 
     /// Turns downhill, the foot in balance from the beginning: it gets there in a straight line, on which energy falls.
@@ -211,7 +208,7 @@ impl<R: Real> SingleVertex<R> {
         let (surface, edge) = self.sliding(scene, sign);
         self.pivot.slide(scene, grip, &edge);
         let load = self.pivot.load(scene, grip);
-        if !scene.swings() && surface.normal.dot(load.force) > load.rounding() {
+        if surface.normal.dot(load.force) > load.rounding() {
             return Moved::by(Trigger::Clear);
         }
         let mut segment = Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced);
@@ -240,6 +237,10 @@ impl<R: Real> SingleVertex<R> {
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
     fn rest(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) -> bool {
+        if scene.swings() {
+            self.pivot.slide(scene, grip, edge);
+            return true;
+        }
         let load = self.pivot.load(scene, grip);
         let moment = load.sliding::<Sliding<R>>(scene, &self.pivot.surface(scene), edge);
         let turn = moment.polish();

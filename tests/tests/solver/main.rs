@@ -26,6 +26,7 @@ mod size;
 mod slides_of_reference;
 mod slips;
 mod snapshot;
+mod swings;
 mod symmetry;
 mod transitions;
 mod work;

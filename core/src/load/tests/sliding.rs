@@ -171,7 +171,7 @@ fn foot_moves_with_hand_and_turn() {
         let displacement = Displacement { hand: way, turn };
         let margin = load.foot(&edge, &displacement);
         let begin = bench.sliding_foot(&case.hand, case.theta, sign);
-        let drive = load.sliding_drive(&scene, (&surface, &edge), &displacement);
+        let drive = load.sliding_drive((&surface, &edge), &displacement);
         for (part, angle) in [(0.0, 0.0), (1.0, 0.0), (0.3, 0.7), (0.0, -2.0), (2.0, 1.4)] {
             let hand = case.hand.on((way, turn), part);
             let moved = bench.sliding_foot(&hand, case.theta + angle, sign) - begin;
