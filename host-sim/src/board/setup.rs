@@ -14,8 +14,9 @@ use super::heard::{About, Answer};
 use super::refusal::explain;
 use super::session::{Mail, Session};
 
-/// The board tells so often how it fares (ms).
-const HEALTH_EVERY: u16 = 250;
+/// The board tells so often how it fares (ms): as often as leaves a line of 115200 baud room for 100 whole steps a second, the
+/// fewest that a board makes.
+const HEALTH_EVERY: u16 = 350;
 
 /// A mode that is too much for the line is made less so often.
 const ATTEMPTS: usize = 8;
