@@ -158,6 +158,7 @@ impl<'a> Step<'a> {
             grip: self.grip,
             vertex: contact.vertex,
             surface: self.model.surface(contact),
+            shortest: self.model.carried(self.next, self.bounds),
         }
     }
 
