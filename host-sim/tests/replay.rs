@@ -3,7 +3,9 @@
 mod common;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
 
 use common::{Folder, SCENE, scene_with_path, text};
 
@@ -231,16 +233,51 @@ fn what_is_no_recording_is_refused_with_its_line() {
     );
 }
 
-/// `tests/recordings`: faults that fuzzing, a board or a user found. They give the bits of now.
+/// `tests/recordings`: faults that fuzzing, a board or a user found.
+fn kept() -> Vec<PathBuf> {
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recordings");
+    let entries = fs::read_dir(kept).expect("the folder of recordings");
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .collect();
+    files.sort();
+    assert!(!files.is_empty(), "no recordings");
+    files
+}
+
+/// All that is wrong with the kept recordings, by the first line of what is said.
+fn none_is_wrong(wrong: impl Fn(&Path) -> Option<String>) {
+    let wrong: Vec<String> = (kept().iter())
+        .filter_map(|file| Some(format!("{}: {}", file.display(), wrong(file)?)))
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// They give the bits of now.
 #[test]
 fn kept_faults_give_the_same_bits() {
-    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/recordings");
-    let mut count = 0;
-    for entry in fs::read_dir(kept).expect("the folder of recordings") {
-        let file = entry.expect("an entry").path();
+    none_is_wrong(|file| {
         let (status, message) = said(&Folder::new(), &["replay", &file.to_string_lossy()]);
-        assert_eq!(status, Some(0), "{}: {message}", file.display());
-        count += 1;
-    }
-    assert!(count > 0, "no recordings");
+        (status != Some(0)).then_some(message)
+    });
+}
+
+/// The answers of now are lawful, whatever was recorded: a recording that is made anew still shows that the fault is mended.
+#[test]
+fn kept_faults_are_lawful() {
+    none_is_wrong(|file| {
+        let folder = Folder::new();
+        let replay = ["replay", &file.to_string_lossy(), "--out", "trace.jsonl"];
+        let (_, message) = said(&folder, &replay);
+        let recording = fs::read_to_string(file).expect("a recording");
+        let head = recording.lines().next().expect("a head");
+        let head: Value = serde_json::from_str(head).expect("JSON");
+        let [scene, number, evolution] =
+            ["scene", "number", "evolution"].map(|key| head[key].as_str().expect("a text"));
+        folder.write("scene.toml", scene);
+        let check = ["check", "trace.jsonl", "--scene", "scene.toml"];
+        let dials = ["--number", number, "--evolution", evolution];
+        let (status, report) = said(&folder, &[check, dials].concat());
+        (status != Some(0)).then(|| message + &report)
+    });
 }
