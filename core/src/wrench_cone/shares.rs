@@ -8,6 +8,9 @@ use crate::list::gather;
 use crate::real::Real;
 use crate::wrench2::Wrench2;
 
+/// The parts of edges that lie almost in a plane are refined so many times at most.
+const REFINEMENTS: usize = 3;
+
 impl<R: Real> WrenchCone<R> {
     /// True if three edges alone bear a load but for a little, with no reaction beyond the limit.
     pub(crate) fn bears_on(&self, edges: [u8; 3], load: Wrench2<R>, little: R) -> bool {
@@ -215,17 +218,22 @@ impl<R: Real> WrenchCone<R> {
             add(&mut parts, solution);
             self.remainder(load, &parts)
         };
-        // In finer steps.
+        // In finer steps, each of which is as exact as the volume is known.
         let fine = R::from_int(256);
-        let (more, _) = self.on_three(edges, remainder_of(&solution).scaled(fine))?;
         let mut refined = solution;
-        for (part, (_, more)) in refined.iter_mut().zip(more) {
-            part.1 = part.1 + more / fine;
+        for _ in 0..REFINEMENTS {
+            let remainder = remainder_of(&refined);
+            let (more, _) = self.on_three(edges, remainder.scaled(fine))?;
+            for (part, (_, more)) in refined.iter_mut().zip(more) {
+                part.1 = part.1 + more / fine;
+            }
+            let left = remainder_of(&refined).size();
+            let rounding = Self::rounding(refined.iter().map(|(_, part)| part), load);
+            if presses(&refined) && left <= little + rounding {
+                return Some(refined);
+            }
         }
-        let left = remainder_of(&refined).size();
-        let is_borne = presses(&refined)
-            && left <= little + Self::rounding(refined.iter().map(|(_, part)| part), load);
-        is_borne.then_some(refined)
+        None
     }
 
     /// What the rounding of parts of edges leaves of a load: of as much of it as shows in which direction it is.

@@ -15,6 +15,7 @@ mod follows_reference;
 mod glide;
 mod hand;
 mod haptic;
+mod jams;
 mod laws;
 mod models;
 mod one_coefficient;
