@@ -4,7 +4,7 @@ use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, SiFloat, Solver,
     SurfaceDescription, Weightless, narrow_hand,
 };
-use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_compiled};
+use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_in_model};
 use stiction_firmware::job::{self, FormatError, Frame, Results};
 
 const SAMPLES: u32 = 100;
@@ -159,20 +159,23 @@ fn a_job_comes_back_with_the_answers_of_the_solver() {
 }
 
 #[test]
-fn a_compiled_solver_takes_the_samples_of_a_job_alone() {
+fn in_a_model_of_its_own_it_gives_the_same_answers() {
     let weightless = Description {
         weight: 0.0,
         ..SCENE
     };
     let mut own = Memory::new(job_of(&weightless, Evolution::Frame));
     run::<f64, 8, 4>(&mut own, &mut Calls(0)).unwrap();
-    let scene = Scene::<f64, 4, 2, Weightless>::new(&weightless).unwrap();
-    let solver = Solver::new(scene, Evolution::Frame);
-    let mut compiled = Memory::new(job_of(&SCENE, Evolution::Path));
-    run_compiled(solver, &mut compiled, &mut Calls(0)).unwrap();
-    let [own, compiled] = [&own, &compiled].map(|files| Results::read(&files.results).unwrap());
-    assert!(own.frames().eq(compiled.frames()));
-    assert!(compiled.totals.solver < own.totals.solver);
+    let in_model = |scene| {
+        let mut files = Memory::new(job_of(scene, Evolution::Path));
+        run_in_model::<f64, 4, 2, Weightless>(Evolution::Frame, &mut files, &mut Calls(0))?;
+        Ok(files)
+    };
+    let small = in_model(&weightless).unwrap();
+    let [own, small] = [&own, &small].map(|files| Results::read(&files.results).unwrap());
+    assert!(own.frames().eq(small.frames()));
+    assert!(small.totals.solver < own.totals.solver);
+    assert!(matches!(in_model(&SCENE), Err(Failure::Scene(_))));
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn of_model(
     };
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
     let code = rust_source(scene, model, number, evolution);
-    let counter = Counter::of_scene(board, Profile::Device, &code)?;
+    let counter = Counter::of_model(board, Profile::Device, &code)?;
     let mut counted = counter.count(&job(scene, evolution, &hands))?;
     for frame in &mut counted.frames {
         assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");

@@ -273,7 +273,7 @@ fn a_recorded_hand_moves_the_box_lawfully() {
     };
     let folder = Folder::new();
     folder.write("scene.toml", RECORDED);
-    folder.write("hand.txt", std::fs::read(hand).expect("the recording"));
+    folder.write("hand.txt", fs::read(hand).expect("the recording"));
     for number in NUMBERS {
         for evolution in EVOLUTIONS {
             let trace = judged(&folder, "scene.toml", number, evolution);

@@ -215,7 +215,7 @@ fn chips_are_counted_in_emulation() {
     }
 }
 
-/// At the slowest rate, where a frame has most to do.
+/// At the slowest rate, where a frame has most to do: the more the shorter slips may be.
 fn a_long_memory_and_the_frame_evolution_cost_less(rows: &[Value]) {
     for (chip, number) in [("cortex_m4f", "f32"), ("cortex_m0", "fixed")] {
         let mean = |evolution: &str, memory: &str| {

@@ -1,7 +1,9 @@
 //! The scene of a job: to bytes on the host, from bytes to the scene of any number type on the board.
 
 use heapless::Vec;
-use stiction_core::{Description, Evolution, Real, Scene, SceneError, SiFloat, SurfaceDescription};
+use stiction_core::{
+    Description, Evolution, Model, Real, Scene, SceneError, SiFloat, SurfaceDescription,
+};
 
 use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
@@ -113,10 +115,10 @@ impl Head {
     ///
     /// # Errors
     /// `source` fails, or the numbers do not make a scene of these capacities.
-    pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, E>(
+    pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model, E>(
         &self,
         mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
-    ) -> Result<Scene<R, V, S>, E>
+    ) -> Result<Scene<R, V, S, M>, E>
     where
         E: From<SceneError<R::Si>> + From<FormatError>,
     {

@@ -44,6 +44,6 @@ pub(super) fn measure(
     Ok(Measured {
         flash_small: footprint(board, Profile::DeviceSmall, &code)?,
         flash_fast: footprint(board, Profile::Device, &code)?,
-        counted: Counter::of_scene(board, Profile::Device, &code)?.count(&job)?,
+        counted: Counter::of_model(board, Profile::Device, &code)?.count(&job)?,
     })
 }

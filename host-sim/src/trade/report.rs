@@ -66,8 +66,9 @@ impl Report {
         let emulated = match Place::of(&self.rows).len() {
             ..2 => "",
             _ => {
-                " Emulated: the bundled scenes only; instructions of a frame, mean and worst, the start not counted; flash: what \
-                 the solver of the first one adds to an image, at any memory length; stack: the deepest below the caller."
+                " Emulated: the bundled scenes only; one solver for all of them, with the room and the parts that they need, \
+                 built for speed, of which all figures of a row are. Instructions: of a frame, mean and worst of all frames, the \
+                 start not counted; flash: what the solver adds to an image; stack: the deepest below the caller."
             }
         };
         format!(
