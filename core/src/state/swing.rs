@@ -307,13 +307,13 @@ impl<R: Real> SingleVertex<R> {
         if hand == Vec2::ZERO {
             return;
         }
-        let mut bearing = 0;
+        let mut bearing = 0_u8;
         for sign in [R::ONE, -R::ONE] {
             let swing = self.swing(scene, at, sign);
             if !swing.bears() {
                 continue;
             }
-            bearing += 1;
+            bearing = bearing.saturating_add(1);
             if along(sign, swing.edge.balanced.dot(hand)) > R::ZERO {
                 self.lean_on(scene, at, sign);
                 self.regime = Regime::Slide(sign);
