@@ -24,7 +24,8 @@ pub struct CheckArgs {
     /// Number type of the solver: how exact the trace can be
     #[arg(long, value_enum, default_value_t = Number::F32)]
     number: Number,
-    /// path: slips begin anywhere on the hand's straight line between two frames; frame: at frames only
+    /// path: slips begin anywhere on the hand's straight line between two frames; frame: after the first event of a frame at
+    /// its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
     /// So many of the worst frames are listed

@@ -22,7 +22,8 @@ pub(crate) struct Settings {
     /// Number type of the solver
     #[arg(long, value_enum, default_value_t = Number::F32)]
     pub(crate) number: Number,
-    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    /// path: events are found along the hand's straight line between two frames; frame: from the first event of a
+    /// frame the hand jumps to its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     pub(crate) evolution: Evolution,
     /// Hand frames per second, instead of the rate in the scene file
