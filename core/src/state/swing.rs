@@ -51,7 +51,7 @@ impl<R: Real> Swing<R> {
     /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be told from one that does.
     pub(super) fn bears(&self) -> bool {
         let rounding = self.load.rounding_with_foot();
-        self.off() <= rounding && self.load.lever.dot(self.edge.reaction) <= rounding
+        self.off().abs() <= rounding && self.load.lever.dot(self.edge.reaction) <= rounding
     }
 
     /// The bearing lever points away from the surface: it turns out of the way at once.
@@ -197,7 +197,8 @@ impl<R: Real> SingleVertex<R> {
         if displacement.hand == Vec2::ZERO {
             return Moved::by(Trigger::Balanced);
         }
-        if !W::GLIDES && swing.off() <= R::ZERO {
+        let goes = swing.goes(displacement);
+        if !W::GLIDES && (swing.off() <= R::ZERO || goes.start < -goes.rounding) {
             return Moved {
                 part: R::ZERO,
                 ..Moved::by(Trigger::Halts)
@@ -212,7 +213,7 @@ impl<R: Real> SingleVertex<R> {
         }
         segment.stop_at(&swing.leans(), Trigger::Bears);
         if !W::GLIDES {
-            segment.stop_at(&swing.goes(displacement), Trigger::Halts);
+            segment.stop_at(&goes, Trigger::Halts);
         }
         self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         let mut moved = segment.moved();

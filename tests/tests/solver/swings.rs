@@ -9,6 +9,8 @@ test_each!(
     cases::vertex_that_is_the_holding_point_is_a_point,
     cases::lever_bears_on_the_edge_of_the_cone,
     cases::lever_in_the_cone_sticks,
+    cases::lever_that_touches_in_the_cone_sticks,
+    cases::foot_that_bears_nothing_goes_to_and_fro,
     cases::without_friction_the_lever_bears_upright,
 );
 
@@ -99,6 +101,57 @@ mod cases {
                 if bears {
                     let foot = frame.contacts[0].point[0];
                     close("foot", foot, way * (D - along), R::ANALYTIC);
+                }
+            }
+        }
+    }
+
+    /// The foot touches with the lever within the cone: pressed on, it stays.
+    pub(super) fn lever_that_touches_in_the_cone_sticks<R: Number>(evolution: Evolution) {
+        const MU: f64 = 0.5;
+        for way in [1.0, -1.0] {
+            // The lever points down, and on by 0.2 rad.
+            let [along, down] = [D * 0.2_f64.sin(), D * 0.2_f64.cos()];
+            let setup = lever(1.0, MU).at([0.0, 0.1, way * 0.2 - std::f64::consts::FRAC_PI_2]);
+            let hand = |x: f64, depth: f64| [way * (along + x), 0.1 - down - depth, 0.0];
+            let mut run = Run::<R>::start(&setup, evolution, hand(0.0, 0.0));
+            for frame in run.lead(hand(0.06, 0.3), 37) {
+                let [x, depth] = [frame.hand[0], -frame.hand[1]];
+                let Some(contact) = frame.contacts.first() else {
+                    continue;
+                };
+                let foot = contact.point[0];
+                close("foot", foot, way * 0.02, R::ANALYTIC);
+                let force = 1.0 - D / (x - foot).hypot(depth);
+                close("N", contact.normal, force * depth, R::ANALYTIC);
+                close("T", contact.friction, -force * (x - foot), R::ANALYTIC);
+            }
+            assert!(run.frame.normal() > 0.1, "{:?}", run.frame);
+        }
+    }
+
+    /// What bears nothing is where the hand alone has it, whichever way that goes.
+    pub(super) fn foot_that_bears_nothing_goes_to_and_fro<R: Number>(evolution: Evolution) {
+        for way in [1.0, -1.0] {
+            let mut run = Run::<R>::start(&lever(way, 0.5), evolution, [way * D, 0.0, 0.0]);
+            run.lead([way * 0.4, -0.1, 0.0], 13);
+            for [x, y] in [[0.7, -0.11], [0.2, -0.12], [0.25, -0.13], [-1.0, -0.14]] {
+                for frame in run.lead([way * x, y, 0.0], 7) {
+                    assert_eq!(frame.status, Status::Ok, "{frame:?}");
+                    close(
+                        "the pull",
+                        frame.wrench[0].hypot(frame.wrench[1]),
+                        0.0,
+                        R::ANALYTIC,
+                    );
+                    let Some(contact) = frame.contacts.first() else {
+                        // A jump of the hand ends where the vertex bears nothing, and leaves it there.
+                        assert_eq!(evolution, Evolution::Frame, "{frame:?}");
+                        continue;
+                    };
+                    let across = (D * D - frame.hand[1].powi(2)).sqrt();
+                    let foot = frame.hand[0] - way * across;
+                    close("foot", contact.point[0], foot, R::ANALYTIC);
                 }
             }
         }
