@@ -98,6 +98,24 @@ impl<R: Real> Placed<R> {
         list
     }
 
+    /// The contacts of a body that is set onto the surfaces, whose gaps are below `tolerance`: of each surface the two lowest vertices,
+    /// in the order of surfaces and vertices.
+    pub(crate) fn seats(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+        let mut list = Pairs::new();
+        for surface in scene.surface_indices() {
+            let gap = |vertex: u8| self.gap(scene, Pair { vertex, surface });
+            for vertex in scene.vertex_indices() {
+                let is_lower = |other: &u8| (gap(*other), *other) < (gap(vertex), vertex);
+                let lower = scene.vertex_indices().filter(is_lower).count();
+                if gap(vertex) <= tolerance && lower < 2 {
+                    // Of more than four surfaces the first ones count.
+                    let _ = list.push(Pair { vertex, surface });
+                }
+            }
+        }
+        list
+    }
+
     /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
     /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
     pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {

@@ -20,6 +20,7 @@ mod description;
 
 use check::{
     Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
+    thinnest,
 };
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
@@ -79,7 +80,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
-        let length = match check_vertices::<R::Si, V>(d.vertices)? {
+        let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
         };

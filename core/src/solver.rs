@@ -228,7 +228,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     fn placed_at_start(&self) -> State<R> {
         let pose = self.scene.start;
         let placed = Placed::at(&pose);
-        let touching = placed.touching(&self.scene, Scene::<R, V, S, M>::start_tolerance());
+        let touching = placed.seats(&self.scene, Scene::<R, V, S, M>::start_tolerance());
         let contact = match touching.split_first() {
             None => ContactState::Free(Free { pose }),
             Some((&first, others)) => {

@@ -59,8 +59,8 @@ pub struct SurfaceDescription<F> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Description<'a, F> {
-    /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise, each farther than 3e-5
-    /// of the body's size from every side that does not end at it. At most as many as the scene has room for, and 255.
+    /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise, each farther than 3.1e-5
+    /// of the body's size (in `f64` 5.8e-6, in [`Fixed`](crate::Fixed) 1.6e-5) from every side that does not end at it. At most as many as the scene has room for, and 255.
     pub vertices: &'a [[F; 2]],
     /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface than 1e-5 of the body's
     /// size; those nearer to one than that touch it from the start.
