@@ -25,6 +25,11 @@ impl<R: Real> Grip<R> {
         (self.hand - held, scene.stiffness() * turn)
     }
 
+    /// The body swings freely about the holding point (STATICS 3.7).
+    pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
+        scene.swings(self.holding_point - scene.centroid())
+    }
+
     /// The straight path of the hand: `self` at 0, `to` at 1.
     pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
         Self {

@@ -59,6 +59,11 @@ impl<R: Real> Load<R> {
         }
     }
 
+    /// The body swings freely about the holding point (STATICS 3.7).
+    pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
+        scene.swings(self.lever - self.centroid)
+    }
+
     /// The same body with another orientation about the point.
     pub(crate) fn turned(
         &self,

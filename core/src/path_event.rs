@@ -61,7 +61,9 @@ fn outcome<R: Real, W: World<R>>(
         Trigger::Halts => {
             match state {
                 // What bears nothing may go back.
-                ContactState::SingleVertex(s) if scene.swings() && !s.leans(scene, path.0) => {
+                ContactState::SingleVertex(s)
+                    if path.0.swings(scene) && !s.leans(scene, path.0) =>
+                {
                     s.begin(scene, path);
                 }
                 _ => state.set_regime(Regime::LOOSE),
@@ -95,7 +97,7 @@ fn touches<R: Real, W: World<R>>(
 ) -> Outcome<R> {
     let (before, regime) = (state.kind(), state.regime());
     let bears = match state {
-        ContactState::SingleVertex(s) => !scene.swings() || s.leans(scene, path.0),
+        ContactState::SingleVertex(s) => !path.0.swings(scene) || s.leans(scene, path.0),
         _ => true,
     };
     touch(scene, state, pair, log);
@@ -136,7 +138,7 @@ fn yields<R: Real, W: World<R>>(
                 log.event(Event::Snap);
                 return Outcome::Next(Next::Snap(direction));
             }
-            if scene.swings() && !s.is_leaning(scene, path.0, sign) {
+            if path.0.swings(scene) && !s.is_leaning(scene, path.0, sign) {
                 s.begin(scene, path);
                 return if s.regime.slide().is_some() {
                     Outcome::Next(Next::Rest)
@@ -261,7 +263,7 @@ fn opens<R: Real, W: World<R>>(
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
         s.regime = Regime::Slide(along);
-        if scene.swings() {
+        if path.0.swings(scene) {
             // A single vertex that slides bears nothing: it may stick instead.
             s.begin(scene, path);
         }

@@ -67,9 +67,11 @@ pub(crate) trait World<R: Real> {
     /// The weight as a force, W / (k_h L).
     fn weight(&self) -> Vec2<R>;
 
-    /// Nothing holds the angle of the body in the hand: it swings freely about the holding point (STATICS 3.7).
-    fn swings(&self) -> bool {
-        self.stiffness() == R::ZERO && self.weight() == Vec2::ZERO
+    /// Nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: it swings freely about the holding
+    /// point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
+    fn swings(&self, arm: Vec2<R>) -> bool {
+        let is_held_there = || arm.length_bound() <= R::EPSILON.doubled();
+        self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
     }
 
     /// v_i, body frame; the origin where there is no such vertex.

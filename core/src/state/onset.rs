@@ -35,7 +35,7 @@ impl<R: Real> SingleVertex<R> {
         displacement: &Displacement<R>,
         sign: R,
     ) -> Option<Rates<R>> {
-        if scene.swings() {
+        if load.swings(scene) {
             let rates = Swing::new(load, surface, sign).rates(displacement);
             return rates.map(|(foot, turn)| Rates { foot, turn });
         }
@@ -60,7 +60,7 @@ impl<R: Real> SingleVertex<R> {
     /// Of a vertex that has just touched, or whose reaction has fallen to zero: it sticks if the friction grows more slowly than
     /// mu_d times the normal reaction, else it slides with the load.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
-        if scene.swings() {
+        if at.swings(scene) {
             return self.begin_swinging(scene, (at, to));
         }
         self.regime = Regime::LOOSE;
@@ -103,7 +103,7 @@ impl<R: Real> SingleVertex<R> {
         let weight = scene.weight();
         // About the holding point.
         let stability = load.stiffness + (load.centroid - load.lever).dot(weight);
-        let turn = if scene.swings() {
+        let turn = if at.swings(scene) {
             R::ZERO
         } else if weight == Vec2::ZERO {
             displacement.turn
@@ -122,7 +122,8 @@ impl<R: Real> SingleVertex<R> {
         let weight = scene.weight();
         let stability = load.stiffness + (load.centroid - load.lever).dot(weight);
         let opening = -self.pivot.surface(scene).normal.dot(load.lever.turned());
-        (weight != Vec2::ZERO && stability <= R::ZERO).then_some(opening.sign())
+        let hangs = weight != Vec2::ZERO && !grip.swings(scene);
+        (hangs && stability <= R::ZERO).then_some(opening.sign())
     }
 
     /// True if the gap of another contact opens as this vertex slides on with the hand along sign·t.

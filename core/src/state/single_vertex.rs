@@ -335,8 +335,12 @@ impl<R: Real> SingleVertex<R> {
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);
         let load = self.pivot.load(scene, grip);
-        let unbalanced = !self.is_balanced(&load)
-            || self.is_driven_beyond(scene, &load, (sign, Self::found_to(&load)));
+        let surface = self.pivot.surface(scene);
+        let (normal, friction) = surface.reaction(load.force);
+        // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
+        let off = Self::found_to(&load);
+        let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
+        let unbalanced = !self.is_balanced(&load) || drives(sign) || drives(-sign);
         if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
             self.end_slip(scene, grip, sign);
         }
@@ -348,7 +352,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     fn end_slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
-        if scene.swings() {
+        if grip.swings(scene) {
             self.lean_on(scene, grip, sign);
         }
         let surface = self.pivot.surface(scene);

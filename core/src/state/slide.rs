@@ -31,7 +31,7 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> bool {
         let load = self.pivot.load(scene, to);
-        if scene.swings() || !load.is_representable() {
+        if load.swings(scene) || !load.is_representable() {
             return false;
         }
         let (surface, edge) = self.sliding(scene, sign);
@@ -110,7 +110,7 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        if scene.swings() {
+        if from.swings(scene) {
             return self.advance_swinging(scene, (from, to), sign);
         }
         let load = self.pivot.load(scene, from);
@@ -160,7 +160,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// Glides downhill at a frozen hand, to the first of balance, touch, lift-off.
     pub(crate) fn glide_down<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let downhill = if scene.swings() {
+        let downhill = if grip.swings(scene) {
             self.swing_down(scene, grip, (None, R::ONE))
         } else {
             self.sliding_moment(scene, grip, R::ONE).downhill()
@@ -175,7 +175,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
-        let downhill = if scene.swings() {
+        let downhill = if grip.swings(scene) {
             self.swing_down(scene, grip, (Some(direction), sign))
         } else {
             let moment = self.sliding_moment(scene, grip, sign);
@@ -189,7 +189,7 @@ impl<R: Real> SingleVertex<R> {
         let (_, edge) = self.sliding(scene, sign);
         let lever = self.pivot.load(scene, grip).lever;
         let ahead = -edge.balanced.dot(lever.turned()) * sign;
-        let topples = if scene.swings() {
+        let topples = if grip.swings(scene) {
             self.swing(scene, grip, sign).topples()
         } else {
             self.sliding_moment(scene, grip, sign).stability() <= R::ZERO
@@ -218,7 +218,7 @@ impl<R: Real> SingleVertex<R> {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);
             segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
         }
-        if !scene.swings() {
+        if !grip.swings(scene) {
             segment.stop_at(&load.reaction(surface.normal, &frozen), Trigger::Clear);
         }
         let moved = segment.moved();
@@ -237,7 +237,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
     fn rest(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) -> bool {
-        if scene.swings() {
+        if grip.swings(scene) {
             self.pivot.slide(scene, grip, edge);
             return true;
         }
