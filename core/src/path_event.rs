@@ -149,6 +149,9 @@ fn yields<R: Real, W: World<R>>(
             if s.recedes(scene, path, sign) {
                 return Outcome::Release;
             }
+            if path.0.swings(scene) {
+                s.lean_on(scene, path.0, sign);
+            }
             s.regime = Regime::Slide(sign);
             Outcome::Next(Next::Rest)
         }

@@ -48,10 +48,14 @@ impl<R: Real> Swing<R> {
         along(self.side, self.load.lever.cross(self.edge.reaction))
     }
 
-    /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be told from one that does.
+    /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be told from one that does. Of a vertex
+    /// that is pressed the lever has the direction of the force, which is known the less the smaller that is.
     pub(super) fn bears(&self) -> bool {
         let rounding = self.load.rounding_with_foot();
-        self.off().abs() <= rounding && self.load.lever.dot(self.edge.reaction) <= rounding
+        let (normal, _) = self.surface.reaction(self.load.force);
+        let (found, off) = (SingleVertex::found_to(&self.load), self.off().abs());
+        let is_along = normal > found && off * normal <= found * self.load.lever.length_bound();
+        (off <= rounding || is_along) && self.load.lever.dot(self.edge.reaction) <= rounding
     }
 
     /// The bearing lever points away from the surface: it turns out of the way at once.
@@ -281,10 +285,7 @@ impl<R: Real> SingleVertex<R> {
     /// The same where a slip or a stick has come to it, but for what that is found to.
     pub(crate) fn lean_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
         let swing = self.swing(scene, grip, sign);
-        let off = swing.off().abs();
-        let turn = swing.lean();
-        let is_near = turn.abs() < R::ONE && off <= Self::found_to(&swing.load);
-        if is_near && swing.lever != Vec2::ZERO {
+        if swing.bears() && swing.lean().abs() < R::ONE {
             self.lean(scene, grip, &swing);
         }
     }
@@ -308,14 +309,13 @@ impl<R: Real> SingleVertex<R> {
         if hand == Vec2::ZERO {
             return;
         }
-        let mut bearing = 0_u8;
+        // A lever that is no longer than the rounding lies on both edges.
+        let mut is_short = true;
         for sign in [R::ONE, -R::ONE] {
             let swing = self.swing(scene, at, sign);
             if !swing.bears() {
-                continue;
-            }
-            bearing = bearing.saturating_add(1);
-            if along(sign, swing.edge.balanced.dot(hand)) > R::ZERO {
+                is_short = false;
+            } else if along(sign, swing.edge.balanced.dot(hand)) > R::ZERO {
                 self.lean_on(scene, at, sign);
                 self.regime = Regime::Slide(sign);
                 return;
@@ -324,7 +324,7 @@ impl<R: Real> SingleVertex<R> {
         let swing = self.swing(scene, at, R::ONE);
         let sign = along(swing.side, swing.load.lever.dot(hand).sign());
         let swing = self.swing(scene, at, sign);
-        if bearing < 2 && swing.off() > R::ZERO {
+        if !is_short && swing.off() > R::ZERO {
             self.regime = Regime::Slide(sign);
         }
     }
