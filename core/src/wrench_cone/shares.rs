@@ -51,6 +51,7 @@ impl<R: Real> WrenchCone<R> {
     }
 
     /// True if no contact has to press harder than what is borne as it is.
+    #[inline(never)]
     fn is_within_limit(&self, solution: &[(usize, R)]) -> bool {
         (0..self.levers.len()).all(|contact| {
             let edges = solution
@@ -105,7 +106,8 @@ impl<R: Real> WrenchCone<R> {
         (nearest.parts, nearest.left)
     }
 
-    /// The mean of all that bear it within the limit, or what comes nearest, as far as numbers go.
+    /// The mean of all that bear it within the limit, or what comes nearest, as far as numbers go. Once in an image.
+    #[inline(never)]
     fn nearest(&self, load: Wrench2<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
         let mut solutions = 0_i32;

@@ -1,7 +1,7 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, Status};
+use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
 use crate::model::{Grip, Model};
 use crate::scene::Scene;
@@ -194,8 +194,15 @@ impl Judge {
             None if !frame.held && frame.contacts.is_empty() => self.model.scene.start,
             _ => return None,
         };
-        let moved = distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
-            .max(self.model.size * (frame.pose[2] - before[2]).abs());
+        let moved = match frame.contacts.first() {
+            // About a jammed corner the body is free to turn.
+            Some(corner) if frame.status == Status::Jammed && frame.state == State::Corner => {
+                let [was, is] = [before, frame.pose].map(|pose| self.model.vertex(pose, corner));
+                distance(was, is)
+            }
+            _ => distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
+                .max(self.model.size * (frame.pose[2] - before[2]).abs()),
+        };
         let scale = self.model.length_scale(frame, &self.bounds);
         Some(Finding::new(law::RESTS, moved / scale, self.bounds.gap))
     }

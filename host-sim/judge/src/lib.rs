@@ -13,7 +13,7 @@
 //! [`law`] has the name and the statement of every law, [`Bounds`] what is allowed. STATICS is `core/STATICS.md`.
 //!
 //! What a frame that is not `ok` promises is what it is judged by: `event-limit` is in balance all the same; `ambiguous` is out of
-//! balance, and nothing moves; nor does it where a body is `jammed`; `saturated` and `held-last` repeat the pose of the frame
+//! balance, and nothing moves; nor does it where a body is `jammed`, but that it may turn about a corner; `saturated` and `held-last` repeat the pose of the frame
 //! before; `twist` is in balance with the hand that is told; `behind` with one that is not. `iteration-limit` promises no
 //! balance, but is judged as if it did: what a search left undone is to be seen.
 //!
