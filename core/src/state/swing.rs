@@ -49,12 +49,14 @@ impl<R: Real> Swing<R> {
     }
 
     /// The lever lies on the edge of the cone, pointing into the surface, or is too short to be told from one that does. Of a vertex
-    /// that is pressed the lever has the direction of the force, which is known the less the smaller that is.
+    /// that is pressed the lever has the direction of the force, which is known the less the smaller that is. It presses still after a
+    /// turn onto the edge, which changes N by no more than the lever was off it.
     pub(super) fn bears(&self) -> bool {
         let rounding = self.load.rounding_with_foot();
         let (normal, _) = self.surface.reaction(self.load.force);
         let (found, off) = (SingleVertex::found_to(&self.load), self.off().abs());
-        let is_along = normal > found && off * normal <= found * self.load.lever.length_bound();
+        let is_along =
+            normal > found.max(off) && off * normal <= found * self.load.lever.length_bound();
         (off <= rounding || is_along) && self.load.lever.dot(self.edge.reaction) <= rounding
     }
 

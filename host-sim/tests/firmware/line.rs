@@ -188,7 +188,10 @@ fn client_dies(chip: &'static Chip) {
         assert!(pose.held && pose.position == before.position, "{pose:?}");
     }
     let health = board.health();
-    assert_eq!((health.faults.total() - counted, health.lost_frames), (1, 0));
+    assert_eq!(
+        (health.faults.total() - counted, health.lost_frames),
+        (1, 0)
+    );
 }
 
 #[test]
