@@ -8,8 +8,8 @@ use crate::list::gather;
 use crate::real::Real;
 use crate::wrench2::Wrench2;
 
-/// The parts of edges that lie almost in a plane are refined so many times at most.
-const REFINEMENTS: usize = 3;
+/// The parts of edges that lie almost in a plane are looked at so many times at most, and refined in between.
+const REFINEMENTS: usize = 4;
 
 impl<R: Real> WrenchCone<R> {
     /// True if three edges alone bear a load but for a little, with no reaction beyond the limit.
@@ -220,19 +220,18 @@ impl<R: Real> WrenchCone<R> {
             add(&mut parts, solution);
             self.remainder(load, &parts)
         };
-        // In finer steps, each of which is as exact as the volume is known.
-        let fine = R::from_int(256);
         let mut refined = solution;
         for _ in 0..REFINEMENTS {
             let remainder = remainder_of(&refined);
-            let (more, _) = self.on_three(edges, remainder.scaled(fine))?;
-            for (part, (_, more)) in refined.iter_mut().zip(more) {
-                part.1 = part.1 + more / fine;
-            }
-            let left = remainder_of(&refined).size();
             let rounding = Self::rounding(refined.iter().map(|(_, part)| part), load);
-            if presses(&refined) && left <= little + rounding {
+            if presses(&refined) && remainder.size() <= little + rounding {
                 return Some(refined);
+            }
+            // In steps so fine that what is left is a sixteenth: its parts are numbers then, and those of the faces show.
+            let fine = remainder.size().unit() * R::from_int(16);
+            let (more, _) = self.on_three(edges, remainder.over(fine))?;
+            for (part, (_, more)) in refined.iter_mut().zip(more) {
+                part.1 = part.1 + more * fine;
             }
         }
         None
