@@ -235,17 +235,36 @@ impl<R: Real> Slides<R> {
             ending = SlideEnding::Touches(pair);
             x = extent.end.x;
         }
-        let part = if ending == SlideEnding::Arrives {
-            R::ONE
-        } else {
-            self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit
-        };
+        let mut part = R::ONE;
+        if ending != SlideEnding::Arrives {
+            part = self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit;
+        } else if let Some((opens, at)) = self.opens_in_place(x) {
+            (ending, part) = (opens, at);
+        }
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
             unsure: extent.unsure,
         };
         (run, part, ending)
+    }
+
+    /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
+    /// part of it.
+    fn opens_in_place(&self, x: R) -> Option<(SlideEnding<R>, R)> {
+        let [first, second] = self.at(x, R::ZERO).normals.map(|[rest, drive]| {
+            let end = rest.value + drive.value * self.unit;
+            (end < -self.trammel.sense.rounding)
+                .then(|| (rest.value / (rest.value - end)).max(R::ZERO))
+        });
+        let [s1, s2] = self.trammel.sense.signs;
+        let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
+        let of_first = first.map(|part| (opens(1, s2), part));
+        let of_second = second.map(|part| (opens(0, s1), part));
+        match (of_first, of_second) {
+            (Some(first), Some(second)) if second.1 < first.1 => Some(second),
+            (first, second) => first.or(second),
+        }
     }
 
     /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
