@@ -78,10 +78,23 @@ impl<R: Real> Moved<R> {
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
 /// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
 /// no choice.
-pub(crate) fn seat<R: Real>(
+pub(crate) fn seat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, others: &[Pair]) -> Pivot<R> {
+    close_gaps(scene, pivot, (others, others.len() == 1))
+}
+
+/// The same after a motion in which the pivot's foot slides: it is shifted and turned by as little as closes the gap.
+pub(crate) fn seat_sliding<R: Real>(
+    scene: &impl World<R>,
+    pivot: Pivot<R>,
+    other: Pair,
+) -> Pivot<R> {
+    close_gaps(scene, pivot, (&[other], false))
+}
+
+fn close_gaps<R: Real>(
     scene: &impl World<R>,
     mut pivot: Pivot<R>,
-    others: &[Pair],
+    (others, foot_stays): (&[Pair], bool),
 ) -> Pivot<R> {
     const SWEEPS: usize = 16;
     let least = R::ONE / R::from_int(64);
@@ -98,7 +111,7 @@ pub(crate) fn seat<R: Real>(
             let normal = scene.surface(other.surface).normal;
             let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
             let by_shift = normal.dot(tangent);
-            pivot = if others.len() == 1 && by_turn.abs() > least {
+            pivot = if foot_stays && by_turn.abs() > least {
                 pivot.moved(R::ZERO, -gap / by_turn)
             } else {
                 let size = by_turn * by_turn + by_shift * by_shift;

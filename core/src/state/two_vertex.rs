@@ -9,7 +9,7 @@ use crate::list::gather;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::verb::{Moved, Relax, Trigger, seat};
+use crate::verb::{Moved, Relax, Trigger, seat_sliding};
 use crate::world::{Surface, World};
 
 /// The memory: where the first contact is held, the fixed angle, the other contact, and whether they stick.
@@ -93,7 +93,7 @@ impl<R: Real> TwoVertex<R> {
         for _ in 0..WINDOWS {
             let slides = self.sliding(scene, (&at, to), sense);
             let (run, part, ending) = slides.run(scene, &self.contacts());
-            self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
+            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
             at = at.lerp(to, part);
             done = done + (R::ONE - done) * part;
             let trigger = match ending {
@@ -217,7 +217,7 @@ impl<R: Real> TwoVertex<R> {
             };
             folds = false;
             let (run, ending) = trammel.run(scene, &self.contacts(), (clear, demand));
-            self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
+            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
             moved.slip = moved.slip + run.slide;
             turn = turn + run.turn;
             moved.unsure |= run.unsure;
