@@ -249,7 +249,12 @@ fn opens<R: Real, W: World<R>>(
         return match state {
             _ if kind == StateKind::Edge => Outcome::Next(Next::Rest),
             ContactState::SingleVertex(s) if sliding.is_none() && s.is_found(scene, path.0) => {
-                Outcome::Next(Next::Rest)
+                // Out of its cone it slips at the frozen hand.
+                Outcome::Next(if s.is_in_cone(scene, path.0) {
+                    Next::Rest
+                } else {
+                    next
+                })
             }
             _ if kind == StateKind::Corner => Outcome::Next(next),
             _ => {

@@ -380,14 +380,19 @@ impl<R: Real> SingleVertex<R> {
         (shift * segment.part(), segment)
     }
 
-    /// True if the vertex sticks with the body in balance about it, to what the end of a path is found to.
+    /// True if the body is in balance about the vertex, to what the end of a path is found to.
     pub(crate) fn is_found(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
-        let found = Self::found_to(&load);
+        load.moment().abs() <= Self::found_to(&load)
+    }
+
+    /// True if its reaction is in the cone, to the same.
+    pub(crate) fn is_in_cone(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
         let surface = self.pivot.surface(scene);
-        let reaction = surface.reaction(load.force);
+        let (reaction, found) = (surface.reaction(load.force), Self::found_to(&load));
         let verdict = (surface.friction).judge(reaction, self.regime.has_stiction(), found);
-        load.moment().abs() <= found && matches!(verdict, Verdict::Sticks)
+        matches!(verdict, Verdict::Sticks)
     }
 
     /// True if the moment of the load is rounding.
