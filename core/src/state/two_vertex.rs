@@ -2,7 +2,7 @@
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 use super::fixed_pose::FixedPose;
-use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel};
+use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel, follow};
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::grip::Grip;
 use crate::list::gather;
@@ -44,10 +44,16 @@ impl<R: Real> TwoVertex<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), stiction))
     }
 
-    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        if self.regime.slide().is_some() {
-            return false;
+    /// A certified frame: it stays, as the loads that are borne are convex and the end of the way decides; or it slides on.
+    pub(crate) fn follow(
+        &mut self,
+        scene: &impl World<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+    ) -> bool {
+        if let Some(sense) = self.regime.slide() {
+            let end = follow(scene, (&self.pivot, self.other), (from, to), sense);
+            self.pivot = end.unwrap_or(self.pivot);
+            return end.is_some();
         }
         let fixed_pose = self.fixed_pose(scene);
         fixed_pose.bears(scene, to, &mut self.bearers)
