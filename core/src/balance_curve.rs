@@ -12,12 +12,13 @@
 //! Everything that can end the motion is a [`Margin`].
 
 use crate::geometry::Vec2;
-use crate::moment::{Moment, Pinned, SecondHarmonic};
+use crate::moment::{Drive, Moment, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::search::{Found, Samples, Slope, first_zero};
 
 mod bounded;
 mod margin;
+mod reversal;
 
 pub(crate) use margin::Margin;
 
@@ -34,8 +35,6 @@ pub(crate) struct BalanceCurve<R, H = Pinned> {
     drive: Vec2<R>,
     /// The second harmonic of H(ϑ).
     harmonic: H,
-    /// Places are found to within this x; 0: as far as the digits go.
-    tolerance: R,
 }
 
 /// A place on the curve.
@@ -85,19 +84,19 @@ impl<R: Real> Extent<R> {
 }
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
-    /// Balanced about the contact: the moment with k and z0, zp of the module's text, and the hand's turn dphi.
-    pub(crate) fn balanced(moment: &Moment<R, H>, drive: Vec2<R>, dphi: R) -> Self {
+    /// Balanced about the contact: the moment with k and z0 of the module's text, and what drives it, k dphi and zp.
+    pub(crate) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>) -> Self {
         let Moment {
             stiffness,
             hold,
             harmonic,
             ..
         } = *moment;
-        let start = stiffness * dphi + drive.y;
+        let start = drive.now();
         // With a quarter of the largest part neither the distance to the end nor the bounds of the curvatures grow large.
         let largest = harmonic
             .bound(stiffness + hold.length_bound(), 1)
-            .max(drive.length_bound());
+            .max(drive.hold.length_bound());
         let size = start.abs().max(largest.halved().halved());
         if size == R::ZERO {
             return Self::straight();
@@ -107,9 +106,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rate: start.in_units(unit),
             stiffness: stiffness.in_units(unit),
             hold: hold.in_units(unit),
-            drive: drive.in_units(unit),
+            drive: drive.hold.in_units(unit),
             harmonic: harmonic.in_units(unit),
-            tolerance: R::ZERO,
         }
     }
 
@@ -145,17 +143,6 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             hold,
             drive: Vec2::ZERO,
             harmonic: H::NONE,
-            tolerance: R::ZERO,
-        }
-    }
-
-    /// The same with its places found only to within a tolerance, in ϑ (rad) and in the displacement of a point that goes
-    /// `shift` at tau = 1.
-    pub(crate) fn to_within(self, tolerance: R, shift: R) -> Self {
-        let swiftest = self.whole() * shift;
-        Self {
-            tolerance: tolerance / swiftest.max(R::ONE),
-            ..self
         }
     }
 
@@ -250,7 +237,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             }
         };
         let (per_change, per_changes) = (per(change), per(changes));
-        let found = first_zero((R::HUGE, self.tolerance), |x| {
+        let found = first_zero(R::HUGE, |x| {
             let p = self.at(x);
             let mut window = R::ONE + x.doubled();
             // Before the end H < D, so that dtau/dx D = H' - tau D' > 0 as long as neither H' nor H' - D' falls to zero.

@@ -6,11 +6,12 @@ use crate::real::{Real, along};
 use crate::search::Slope;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Value and slope at a place; suprema of |f|, |f'|, |f''| over the motion.
+/// Value and slope at a place, and what the value may be off by rounding; suprema of |f|, |f'|, |f''| over the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<R> {
     pub(crate) value: R,
     pub(crate) slope: R,
+    pub(crate) error: R,
     pub(crate) bounds: [R; 3],
 }
 
@@ -20,7 +21,30 @@ impl<R: Real> Bounded<R> {
         Self {
             value,
             slope: R::ZERO,
+            error: R::rounding(value.abs()),
             bounds: [value.abs(), R::ZERO, R::ZERO],
+        }
+    }
+
+    /// The same `k` times as large.
+    pub(crate) fn times(self, k: R) -> Self {
+        let size = k.abs();
+        Self {
+            value: self.value * k,
+            slope: self.slope * k,
+            error: self.error * size,
+            bounds: self.bounds.map(|bound| bound * size),
+        }
+    }
+
+    /// The same with the suprema of no more than a window from here.
+    pub(crate) fn within(self, window: R) -> Self {
+        let [most, fastest, bent] = self.bounds;
+        let fastest = fastest.min(self.slope.abs() + window * bent);
+        let most = most.min(self.value.abs() + window * fastest);
+        Self {
+            bounds: [most, fastest, bent],
+            ..self
         }
     }
 
@@ -30,7 +54,7 @@ impl<R: Real> Bounded<R> {
             value: along(sign, self.value),
             slope: along(sign, self.slope),
             curvature: self.bounds[2],
-            rounding: R::rounding(self.bounds[0]).doubled().doubled(),
+            rounding: self.error,
         }
     }
 }
@@ -42,6 +66,7 @@ impl<R: Real> Add for Bounded<R> {
         Self {
             value: self.value + b.value,
             slope: self.slope + b.slope,
+            error: self.error + b.error,
             bounds: [f0 + g0, f1 + g1, f2 + g2],
         }
     }
@@ -53,6 +78,7 @@ impl<R: Real> Neg for Bounded<R> {
         Self {
             value: -self.value,
             slope: -self.slope,
+            error: self.error,
             bounds: self.bounds,
         }
     }
@@ -69,9 +95,13 @@ impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds, b.bounds);
+        let value = self.value * b.value;
         Self {
-            value: self.value * b.value,
+            value,
             slope: self.slope * b.value + self.value * b.slope,
+            error: self.value.abs() * b.error
+                + b.value.abs() * self.error
+                + R::rounding(value.abs()),
             bounds: [
                 f0 * g0,
                 f1 * g0 + f0 * g1,
@@ -93,6 +123,13 @@ impl<R: Real> BoundedVec<R> {
         Self {
             x: Bounded::constant(v.x),
             y: Bounded::constant(v.y),
+        }
+    }
+    /// The same with the suprema of no more than a window from here.
+    pub(crate) fn within(self, window: R) -> Self {
+        Self {
+            x: self.x.within(window),
+            y: self.y.within(window),
         }
     }
     pub(crate) fn cross(self, b: Self) -> Bounded<R> {
@@ -137,6 +174,7 @@ mod tests {
         Bounded {
             value,
             slope: a * value,
+            error: f64::EPSILON * value.abs(),
             bounds: [size, size * a, size * a * a],
         }
     }
@@ -170,6 +208,7 @@ mod tests {
                     Bounded {
                         value,
                         slope,
+                        error: 0.0,
                         bounds,
                     },
                 );
@@ -179,6 +218,7 @@ mod tests {
                     Bounded {
                         value,
                         slope,
+                        error: 0.0,
                         bounds,
                     },
                 );
@@ -213,6 +253,6 @@ mod tests {
         let slope = bounded.as_slope(-1.0);
         assert_eq!((slope.value, slope.slope), (-bounded.value, -bounded.slope));
         assert_eq!(slope.curvature, 0.5);
-        assert!((2.0..=16.0).contains(&(slope.rounding / f64::EPSILON)));
+        assert_eq!(slope.rounding, bounded.error);
     }
 }

@@ -2,10 +2,10 @@
 //! point that holds it. That this is certain follows from the balance at the end alone, which is why an ordinary frame
 //! needs no search: path and frame evolution agree in it.
 
-use crate::geometry::{Orientation, Vec2};
+use crate::geometry::Orientation;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
-use crate::moment::{Moment, SecondHarmonic};
+use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::World;
 
@@ -33,25 +33,25 @@ impl<R: Real> CertifiedTurn<R> {
         to: &Grip<R>,
         displacement: &Displacement<R>,
     ) -> Option<Self> {
-        let drive = load.lever.conj_mul(displacement.hand);
+        let drive = load.drive(displacement);
         let moment = load.pinned::<H>();
-        Self::of(&moment, drive, load.placed.orientation, |orientation| {
+        Self::of(&moment, &drive, load.placed.orientation, |orientation| {
             load.turned(scene, orientation, to).pinned()
         })
     }
 
     /// With the hand at the end of its path: `moment` is that on the body in an orientation before it turns, balanced at the
-    /// beginning, `drive` what the displacement adds to z, `then` the moment in another orientation. Nothing where the balance may
+    /// beginning, `drive` what the displacement adds to it, `then` the moment in another orientation. Nothing where the balance may
     /// fold or change much on the path (E8).
     pub(crate) fn of<H: SecondHarmonic<R>>(
         moment: &Moment<R, H>,
-        drive: Vec2<R>,
+        drive: &Drive<R>,
         mut orientation: Orientation<R>,
         then: impl Fn(Orientation<R>) -> Moment<R, H>,
     ) -> Option<Self> {
         // The least stability and the largest |z| of the path.
-        let least = moment.stability() - drive.x.max(R::ZERO);
-        let pull = drive.length_bound();
+        let least = moment.stability() - drive.hold.x.max(R::ZERO);
+        let pull = drive.hold.length_bound();
         let size = moment.curvature_bound() + pull;
         if least <= R::ZERO || pull > least.halved() || !moment.is_representable() {
             return None;
@@ -76,16 +76,13 @@ impl<R: Real> CertifiedTurn<R> {
             per_least,
             bend,
         };
-        if turn_bound <= moment.tolerance {
-            return Some(certified(orientation));
-        }
         let mut turn = moment.correction(per_stability);
         for _ in 0..MAX_CORRECTIONS {
             orientation = orientation.plus(turn);
             // What is left is of the third order in the turn, (bend²/2 + bend/6) turn³.
             let change = bend * turn.abs();
             let left = (change * (change + turn.abs()) * turn.abs()).halved();
-            if left <= R::EPSILON.max(moment.tolerance) {
+            if left <= R::EPSILON {
                 return Some(certified(orientation));
             }
             let moment = then(orientation);
@@ -94,17 +91,29 @@ impl<R: Real> CertifiedTurn<R> {
         None
     }
 
-    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = turn_bound / 2 there.
+    /// The angular velocity in tau of the moment that was turned, and by how much any on the way differs from it.
+    pub(crate) fn rate<H: SecondHarmonic<R>>(
+        &self,
+        moment: &Moment<R, H>,
+        drive: &Drive<R>,
+    ) -> (R, R) {
+        let along = drive.hold.length_bound() * self.per_least;
+        let most = along + drive.couple.abs() * self.per_least;
+        let turning = (along + self.bend * most + most) * self.turn_bound;
+        (drive.now() / moment.stability(), turning + most * along)
+    }
+
+    /// A bound of [`Self::curvature_bound`] where the hand only turns: |ϑ'| <= step = reach / 2 there.
     pub(crate) fn swing(&self) -> R {
         self.turn_bound * (self.turn_bound + self.bend * self.turn_bound.halved().halved())
     }
 
     /// By half of this times its lever a point strays at most from the straight line between the ends of its path: a bound
     /// of ϑ'² + |ϑ''| in tau.
-    pub(crate) fn curvature_bound(&self, load: &Load<R>, displacement: &Displacement<R>) -> R {
-        let drive = load.lever.conj_mul(displacement.hand).length_bound() * self.per_least;
-        let rate = drive + load.stiffness * displacement.turn.abs() * self.per_least;
-        rate * (rate + self.bend * rate + drive.doubled())
+    pub(crate) fn curvature_bound(&self, drive: &Drive<R>) -> R {
+        let along = drive.hold.length_bound() * self.per_least;
+        let rate = along + drive.couple.abs() * self.per_least;
+        rate * (rate + self.bend * rate + along.doubled())
     }
 }
 

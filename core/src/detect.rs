@@ -98,6 +98,24 @@ impl<R: Real> Placed<R> {
         list
     }
 
+    /// The contacts of a body that is set onto the surfaces, whose gaps are below `tolerance`: of each surface the two lowest vertices,
+    /// in the order of surfaces and vertices.
+    pub(crate) fn seats(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+        let mut list = Pairs::new();
+        for surface in scene.surface_indices() {
+            let gap = |vertex: u8| self.gap(scene, Pair { vertex, surface });
+            for vertex in scene.vertex_indices() {
+                let is_lower = |other: &u8| (gap(*other), *other) < (gap(vertex), vertex);
+                let lower = scene.vertex_indices().filter(is_lower).count();
+                if gap(vertex) <= tolerance && lower < 2 {
+                    // Of more than four surfaces the first ones count.
+                    let _ = list.push(Pair { vertex, surface });
+                }
+            }
+        }
+        list
+    }
+
     /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
     /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
     pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {
@@ -140,6 +158,21 @@ impl<R: Real> Placed<R> {
         least
     }
 
+    /// The least gap of all vertices to the surfaces but one, less what counts as a touch and the rounding.
+    pub(crate) fn room_beside(&self, scene: &impl World<R>, but: u8) -> R {
+        let others = scene.surface_indices().filter(|&surface| surface != but);
+        let pairs = others.flat_map(|surface| {
+            scene
+                .vertex_indices()
+                .map(move |vertex| Pair { vertex, surface })
+        });
+        let gaps = pairs.map(|pair| {
+            let (gap, rounding) = self.gap_at(scene, pair, self.arm(scene, pair.vertex));
+            gap - rounding - R::TOUCH
+        });
+        gaps.fold(R::HUGE, R::min)
+    }
+
     /// No vertex is farther from the point than this; `pivot`: the vertex at the point, if there is one.
     fn radius(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         match pivot {
@@ -148,20 +181,21 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// The gap on a motion on which the point moves by `shift`·tau.
-    fn margin(&self, scene: &impl World<R>, contact: Pair, shift: Vec2<R>) -> Margin<R> {
+    /// The gap on a motion on which the point goes along a path.
+    fn margin(&self, scene: &impl World<R>, contact: Pair, path: &PointPath<R>) -> Margin<R> {
         let surface = scene.surface(contact.surface);
         let arm = self.arm(scene, contact.vertex);
         let (start, rounding) = self.gap_at(scene, contact, arm);
-        let along = if self.on == Some(contact.surface) {
-            R::ZERO
-        } else {
-            surface.normal.dot(shift)
-        };
+        let mut turning = Vec2::new(surface.normal.dot(arm), surface.normal.dot(arm.turned()));
+        let mut along = R::ZERO;
+        if self.on != Some(contact.surface) {
+            along = surface.normal.dot(path.shift);
+            turning = turning + path.turning * surface.normal.dot(path.tangent);
+        }
         Margin {
             start,
             along,
-            turning: Vec2::new(surface.normal.dot(arm), surface.normal.dot(arm.turned())),
+            turning,
             rounding,
         }
     }
@@ -180,7 +214,8 @@ impl<R: Real> Placed<R> {
         for index in scene.surface_indices() {
             let surface = scene.surface(index);
             let (height, normal) = self.above(scene, index);
-            let along = surface.normal.dot(moving.shift).abs() * extent.part_bound;
+            let mut along = surface.normal.dot(moving.path.shift).abs() * extent.part_bound;
+            along = along + moving.path.turning.length_bound() * extent.end.turn.abs();
             if height - along > radius.doubled() {
                 continue;
             }
@@ -195,7 +230,7 @@ impl<R: Real> Placed<R> {
                 if clear > R::TOUCH || moving.lasting.contains(&contact) {
                     return;
                 }
-                let margin = self.margin(scene, contact, moving.shift);
+                let margin = self.margin(scene, contact, moving.path);
                 if moving.curve.stop_at(&margin, extent) {
                     first = Some(contact);
                 }
@@ -213,11 +248,39 @@ impl<R: Real> Placed<R> {
     }
 }
 
+/// The path of the placed point: it moves by shift·tau + tangent·(-u (1 - cos ϑ) + v sin ϑ).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PointPath<R> {
+    pub(crate) shift: Vec2<R>,
+    pub(crate) tangent: Vec2<R>,
+    /// (u, v)
+    pub(crate) turning: Vec2<R>,
+}
+
+impl<R: Real> PointPath<R> {
+    /// The point moves by `shift` at tau = 1, however the body turns.
+    pub(crate) fn straight(shift: Vec2<R>) -> Self {
+        Self {
+            shift,
+            tangent: Vec2::ZERO,
+            turning: Vec2::ZERO,
+        }
+    }
+
+    /// The point goes along a tangent, by the displacement of a foot over `per`.
+    pub(crate) fn of_foot(tangent: Vec2<R>, foot: &Margin<R>, per: R) -> Self {
+        Self {
+            shift: tangent * (foot.along / per),
+            tangent,
+            turning: foot.turning.over(per),
+        }
+    }
+}
+
 /// A motion of the placed point and the body about it.
 pub(crate) struct Moving<'a, R, H> {
     pub(crate) curve: &'a BalanceCurve<R, H>,
-    /// How far the point moves at tau = 1.
-    pub(crate) shift: Vec2<R>,
+    pub(crate) path: &'a PointPath<R>,
     /// The contacts that last; the first one is at the point.
     pub(crate) lasting: &'a [Pair],
 }

@@ -63,7 +63,11 @@ pub enum Event {
     Snap,
     /// A contact more: three or more fix the body.
     Jam,
-    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not reported.
+    /// A contact began to slide with the hand at |T| = mu_d N.
+    Slide,
+    /// A contact that slid with the hand sticks again.
+    Stop,
+    /// The hand took hold of the body where it is; the first hold, at the holding point of the scene, is not told.
     Grasp,
     /// The hand let go of the body.
     Release,
@@ -71,7 +75,7 @@ pub enum Event {
 
 impl Event {
     /// All events.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Touch,
         Self::Lift,
         Self::Slip,
@@ -79,6 +83,8 @@ impl Event {
         Self::Land,
         Self::Snap,
         Self::Jam,
+        Self::Slide,
+        Self::Stop,
         Self::Grasp,
         Self::Release,
     ];
@@ -93,14 +99,16 @@ impl Event {
             Self::Land => "land",
             Self::Snap => "snap",
             Self::Jam => "jam",
+            Self::Slide => "slide",
+            Self::Stop => "stop",
             Self::Grasp => "grasp",
             Self::Release => "release",
         }
     }
 }
 
-/// What limited the answer. Ordered: the gravest of a frame is reported. Up to [`Self::EventLimit`] the pose is a balance within
-/// all friction cones.
+/// What limited the answer. Ordered: the gravest of a frame is reported. Up to [`Self::Jammed`], but for [`Self::IterationLimit`],
+/// the pose is a balance within all friction cones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Status {
     /// Nothing.
@@ -109,8 +117,14 @@ pub enum Status {
     /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) distinguishes: the rest of the frame was one
     /// jump of the hand. Or, after 100 slips in a frame, slips too short to be distinguished became a slide at mu_d (STATICS 7).
     EventLimit,
+    /// The hand is tilted out of the plane by more than 170 degrees, so that its angle in the plane is hardly known
+    /// ([`Hand::tilted`](crate::Hand::tilted)); the body follows what the sample says.
+    Twist,
     /// A search ended at its bound; the best answer so far is given, and said so until the hand moves.
     IterationLimit,
+    /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (STATICS 6). What is reported of these
+    /// reactions is not exact.
+    Jammed,
     /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Said in every frame until the
     /// hand moves (STATICS 9, rule 8).
     Ambiguous,
@@ -122,10 +136,12 @@ pub enum Status {
 
 impl Status {
     /// All statuses, the gravest last.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 8] = [
         Self::Ok,
         Self::EventLimit,
+        Self::Twist,
         Self::IterationLimit,
+        Self::Jammed,
         Self::Ambiguous,
         Self::Saturated,
         Self::HeldLast,
@@ -136,7 +152,9 @@ impl Status {
         match self {
             Self::Ok => "ok",
             Self::EventLimit => "event-limit",
+            Self::Twist => "twist",
             Self::IterationLimit => "iteration-limit",
+            Self::Jammed => "jammed",
             Self::Ambiguous => "ambiguous",
             Self::Saturated => "saturated",
             Self::HeldLast => "held-last",

@@ -1,5 +1,5 @@
 //! What the tests of single functions share: random numbers, loads about as large as what is representable, a pivot without a load,
-//! bodies among planes, searches that are counted.
+//! bodies among planes, statics written out, searches that are counted.
 
 use crate::contact::Pair;
 use crate::detect::Placed;
@@ -8,6 +8,8 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::{Description, Scene, SurfaceDescription};
+
+pub(crate) mod bench;
 
 /// Random numbers from a seed, the same in every run.
 pub(crate) struct Random(pub(crate) u64);
@@ -70,7 +72,6 @@ pub(crate) fn unloaded() -> Load<f64> {
         hold: Vec2::ZERO,
         force: Vec2::ZERO,
         stiffness: 1.0,
-        tolerance: 0.0,
     }
 }
 
@@ -96,6 +97,7 @@ pub(crate) fn sprung<const V: usize, const S: usize>(
             offset: 0.0,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }
     });
     // Far out along the mean of the normals it is inside of no surface.

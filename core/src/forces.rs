@@ -20,6 +20,8 @@ pub struct Contact<F> {
     /// the pose is out of balance. Of an edge, where only
     /// the sum counts, in proportion to N.
     pub friction: F,
+    /// 0 where it sticks, 1 or -1 where it slides along t or against it with the hand, |T| = mu_d N.
+    pub sliding: i8,
 }
 
 /// Force and moment of the hand on the body, world frame.
@@ -41,6 +43,7 @@ pub struct Contact<F> {
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// // The hand goes 10 mm below the holding point and 3 mm beyond it along +x. That is less than

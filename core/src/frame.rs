@@ -58,7 +58,7 @@ pub use report::{LONGEST_REPORT, Pong, Report};
 pub use scene::{SceneCommand, scene_bytes};
 
 /// The version of the format, the first byte of every frame.
-pub const VERSION: u8 = 1;
+pub const VERSION: u8 = 2;
 
 /// A message with what every frame has.
 #[derive(Clone, Copy, Debug, PartialEq)]

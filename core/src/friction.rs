@@ -24,11 +24,29 @@ pub(crate) enum Verdict<R> {
     Opens,
 }
 
-/// Static and dynamic friction of a surface.
+/// Static and dynamic friction of a surface, and how it remembers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Coulomb<R> {
     fixed: Cone<R>,
     sliding: Cone<R>,
+    /// mu_s - mu_d
+    drop: R,
+    /// D_c: a slip that is shorter is not told apart from a slide.
+    memory: R,
+    /// N* = D_c / (mu_s - mu_d): the normal reaction from which on a contact has stiction.
+    threshold: R,
+}
+
+/// The directions of a contact that slides along sign·t (STATICS 3.6), both of length 1.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SlidingEdge<R> {
+    /// f cos(lambda), f = n - sign mu_d t: the direction of the reaction.
+    pub(crate) reaction: Vec2<R>,
+    /// e cos(lambda), e = t + sign mu_d n, at right angles to f: no load along it is left.
+    pub(crate) balanced: Vec2<R>,
+    /// cos(lambda) and sign sin(lambda), lambda = atan mu_d.
+    pub(crate) cos: R,
+    pub(crate) sin: R,
 }
 
 impl<R: Real> Coulomb<R> {
@@ -41,11 +59,15 @@ impl<R: Real> Coulomb<R> {
         Self {
             fixed: cone,
             sliding: cone,
+            drop: R::ZERO,
+            memory: R::ZERO,
+            threshold: R::HUGE,
         }
     };
 
-    /// From mu_s and mu_d, both 0 or more.
-    pub(crate) fn from_coefficients(fixed: R::Si, sliding: R::Si) -> Self {
+    /// From mu_s and mu_d, both 0 or more, and the memory length in body sizes; none shorter than the shortest that the number
+    /// types tell apart, 2^-19.
+    pub(crate) fn from_coefficients(fixed: R::Si, sliding: R::Si, memory: R::Si) -> Self {
         let cone = |mu: R::Si| {
             let (cos, sin) = normalized(R::Si::ONE, mu);
             Cone {
@@ -53,20 +75,83 @@ impl<R: Real> Coulomb<R> {
                 cos: R::from_si(cos, R::Si::ONE),
             }
         };
+        let nd = |x: R::Si| R::from_si(x, R::Si::ONE).min(R::HUGE);
+        let memory = memory.max(R::MICRO.to_si(R::Si::ONE));
+        let (drop, least) = drop_and_threshold(fixed, sliding, memory);
+        // Coefficients that the number type does not tell apart are one.
+        let cones = [fixed, sliding].map(cone);
+        let threshold = if cones[0] == cones[1] {
+            R::HUGE
+        } else {
+            nd(least)
+        };
         Self {
-            fixed: cone(fixed),
-            sliding: cone(sliding),
+            fixed: cones[0],
+            sliding: cones[1],
+            drop: nd(drop),
+            memory: nd(memory),
+            threshold,
         }
     }
 
-    /// mu_s = mu_d: slides without jumps.
-    pub(crate) fn is_continuous(&self) -> bool {
-        self.fixed == self.sliding
+    fn cone(&self, stiction: bool) -> &Cone<R> {
+        if stiction { &self.fixed } else { &self.sliding }
     }
 
-    /// Positive while the contact does not break away along sign·t.
-    pub(crate) fn holds(&self, normal: Margin<R>, friction: Margin<R>, sign: R) -> Margin<R> {
-        normal.combine(self.fixed.sin, friction, along(sign, self.fixed.cos))
+    /// A normal reaction from which on a contact has stiction (rule 3).
+    pub(crate) fn is_pressed(&self, normal: R) -> bool {
+        self.threshold < R::HUGE && normal >= self.threshold
+    }
+
+    /// Positive while the contact presses too little for stiction; nothing where there is none.
+    pub(crate) fn loosens(&self, normal: Margin<R>) -> Option<Margin<R>> {
+        (self.threshold < R::HUGE).then(|| Margin {
+            start: self.threshold - normal.start,
+            along: -normal.along,
+            turning: -normal.turning,
+            rounding: normal.rounding,
+        })
+    }
+
+    /// N*, beyond all numbers where there is no stiction.
+    pub(crate) fn threshold(&self) -> R {
+        self.threshold
+    }
+
+    /// D_c
+    pub(crate) fn memory(&self) -> R {
+        self.memory
+    }
+
+    /// mu_s - mu_d
+    pub(crate) fn drop(&self) -> R {
+        self.drop
+    }
+
+    /// The directions of a contact that slides along sign·t.
+    pub(crate) fn sliding_along(
+        &self,
+        (normal, tangent): (Vec2<R>, Vec2<R>),
+        sign: R,
+    ) -> SlidingEdge<R> {
+        let (cos, sin) = (self.sliding.cos, along(sign, self.sliding.sin));
+        SlidingEdge {
+            reaction: normal * cos - tangent * sin,
+            balanced: tangent * cos + normal * sin,
+            cos,
+            sin,
+        }
+    }
+
+    /// Positive while the contact, with stiction or without, does not break away along sign·t.
+    pub(crate) fn holds(
+        &self,
+        (normal, friction): (Margin<R>, Margin<R>),
+        stiction: bool,
+        sign: R,
+    ) -> Margin<R> {
+        let cone = self.cone(stiction);
+        normal.combine(cone.sin, friction, along(sign, cone.cos))
     }
 
     /// Positive while the contact slides on along sign·t: (E3) is its zero.
@@ -80,18 +165,25 @@ impl<R: Real> Coulomb<R> {
         normal * self.sliding.sin + along * self.sliding.cos
     }
 
-    /// True if a reaction lies inside the static cone by more than `slack`, 0 or more.
-    pub(crate) fn is_within(&self, normal: R, friction: R, slack: R) -> bool {
+    /// True if a reaction lies inside the cone of a stick by more than `slack`, 0 or more.
+    pub(crate) fn is_within(&self, (normal, friction): (R, R), stiction: bool, slack: R) -> bool {
+        let cone = self.cone(stiction);
         // No deeper than the normal force is large.
-        R::difference_of_products(normal, self.fixed.sin, friction.abs(), self.fixed.cos) > slack
+        R::difference_of_products(normal, cone.sin, friction.abs(), cone.cos) > slack
     }
 
-    /// The static test of a reaction, to within `rounding` of the forces.
-    pub(crate) fn judge(&self, normal: R, friction: R, rounding: R) -> Verdict<R> {
+    /// The test of a reaction of a stick, to within `rounding` of the forces.
+    pub(crate) fn judge(
+        &self,
+        (normal, friction): (R, R),
+        stiction: bool,
+        rounding: R,
+    ) -> Verdict<R> {
+        let cone = self.cone(stiction);
         if normal < -rounding {
             return Verdict::Opens;
         }
-        if friction.abs() * self.fixed.cos - normal * self.fixed.sin > rounding {
+        if friction.abs() * cone.cos - normal * cone.sin > rounding {
             Verdict::Slides(-friction.sign())
         } else {
             Verdict::Sticks
@@ -103,9 +195,10 @@ impl<R: Real> Coulomb<R> {
         -sign * friction * self.sliding.cos - normal * self.sliding.sin > rounding
     }
 
-    /// The edge of the static cone as (normal, friction) parts: +1 the one with friction along +t.
-    pub(crate) fn static_edge(&self, edge: R) -> (R, R) {
-        (self.fixed.cos, along(edge, self.fixed.sin))
+    /// The edge of the cone of a stick as (normal, friction) parts: +1 the one with friction along +t.
+    pub(crate) fn edge(&self, stiction: bool, edge: R) -> (R, R) {
+        let cone = self.cone(stiction);
+        (cone.cos, along(edge, cone.sin))
     }
 
     /// The reaction of a contact that slides along sign·t, as (normal, friction) parts; sign 0: no friction.
@@ -114,66 +207,11 @@ impl<R: Real> Coulomb<R> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A cone of a line, and one of a half-plane: cosine and sine are 1 and 0 to the last bit.
-    fn extremes() -> [Coulomb<f64>; 2] {
-        [0.0, 1e300].map(|mu| Coulomb::from_coefficients(mu, mu))
-    }
-
-    #[test]
-    fn within_is_by_more_than_the_slack() {
-        let [smooth, rough] = extremes();
-        for slack in [0.0_f64, 0.25] {
-            assert!(rough.is_within(slack.next_up(), 0.0, slack));
-            assert!(!rough.is_within(slack, 0.0, slack));
-            assert!(!rough.is_within(-1.0, 0.0, slack));
-            assert!(!smooth.is_within(1.0, 0.0, slack), "on both edges");
-        }
-        let half = Coulomb::<f64>::from_coefficients(0.5, 0.25);
-        assert!(half.is_within(1.0, 0.49, 0.0) && !half.is_within(1.0, -0.51, 0.0));
-    }
-
-    #[test]
-    fn verdict_is_to_within_the_rounding() {
-        let [smooth, rough] = extremes();
-        let rounding = 0.125_f64;
-        let more = rounding.next_up();
-        assert_eq!(smooth.judge(-rounding, 0.0, rounding), Verdict::Sticks);
-        assert_eq!(smooth.judge(-more, 0.0, rounding), Verdict::Opens);
-        for sign in [1.0, -1.0] {
-            let judged = |friction: f64| smooth.judge(0.0, sign * friction, rounding);
-            assert_eq!(judged(rounding), Verdict::Sticks);
-            assert_eq!(judged(more), Verdict::Slides(-sign));
-            // Against friction to the one side it slides to the other.
-            let driven = |friction: f64| smooth.is_driven(0.0, -sign * friction, sign, rounding);
-            assert!(!driven(rounding) && driven(more) && !driven(-more));
-        }
-        assert_eq!(rough.judge(1.0, 1e3, rounding), Verdict::Sticks);
-    }
-
-    /// T = mu N on the edges of the cones, along the sign where it holds and against it where it slides; none without a sign.
-    #[test]
-    fn edges_bear_friction_in_proportion() {
-        let friction = Coulomb::<f64>::from_coefficients(0.75, 0.5);
-        for sign in [1.0, -1.0] {
-            let (normal, along) = friction.static_edge(sign);
-            assert!((along - sign * 0.75 * normal).abs() < 1e-15);
-            let (normal, along) = friction.sliding_edge(sign);
-            assert!((along + sign * 0.5 * normal).abs() < 1e-15);
-            let margin = |start| Margin {
-                start,
-                along: 0.0,
-                turning: Vec2::ZERO,
-                rounding: 0.0,
-            };
-            let holds = |t: f64| friction.holds(margin(1.0), margin(t), sign).start;
-            assert!(holds(-0.74 * sign) > 0.0 && holds(-0.76 * sign) < 0.0);
-            let drives = |t: f64| friction.drives(margin(1.0), margin(t), sign).start;
-            assert!(drives(-0.51 * sign) > 0.0 && drives(-0.49 * sign) < 0.0);
-        }
-        assert_eq!(friction.sliding_edge(0.0).1, 0.0);
-    }
+/// mu_s - mu_d, and N* = D_c / (mu_s - mu_d).
+fn drop_and_threshold<F: Real>(fixed: F, sliding: F, memory: F) -> (F, F) {
+    let drop = fixed - sliding;
+    (drop, memory / drop)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! The springs between hand and body: force F = k_h (p_h - G), couple M = k_theta (phi - theta); and the displacement of the hand,
 //! which is the other end of both. Lengths / L, forces / (k_h L): k_h is 1.
 
+use crate::friction::SlidingEdge;
 use crate::geometry::{Angle, Pose, Vec2};
 use crate::real::Real;
 use crate::world::{Surface, World};
@@ -24,6 +25,11 @@ impl<R: Real> Grip<R> {
         (self.hand - held, scene.stiffness() * turn)
     }
 
+    /// The body swings freely about the holding point (STATICS 3.7).
+    pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
+        scene.swings(self.holding_point - scene.centroid())
+    }
+
     /// The straight path of the hand: `self` at 0, `to` at 1.
     pub(crate) fn lerp(&self, to: &Self, part: R) -> Self {
         Self {
@@ -33,17 +39,30 @@ impl<R: Real> Grip<R> {
         }
     }
 
-    /// On the straight path of the hand to another grip, as far as there but at most so far.
-    pub(crate) fn toward(&self, to: &Self, most: R) -> Self {
-        let distance = self.displacement_to(to).size();
-        self.lerp(
-            to,
-            if distance > most {
-                most / distance
-            } else {
-                R::ONE
-            },
-        )
+    /// On in the direction of another grip, which may be nearer, until the load on a body that stays has changed by so much.
+    pub(crate) fn ahead(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
+        let displacement = self.displacement_to(to);
+        let changes = displacement.changes(scene);
+        if changes == R::ZERO {
+            return *self;
+        }
+        let unit = changes.unit();
+        Self {
+            holding_point: self.holding_point,
+            hand: self.hand + displacement.hand.in_units(unit) * change,
+            angle: self.angle.plus(displacement.turn.in_units(unit) * change),
+        }
+    }
+
+    /// The same, but not beyond the other grip.
+    pub(crate) fn toward(&self, scene: &impl World<R>, to: &Self, change: R) -> Self {
+        let changes = self.displacement_to(to).changes(scene);
+        let part = if changes > change {
+            change / changes
+        } else {
+            R::ONE
+        };
+        self.lerp(to, part)
     }
 
     /// The displacement of the hand to another grip, and its turn.
@@ -79,12 +98,17 @@ impl<R: Real> Displacement<R> {
         }
     }
 
-    /// What of it a foot that glides along a surface without friction does not go along with: n (n·dp) of (E11).
-    pub(crate) fn pressing(&self, surface: &Surface<R>) -> Self {
+    /// What of it drives the turn of a body whose foot slides along a surface: the rest the foot follows.
+    pub(crate) fn pressing(&self, surface: &Surface<R>, edge: &SlidingEdge<R>) -> Self {
         Self {
-            hand: surface.normal * surface.normal.dot(self.hand),
+            hand: edge.reaction * surface.normal.dot(self.hand),
             turn: self.turn,
         }
+    }
+
+    /// By how much the load on a body that stays changes with it.
+    fn changes(&self, scene: &impl World<R>) -> R {
+        self.hand.length_bound() + scene.stiffness() * self.turn.abs()
     }
 
     /// How far the body can be moved by it: displacement and turn at a lever of one body size.

@@ -23,6 +23,7 @@ use crate::real::Real;
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);
@@ -55,6 +56,9 @@ pub struct Hand<F> {
     /// The hold switch: on, it holds the body, or takes hold as soon as it is within reach. Of a hand that is not finite or out of range
     /// it is not looked at.
     pub held: bool,
+    /// It comes from a tracker's sample that was tilted so far out of the plane that `angle` is hardly known
+    /// ([`Projection::planar`]). It is followed, and the status says so: [`Status::Twist`](crate::Status::Twist).
+    pub tilted: bool,
 }
 
 impl<F: Real> Hand<F> {
@@ -65,6 +69,7 @@ impl<F: Real> Hand<F> {
             angle: Angle::from_radians(phi),
             depth: F::ZERO,
             held: true,
+            tilted: false,
         }
     }
     /// The same hand with its switch off.
@@ -175,8 +180,11 @@ impl<F: Real> Projection<F> {
 
     /// The planar hand pose of a sample: the position on the two axes, the twist of the orientation about their normal, the position
     /// along that normal as depth. The angle goes on from the last sample by less than half a turn. `None`, and nothing is
-    /// remembered, where the sample is not finite or its quaternion is zero. Where the twist is undefined (half a turn about an axis
-    /// in the plane) the last angle stays.
+    /// remembered, where the sample is not finite or its quaternion is zero.
+    ///
+    /// The orientation is the twist followed by a swing about an axis in the plane. Beyond a swing of 170 degrees the hand is
+    /// [`tilted`](Hand::tilted): there the twist errs by more than 11 times what the tracker does. Where it is undefined (a swing of half a
+    /// turn) the last angle stays.
     pub fn planar(&mut self, sample: &TrackerSample<F>) -> Option<Hand<F>> {
         let [x, y, z, w] = sample.orientation;
         let finite = |values: &[F]| values.iter().all(|v| v.is_finite());
@@ -196,6 +204,22 @@ impl<F: Real> Projection<F> {
             angle: self.last,
             depth: self.normal().of(sample.position),
             held: sample.held,
+            tilted: is_tilted([along, w], sample.orientation),
         })
     }
+}
+
+/// True if the swing of a quaternion is more than 170 degrees. `twist`: its part along the plane's normal, and w.
+fn is_tilted<F: Real>(twist: [F; 2], quaternion: [F; 4]) -> bool {
+    let largest = quaternion
+        .iter()
+        .fold(F::ZERO, |largest, q| largest.max(q.abs()));
+    // No square is beyond the numbers then.
+    let square = |parts: &[F]| {
+        let parts = parts.iter().map(|&q| q / largest);
+        parts.fold(F::ZERO, |sum, q| sum + q * q)
+    };
+    // Of the cosine of half the swing: cos(85 degrees)² = (1 - cos(10 degrees)) / 2.
+    let (_, cos) = (F::TAU / F::from_int(36)).sin_cos();
+    square(&twist) < (F::ONE - cos).halved() * square(&quaternion)
 }

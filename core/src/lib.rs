@@ -51,6 +51,7 @@
 //!         offset: 0.0,
 //!         friction_static: 0.5,
 //!         friction_dynamic: 0.3,
+//!         memory: None,
 //!     }],
 //! })?;
 //! let solver = Solver::new(scene, Evolution::Path);
@@ -108,6 +109,7 @@ mod log;
 mod model;
 mod moment;
 mod output;
+mod path_event;
 mod pivot;
 mod real;
 mod scene;

@@ -3,9 +3,10 @@
 
 use crate::balance_curve::Margin;
 use crate::detect::Placed;
+use crate::friction::SlidingEdge;
 use crate::geometry::{Orientation, Vec2};
 use crate::grip::{Displacement, Grip};
-use crate::moment::{Moment, SecondHarmonic};
+use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
 use crate::world::{Surface, World};
 use crate::wrench2::Wrench2;
@@ -30,8 +31,6 @@ pub(crate) struct Load<R> {
     /// F - W y
     pub(crate) force: Vec2<R>,
     pub(crate) stiffness: R,
-    /// Balances are found to within this angle (rad); 0: as far as the digits go.
-    pub(crate) tolerance: R,
 }
 
 impl<R: Real> Load<R> {
@@ -57,8 +56,12 @@ impl<R: Real> Load<R> {
             hold,
             force: spring + weight,
             stiffness: scene.stiffness(),
-            tolerance: scene.tolerance(),
         }
+    }
+
+    /// The body swings freely about the holding point (STATICS 3.7).
+    pub(crate) fn swings(&self, scene: &impl World<R>) -> bool {
+        scene.swings(self.lever - self.centroid)
     }
 
     /// The same body with another orientation about the point.
@@ -107,16 +110,16 @@ impl<R: Real> Load<R> {
             stiffness: self.stiffness,
             hold: self.hold,
             harmonic: H::NONE,
-            tolerance: self.tolerance,
         }
     }
 
-    /// The same where the point glides along a surface without friction (E10): wherever its foot is now, in balance along
-    /// the tangent.
-    pub(crate) fn gliding<H: SecondHarmonic<R>>(
+    /// The same, times cos(lambda), where the point slides along a surface with its reaction on an edge of the friction cone
+    /// (E10): wherever its foot is now, at the one where that edge balances the load.
+    pub(crate) fn sliding<H: SecondHarmonic<R>>(
         &self,
         scene: &impl World<R>,
         surface: &Surface<R>,
+        edge: &SlidingEdge<R>,
     ) -> Moment<R, H> {
         let (along, off) = (
             surface.tangent.dot(self.lever),
@@ -124,18 +127,64 @@ impl<R: Real> Load<R> {
         );
         // -h
         let pull = surface.normal.dot(self.force) + off;
-        let mut hold = Vec2::new(pull * off, pull * along);
+        let mut hold = self.lever.conj_mul(edge.reaction) * pull;
         let weight = scene.weight();
         if weight != Vec2::ZERO {
-            hold = hold + (self.centroid - self.lever).conj_mul(weight);
+            hold = hold + (self.centroid - self.lever).conj_mul(weight) * edge.cos;
         }
+        // The mean of the second harmonic.
+        let square = R::sum_of_products(along, along, off, off).halved();
         Moment {
-            couple: self.couple,
-            stiffness: self.stiffness,
+            couple: R::difference_of_products(self.couple, edge.cos, square, edge.sin),
+            stiffness: self.stiffness * edge.cos,
             hold,
-            harmonic: H::gliding((along, off)),
-            tolerance: self.tolerance,
+            harmonic: H::sliding((along, off), (edge.cos, edge.sin)),
         }
+    }
+
+    /// What a displacement adds to the moment about the pinned point.
+    pub(crate) fn drive(&self, displacement: &Displacement<R>) -> Drive<R> {
+        Drive {
+            couple: self.stiffness * displacement.turn,
+            hold: self.lever.conj_mul(displacement.hand),
+        }
+    }
+
+    /// What a displacement adds to that of a sliding point.
+    pub(crate) fn sliding_drive(
+        &self,
+        (surface, edge): (&Surface<R>, &SlidingEdge<R>),
+        displacement: &Displacement<R>,
+    ) -> Drive<R> {
+        let pressing = displacement.pressing(surface, edge);
+        Drive {
+            couple: self.stiffness * edge.cos * pressing.turn,
+            hold: self.lever.conj_mul(pressing.hand),
+        }
+    }
+
+    /// The displacement of the foot along t, times cos(lambda), of a point that slides with the hand (E10).
+    pub(crate) fn foot(&self, edge: &SlidingEdge<R>, displacement: &Displacement<R>) -> Margin<R> {
+        Margin {
+            start: R::ZERO,
+            along: edge.balanced.dot(displacement.hand),
+            turning: -Vec2::new(
+                edge.balanced.dot(self.lever),
+                edge.balanced.dot(self.lever.turned()),
+            ),
+            rounding: self.rounding(),
+        }
+    }
+
+    /// What reactions may leave of it: rounding, and what is as small as a gap that counts as closed. At the edge of a cone nothing
+    /// is driven yet.
+    pub(crate) fn little(&self) -> R {
+        self.rounding() * R::from_int(4) + self.size() * R::TOUCH
+    }
+
+    /// A displacement of the hand after which a load that contacts had just borne is surely beyond that.
+    pub(crate) fn release(&self) -> R {
+        self.little().doubled()
     }
 
     /// The rounding of forces and moments at a place.

@@ -42,13 +42,9 @@ impl<R: Real> Log<R> {
     /// The status, where the body was not brought to balance.
     pub(crate) fn unrest(&self) -> Status {
         match self.final_status() {
-            Status::Ok | Status::EventLimit => Status::Ok,
+            Status::Ok | Status::EventLimit | Status::Twist => Status::Ok,
             grave => grave,
         }
-    }
-    /// Nothing but a single slip.
-    pub(crate) fn is_one_slip(&self) -> bool {
-        self.slips == 1 && self.events.len() == 1 && self.final_status() == Status::Ok
     }
     /// Keeps the gravest status.
     pub(crate) fn limit(&mut self, status: Status) {

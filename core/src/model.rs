@@ -16,6 +16,7 @@
 ///     offset: 0.0,
 ///     friction_static: 0.0,
 ///     friction_dynamic: 0.0,
+///     memory: None,
 /// };
 /// let tip = Description {
 ///     vertices: &[[0.0, 0.0]],

@@ -7,7 +7,7 @@ use crate::search::{Found, Samples, Slope, first_zero};
 
 mod second_harmonic;
 
-pub(crate) use second_harmonic::{Gliding, Pinned, SecondHarmonic};
+pub(crate) use second_harmonic::{Pinned, SecondHarmonic, Sliding};
 
 /// A turn of a pinned body downhill to balance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +29,30 @@ pub(crate) struct Moment<R, H> {
     /// z = conj(lever) load: dot and cross.
     pub(crate) hold: Vec2<R>,
     pub(crate) harmonic: H,
-    /// To be found to within this (rad); 0: as far as the digits go.
-    pub(crate) tolerance: R,
+}
+
+/// What a displacement of the hand, the whole of it, adds to a moment.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Drive<R> {
+    /// k dphi
+    pub(crate) couple: R,
+    /// zp = Yp + iXp as (Yp, Xp).
+    pub(crate) hold: Vec2<R>,
+}
+
+impl<R: Real> Drive<R> {
+    /// What it adds in the present position, D(0).
+    pub(crate) fn now(&self) -> R {
+        self.couple + self.hold.y
+    }
+
+    /// The drive `k` times as large.
+    pub(crate) fn times(&self, k: R) -> Self {
+        Self {
+            couple: self.couple * k,
+            hold: self.hold * k,
+        }
+    }
 }
 
 impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
@@ -70,7 +92,6 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
             stiffness: self.stiffness * k,
             hold: self.hold * k,
             harmonic: self.harmonic.times(k),
-            tolerance: self.tolerance,
         }
     }
 
@@ -135,7 +156,6 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
             stiffness: self.stiffness.in_units(unit),
             hold: self.hold.in_units(unit),
             harmonic: self.harmonic.in_units(unit),
-            tolerance: self.tolerance,
         }
     }
 
@@ -156,7 +176,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         };
         let start = start.max(certain);
         let mut snapped = false;
-        let found = first_zero((R::HUGE, self.tolerance), |y| {
+        let found = first_zero(R::HUGE, |y| {
             let turn = direction * (start + y);
             let (half_sin, half_cos) = turn.halved().sin_cos();
             let versine = (half_sin * half_sin).doubled();

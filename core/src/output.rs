@@ -27,6 +27,7 @@ use heapless::Vec;
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// // A box that hangs 20 mm over the floor is put down flat and pressed, then dragged, then lifted.

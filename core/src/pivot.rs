@@ -2,6 +2,7 @@
 
 use crate::contact::Pair;
 use crate::detect::Placed;
+use crate::friction::SlidingEdge;
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::Grip;
 use crate::load::Load;
@@ -53,12 +54,12 @@ impl<R: Real> Pivot<R> {
         Load::new(scene, self.placed(scene), grip)
     }
 
-    /// Without friction: the foot goes to where the tangential forces balance, the angle as it is (E10).
-    pub(crate) fn glide(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+    /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).
+    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) {
         let arm = grip.holding_point - scene.vertex(self.contact.vertex);
         let lever = self.orientation.rotation().apply(arm);
-        let balanced = grip.hand - lever + scene.weight();
-        self.foot = self.surface(scene).tangent.dot(balanced);
+        let force = grip.hand - self.point(scene) - lever + scene.weight();
+        self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
     /// The same pivot after a slide along t and a turn.

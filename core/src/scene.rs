@@ -20,6 +20,7 @@ mod description;
 
 use check::{
     Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
+    thinnest,
 };
 pub use description::{Description, Parameter, SceneError, SurfaceDescription};
 
@@ -39,9 +40,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
-    }
-    fn tolerance(&self) -> R {
-        self.tolerance
     }
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
@@ -69,7 +67,6 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
     pub(crate) holding_point: Option<Vec2<R>>,
     pub(crate) reach: R,
     pub(crate) units: Units<R::Si>,
-    pub(crate) tolerance: R,
     model: PhantomData<M>,
 }
 
@@ -83,7 +80,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
-        let length = match check_vertices::<R::Si, V>(d.vertices)? {
+        let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
         };
@@ -107,7 +104,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
-            tolerance: R::ZERO,
             model: PhantomData,
         };
         scene.check_range(d)?;

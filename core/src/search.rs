@@ -17,11 +17,6 @@ pub(crate) struct Slope<R> {
 }
 
 impl<R: Real> Slope<R> {
-    /// This and less counts as zero: its rounding, or, where it falls, what its zero is away by a tolerance of x.
-    fn closed(&self, tolerance: R) -> R {
-        self.rounding.max(-(tolerance * self.slope))
-    }
-
     /// The longest step that cannot pass a zero.
     fn safe_step(&self) -> R {
         let (e, d, k) = (self.value, self.slope, self.curvature);
@@ -46,9 +41,8 @@ impl<R: Real> Slope<R> {
     }
 
     /// After a certified step E is at most K step²; true if twice that, or E itself, counts as zero.
-    fn is_closed_by(&self, step: R, tolerance: R) -> bool {
-        let closed = self.closed(tolerance);
-        self.value <= closed || (self.curvature * step * step).doubled() <= closed
+    fn is_closed_by(&self, step: R) -> bool {
+        self.value <= self.rounding || (self.curvature * step * step).doubled() <= self.rounding
     }
 
     /// The first step. A function that starts at zero and rises is left at the crest of its bound, d/K.
@@ -94,10 +88,10 @@ impl<R: Real, const M: usize> Samples<R, M> {
     }
 }
 
-/// The first x in [0, limit) at which one of M functions is zero, to within a tolerance of x. Of two zeros at one place the
+/// The first x in [0, limit) at which one of M functions is zero. Of two zeros at one place the
 /// first listed counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
-    (limit, tolerance): (R, R),
+    limit: R,
     mut sample: impl FnMut(R) -> Samples<R, M>,
 ) -> Found<R> {
     let mut x = R::ZERO;
@@ -131,7 +125,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         if let Some((which, function)) = closest {
             nearest = which;
             let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
-            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step, tolerance)) {
+            if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
                 return Found::Zero { x: x + step, which };
             }
         }

@@ -1,7 +1,7 @@
 //! 4: the transition table (STATICS 8) at work: (state, trigger) -> (state, what to do next), in a bounded loop at a frozen hand
 //! until the body rests.
 
-use crate::contact::{Pair, Pairs};
+use crate::contact::{Pair, Pairs, Regime};
 use crate::detect::Placed;
 use crate::event::{Event, StateKind, Status};
 use crate::grip::Grip;
@@ -9,58 +9,102 @@ use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::{ContactState, Free};
-use crate::transition::{Transition, clear_arm, fold_arm, keep_arm, rest_arm, slip_arm, touch_arm};
+use crate::transition::{
+    Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
+};
 use crate::verb::{Moved, Relax, Trigger};
 use crate::world::World;
 
 /// What is to be done in a state at a frozen hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Next<R> {
+pub(crate) enum Next<R> {
     /// It rests.
     Rest,
-    /// Come to balance; with a sign, while sliding.
+    /// Come to balance; with a sign, while slipping.
     Relax(Option<R>),
     /// Turn on over the fold.
     Snap(R),
-    /// Slide along sign·t.
-    Slide(R),
+    /// Slip along sign·t.
+    Slip(R),
 }
 
 /// After this many transitions at one hand pose no consistent mode is left to try.
 const MAX_TRANSITIONS: usize = 256;
 
-/// Brings the body to rest at a frozen hand, beginning with a trigger, or without one with the test of the state.
+/// Brings the body to rest at a frozen hand that has jumped there: what slid sticks or slips first.
 pub(crate) fn settle<R: Real>(
     scene: &impl World<R>,
     grip: &Grip<R>,
     state: &mut ContactState<R>,
-    trigger: Option<Trigger<R>>,
     log: &mut Log<R>,
 ) {
     log.ambiguous = false;
+    let before = (state.kind(), state.regime().slide().is_some());
+    run(scene, grip, state, Next::Relax(None), log);
+    log_slide(state, before, log);
+}
+
+/// One verb after another at a frozen hand, until the body rests.
+pub(crate) fn run<R: Real>(
+    scene: &impl World<R>,
+    grip: &Grip<R>,
+    state: &mut ContactState<R>,
+    mut next: Next<R>,
+    log: &mut Log<R>,
+) {
     let mut attempts = Attempts::default();
-    let mut next = match trigger {
-        Some(trigger) => apply(scene, state, &Moved::by(trigger), R::ZERO, log),
-        None => Next::Relax(None),
-    };
     for _ in 0..MAX_TRANSITIONS {
+        let had_stiction = state.regime().has_stiction();
         let moved = match next {
-            Next::Rest => return,
+            Next::Rest => {
+                if state.regime() == Regime::LOOSE {
+                    state.renew(scene, grip);
+                }
+                return;
+            }
             Next::Relax(sliding) => {
+                if !had_stiction {
+                    state.set_regime(Regime::LOOSE);
+                }
                 let attempt = attempts.count(&state.placed(scene), state.kind());
                 state.relax(scene, grip, Relax { sliding, attempt })
             }
-            Next::Slide(sign) => state.slide(scene, grip, sign),
+            Next::Slip(sign) => state.slip(scene, grip, sign),
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
         record(state, &moved, &next, log);
         let sliding = match next {
-            Next::Slide(sign) => sign,
+            Next::Slip(sign) => sign,
             _ => R::ZERO,
         };
+        // What slides on has not slipped; what moved and sticks has, with stiction or without.
+        let sticks = state.regime().slide().is_none() && moved.slip.abs() > R::MICRO;
+        if moved.trigger == Trigger::Stopped && (had_stiction || sticks) {
+            log.transitions.add(slip_arm(state));
+            log.slip(moved.slip);
+        }
         next = apply(scene, state, &moved, sliding, log);
     }
     stays(log);
+}
+
+/// Says where a slide begins and ends, of a body that was in a state and perhaps slid.
+pub(crate) fn log_slide<R: Real>(
+    state: &ContactState<R>,
+    (before, slid): (StateKind, bool),
+    log: &mut Log<R>,
+) {
+    let kind = state.kind();
+    let slides = state.regime().slide().is_some();
+    if slides && !slid {
+        log.transitions.add(slide_arm(state));
+        log.event(Event::Slide);
+    } else if slid && !slides && kind != StateKind::NonContact {
+        if kind == before {
+            log.transitions.add(halt_arm(state));
+        }
+        log.event(Event::Stop);
+    }
 }
 
 /// Counts how often a state of several contacts gives way at one and the same pose.
@@ -111,7 +155,7 @@ fn on<R: Real>(sliding: R) -> Next<R> {
 }
 
 /// The table: the state after a verb, which slid along sliding·t, and what it does next.
-fn apply<R: Real, W: World<R>>(
+pub(crate) fn apply<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
     moved: &Moved<R>,
@@ -123,16 +167,14 @@ fn apply<R: Real, W: World<R>>(
             rests(state, log);
             Next::Rest
         }
+        Trigger::Pressed | Trigger::Halts | Trigger::Bears => Next::Rest,
         Trigger::Stopped => {
-            log.transitions.add(slip_arm(state));
-            log.slip(moved.slip);
             if moved.unsure || moved.unbalanced {
-                Next::Relax(Some(sliding))
-            } else {
-                Next::Rest
+                return Next::Relax(Some(sliding));
             }
+            Next::Rest
         }
-        Trigger::Slide(sign) => Next::Slide(sign),
+        Trigger::Slide(sign) => Next::Slip(sign),
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
             log.event(Event::Snap);
@@ -148,7 +190,8 @@ fn apply<R: Real, W: World<R>>(
                 return on(sliding);
             };
             touch(scene, state, pair, log);
-            Next::Relax(None)
+            // A slip goes on past it while it is driven: at a landing N and T are continuous (rule 10 b).
+            on(sliding)
         }
         Trigger::Keep { contacts, sliding } if W::SEVERAL => {
             keep(scene, state, contacts, sliding, log)
@@ -188,7 +231,7 @@ fn another<R: Real>(scene: &impl World<R>, state: &ContactState<R>) -> Option<Pa
 }
 
 /// A vertex reaches a surface; all that close together are taken together.
-fn touch<R: Real, W: World<R>>(
+pub(crate) fn touch<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
     pair: Pair,
@@ -216,14 +259,16 @@ fn touch<R: Real, W: World<R>>(
         }
     }
     let others = all.get(1..).unwrap_or_default();
+    let stiction = state.regime().has_stiction();
     *state = ContactState::seated(scene, pivot, others);
+    state.set_regime(Regime::Stick { stiction });
     let (arm, event) = touch_arm(before, state.kind());
     log.transitions.add(arm);
     log.event(event);
 }
 
 /// Only one or two contacts last.
-fn keep<R: Real>(
+pub(crate) fn keep<R: Real>(
     scene: &impl World<R>,
     state: &mut ContactState<R>,
     lasting: [usize; 2],
@@ -234,11 +279,13 @@ fn keep<R: Real>(
     let [first, second] = lasting.map(|i| contacts.get(i).copied().unwrap_or_default());
     let pivot = pivot_of(scene, state, first);
     let before = state.kind();
+    let stiction = state.regime().has_stiction();
     *state = if first == second {
         ContactState::seated(scene, pivot, &[])
     } else {
         ContactState::seated(scene, pivot, &[second])
     };
+    state.set_regime(Regime::Stick { stiction });
     let (arm, event) = keep_arm(before, state.kind(), sliding.is_some());
     log.transitions.add(arm);
     log.event(event);

@@ -49,6 +49,7 @@ pub fn narrow_hand<F: SiFloat>(hand: &Hand<f64>) -> Hand<F> {
         },
         depth: F::narrow(hand.depth),
         held: hand.held,
+        tilted: hand.tilted,
     }
 }
 
@@ -84,6 +85,7 @@ mod tests {
                 angle,
                 depth: 0.3,
                 held,
+                tilted: !held,
             };
             let narrow = Hand {
                 position: [0.1_f32, f32::INFINITY],
@@ -93,6 +95,7 @@ mod tests {
                 },
                 depth: 0.3_f32,
                 held,
+                tilted: !held,
             };
             assert_eq!(narrow_hand::<f32>(&hand), narrow);
             assert_eq!(narrow_hand::<f64>(&hand), hand);

@@ -1,5 +1,6 @@
 //! 5: one step: hand -> contacts -> state -> transition -> output.
 
+use crate::contact::Regime;
 use crate::detect::Placed;
 use crate::event::{Event, Status};
 use crate::geometry::{Angle, Vec2};
@@ -39,10 +40,11 @@ pub use evolve::Evolution;
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// let exact = Solver::new(scene.clone(), Evolution::Path);
-/// let bounded = Solver::new(scene, Evolution::Path).with_event_limit(8).with_tolerance(1e-4);
+/// let bounded = Solver::new(scene, Evolution::Path).with_event_limit(8);
 ///
 /// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips, of which the bounded solver
 /// // distinguishes a few.
@@ -92,6 +94,7 @@ pub const MAX_EVENT_LIMIT: u8 = 128;
 /// #         offset: 0.0,
 /// #         friction_static: 0.5,
 /// #         friction_dynamic: 0.3,
+/// #         memory: None,
 /// #     }],
 /// # })?;
 /// let solver = Solver::new(scene, Evolution::Path);
@@ -145,19 +148,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// Less accurate, and on the mean faster, by some tenth; a single frame of path evolution may take longer, where what is left of one
-    /// slip soon begins the next. Angles of balance are found to within `radians`, the ends of slips to within that part
-    /// of the body size, in every frame anew: nothing adds up. From 0 (the default: as far as the digits of the number
-    /// type go) to 0.01; what is beyond is taken as the nearer end, what is not a number as 0. Contacts are not touched by
-    /// it: feet stick and surfaces are met to the last digit.
-    #[must_use]
-    pub fn with_tolerance(mut self, radians: R::Si) -> Self {
-        let given = R::from_si(R::Si::ZERO.max(radians), R::Si::ONE);
-        self.scene.tolerance = given.min(R::ONE / R::from_int(100));
-        self
-    }
-
-    /// A bound on the work of a frame of path evolution: so many events of it are distinguished, then the rest of it is one jump
+    /// A bound on the work of a frame of path evolution: so many events of it are told apart, then the rest of it is one jump
     /// of the hand, to a balance all the same, and the status is [`Status::EventLimit`]. From 1 to [`MAX_EVENT_LIMIT`],
     /// which it is without this; what is beyond is taken as the nearer end.
     #[must_use]
@@ -176,6 +167,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             Err(status) => log.limit(status),
             Ok((position, angle)) => {
                 state.hand = hand;
+                if hand.tilted {
+                    log.limit(Status::Twist);
+                }
                 if hand.held {
                     self.take_hold(&mut state, (position, angle), &mut log);
                 }
@@ -193,6 +187,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         match self.non_dimensional(&hand) {
             Err(status) => log.limit(status),
             Ok(target) => {
+                if hand.tilted {
+                    log.limit(Status::Twist);
+                }
                 self.switch(state, &hand, target, &mut log);
                 if self.go_to(state, target, &mut log) {
                     state.hand = hand;
@@ -231,7 +228,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     fn placed_at_start(&self) -> State<R> {
         let pose = self.scene.start;
         let placed = Placed::at(&pose);
-        let touching = placed.touching(&self.scene, Scene::<R, V, S, M>::start_tolerance());
+        let touching = placed.seats(&self.scene, Scene::<R, V, S, M>::start_tolerance());
         let contact = match touching.split_first() {
             None => ContactState::Free(Free { pose }),
             Some((&first, others)) => {
@@ -301,8 +298,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.was_held = true;
         state.rest_offset = rest_offset;
         state.grip = grip;
-        settle(&self.scene, &state.grip, &mut state.contact, None, log);
-        state.unrest = log.unrest();
+        state.contact.set_regime(Regime::LOOSE);
+        state.contact.press(&self.scene, &state.grip);
+        settle(&self.scene, &state.grip, &mut state.contact, log);
+        self.rest(state, log);
     }
 
     /// The number type can represent the springs between a body and a hand: the pull, the turn, and the moment of both.

@@ -11,27 +11,29 @@
 //!
 //! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
 
-use crate::contact::{Pair, Pairs, Reactions};
+use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::detect::Placed;
 use crate::event::StateKind;
 use crate::geometry::Pose;
 use crate::grip::Grip;
 use crate::load::Load;
-use crate::moment::{Gliding, Pinned};
+use crate::moment::{Pinned, Sliding};
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::verb::{Moved, Relax, Terms, Trigger, seat};
+use crate::verb::{Moved, Relax, Trigger, seat};
 use crate::world::World;
 
 mod corner;
 mod edge;
 mod fixed_pose;
 mod free;
-mod glide;
 mod locked;
+mod onset;
 mod segment;
 mod short_slip;
 mod single_vertex;
+mod slide;
+mod swing;
 mod trammel;
 mod two_vertex;
 
@@ -96,30 +98,114 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// The load on the body about the point that holds its pose.
+    pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
+        Load::new(scene, self.placed(scene), grip)
+    }
+
     pub(crate) fn pose(&self, scene: &impl World<R>) -> Pose<R> {
         self.placed(scene).pose()
     }
 
-    /// `Balanced`, or, if the hand jumps, how friction gives way at the end.
+    /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
+    pub(crate) fn is_jammed<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+        match self {
+            Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip),
+            Self::Corner(s) if W::SURFACES => s.is_jammed(scene, grip),
+            Self::Locked(s) if W::SURFACES => s.is_jammed(scene, grip),
+            _ => false,
+        }
+    }
+
+    /// A displacement of the hand after which what the contacts have just borne is surely not borne any more.
+    pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> R {
+        match self {
+            Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip),
+            Self::Locked(s) if W::SURFACES => s.release(scene, grip),
+            _ => self.load(scene, grip).release(),
+        }
+    }
+
+    /// Whether the contacts stick or slide; without contact nothing sticks.
+    pub(crate) fn regime(&self) -> Regime<R> {
+        match self {
+            Self::Free(_) => Regime::LOOSE,
+            Self::SingleVertex(s) => s.regime,
+            Self::Edge(s) => s.regime,
+            Self::TwoVertex(s) => s.regime,
+            Self::Corner(Corner { stiction, .. }) | Self::Locked(Locked { stiction, .. }) => {
+                let stiction = *stiction;
+                Regime::Stick { stiction }
+            }
+        }
+    }
+
+    /// The same state, sticking or sliding; what cannot slide sticks.
+    pub(crate) fn set_regime(&mut self, regime: Regime<R>) {
+        match self {
+            Self::Free(_) => {}
+            Self::SingleVertex(s) => s.regime = regime,
+            Self::Edge(s) => s.regime = regime,
+            Self::TwoVertex(s) => s.regime = regime,
+            Self::Corner(Corner { stiction, .. }) | Self::Locked(Locked { stiction, .. }) => {
+                *stiction = regime.has_stiction();
+            }
+        }
+    }
+
+    /// One vertex or an edge that sticks has stiction where it is pressed hard enough (rule 3).
+    pub(crate) fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+        let (Self::SingleVertex(SingleVertex { pivot, regime, .. })
+        | Self::Edge(Edge { pivot, regime, .. })) = self
+        else {
+            return;
+        };
+        let surface = pivot.surface(scene);
+        let (normal, _) = surface.reaction(pivot.load(scene, grip).force);
+        if surface.friction.is_pressed(normal) {
+            *regime = Regime::Stick { stiction: true };
+        }
+    }
+
+    /// Of contacts that fix the pose as a hand takes hold: they have stiction if one of them is pressed hard enough by a load that
+    /// they can bear (rule 10 a).
+    pub(crate) fn press<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) {
+        if !W::SURFACES || !matches!(self, Self::TwoVertex(_) | Self::Corner(_) | Self::Locked(_)) {
+            return;
+        }
+        self.set_regime(Regime::Stick { stiction: true });
+        let reactions = self.reactions(scene, grip, &self.load(scene, grip));
+        let contacts = self.contacts();
+        let mut pairs = contacts.iter().zip(&reactions);
+        let is_pressed = pairs.any(|(contact, &[normal, _])| {
+            let friction = scene.surface(contact.surface).friction;
+            friction.is_pressed(normal)
+        });
+        if !is_pressed {
+            self.set_regime(Regime::LOOSE);
+        }
+    }
+
+    /// True if it has followed a frame in which certainly nothing happens.
     pub(crate) fn follow<W: World<R>>(
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
-        terms: Terms<R>,
-    ) -> Option<Trigger<R>> {
-        let is_certified = match self {
-            Self::Free(s) if W::GLIDES => {
-                s.follow::<Gliding<R>>(scene, (from, to), terms.tolerance)
-            }
-            Self::Free(s) => s.follow::<Pinned>(scene, (from, to), terms.tolerance),
-            Self::SingleVertex(s) if W::GLIDES => s.glide_on(scene, (from, to), terms.tolerance),
-            Self::SingleVertex(s) => return s.follow(scene, (from, to), terms),
-            Self::Edge(s) if W::EDGES => s.follow(scene, to),
+    ) -> bool {
+        let path = (from, to);
+        match self {
+            Self::Free(s) if W::GLIDES => s.follow::<Sliding<R>>(scene, path),
+            Self::Free(s) => s.follow::<Pinned>(scene, path),
+            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, R::ONE),
+            Self::SingleVertex(s) => match s.regime {
+                Regime::Slide(sign) => s.follow_sliding(scene, path, sign),
+                Regime::Stick { .. } => s.follow(scene, path),
+            },
+            Self::Edge(s) if W::EDGES => s.follow(scene, path),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),
             _ => false,
-        };
-        is_certified.then_some(Trigger::Balanced)
+        }
     }
 
     pub(crate) fn advance<W: World<R>>(
@@ -129,10 +215,13 @@ impl<R: Real> ContactState<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         match self {
-            Self::Free(s) if W::GLIDES => s.advance::<Gliding<R>>(scene, from, to),
+            Self::Free(s) if W::GLIDES => s.advance::<Sliding<R>>(scene, from, to),
             Self::Free(s) => s.advance::<Pinned>(scene, from, to),
-            Self::SingleVertex(s) if !W::GLIDES => s.advance(scene, from, to),
-            Self::SingleVertex(s) => s.glide_along(scene, from, to),
+            Self::SingleVertex(s) if W::GLIDES => s.advance_sliding(scene, (from, to), R::ONE),
+            Self::SingleVertex(s) => match s.regime {
+                Regime::Slide(sign) => s.advance_sliding(scene, (from, to), sign),
+                Regime::Stick { .. } => s.advance(scene, from, to),
+            },
             Self::Edge(s) if W::EDGES => s.advance(scene, from, to),
             Self::TwoVertex(s) if W::SURFACES => s.advance(scene, from, to),
             Self::Corner(s) if W::SURFACES => s.advance(scene, from, to),
@@ -148,7 +237,7 @@ impl<R: Real> ContactState<R> {
         how: Relax<R>,
     ) -> Moved<R> {
         match self {
-            Self::Free(s) if W::GLIDES => s.relax::<Gliding<R>>(scene, grip),
+            Self::Free(s) if W::GLIDES => s.relax::<Sliding<R>>(scene, grip),
             Self::Free(s) => s.relax::<Pinned>(scene, grip),
             Self::SingleVertex(s) if !W::GLIDES => s.relax(scene, grip, how.sliding),
             Self::SingleVertex(s) => s.glide_down(scene, grip),
@@ -168,28 +257,48 @@ impl<R: Real> ContactState<R> {
         direction: R,
     ) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) if !W::GLIDES => s.snap(scene, grip, direction),
-            Self::SingleVertex(s) => s.glide_over(scene, grip, direction),
+            Self::Free(s) if W::GLIDES => s.snap::<Sliding<R>>(scene, grip, direction),
+            Self::Free(s) => s.snap::<Pinned>(scene, grip, direction),
+            Self::SingleVertex(s) if W::GLIDES => s.snap_sliding(scene, grip, (direction, R::ONE)),
+            Self::SingleVertex(s) => match s.regime {
+                Regime::Slide(sign) => s.snap_sliding(scene, grip, (direction, sign)),
+                Regime::Stick { .. } => s.snap(scene, grip, direction),
+            },
+            Self::TwoVertex(s) if W::SURFACES => s.snap(scene, grip, direction),
             Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
         }
     }
 
-    /// Only a single vertex, an edge and two vertices slide; the others give way to one of these first.
-    pub(crate) fn slide<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
+    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first.
+    pub(crate) fn slip<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) if !W::GLIDES => s.slide(scene, grip, sign),
-            Self::Edge(s) if W::EDGES && !W::GLIDES => s.slide(scene, grip, sign),
-            Self::TwoVertex(s) if W::SURFACES => s.slide(scene, grip),
+            Self::SingleVertex(s) if !W::GLIDES => s.slip(scene, grip, sign),
+            Self::Edge(s) if W::EDGES && !W::GLIDES => s.slip(scene, grip, sign),
+            Self::TwoVertex(s) if W::SURFACES => s.slip(scene, grip),
             _ => absent(),
         }
     }
 
-    pub(crate) fn reactions<W: World<R>>(&self, scene: &W, load: &Load<R>) -> Reactions<R> {
+    /// The directions along t in which the contacts slide: 0 where they stick.
+    pub(crate) fn sliding<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> [R; 2] {
+        match (self, self.regime().slide()) {
+            (Self::TwoVertex(s), Some(sense)) if W::SURFACES => s.sliding_signs(scene, grip, sense),
+            (_, Some(sign)) => [sign; 2],
+            (_, None) => [R::ZERO; 2],
+        }
+    }
+
+    pub(crate) fn reactions<W: World<R>>(
+        &self,
+        scene: &W,
+        grip: &Grip<R>,
+        load: &Load<R>,
+    ) -> Reactions<R> {
         match self {
             Self::SingleVertex(s) => s.reactions(scene, load),
             Self::Edge(s) if W::EDGES => s.reactions(scene, load),
-            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, load),
+            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, grip, load),
             Self::Corner(s) if W::SURFACES => s.reactions(scene, load),
             Self::Locked(s) if W::SURFACES => s.reactions(scene, load),
             _ => Reactions::new(),
@@ -207,12 +316,12 @@ impl<R: Real> ContactState<R> {
                 Self::Corner(Corner {
                     pivot,
                     surface: other.surface,
+                    stiction: false,
                 })
             }
-            [other] if W::EDGES && other.surface == pivot.contact.surface => Self::Edge(Edge {
-                pivot,
-                vertex: other.vertex,
-            }),
+            [other] if W::EDGES && other.surface == pivot.contact.surface => {
+                Self::Edge(Edge::new(pivot, other.vertex))
+            }
             [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
             [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),
             _ => Self::SingleVertex(SingleVertex::new(pivot)),

@@ -65,7 +65,9 @@ transitions! {
     FreeJams(NonContact -> Locked): "Three contacts or more close together: locked.",
     VertexSticks(SingleVertex -> SingleVertex): "The reaction lies in the friction cone: the vertex stays.",
     VertexSnaps(SingleVertex -> SingleVertex): "The angle's branch folds: the body turns about the vertex to the next balance.",
-    VertexSlips(SingleVertex -> SingleVertex): "Friction gives way: the vertex slips until |T| = mu_d N.",
+    VertexSlips(SingleVertex -> SingleVertex): "Friction gives way with stiction: the vertex slips until |T| = mu_d N.",
+    VertexSlides(SingleVertex -> SingleVertex): "Friction is mu_d N without stiction: the vertex slides with the hand.",
+    VertexStops(SingleVertex -> SingleVertex): "The slide comes to a halt, or N rises to N*: the vertex sticks.",
     VertexLifts(SingleVertex -> NonContact): "N falls to zero: the vertex leaves the surface.",
     VertexLands(SingleVertex -> Edge): "A second vertex reaches the same surface: edge.",
     VertexTouchesTwo(SingleVertex -> TwoVertex): "A second vertex reaches another surface: two-vertex.",
@@ -74,13 +76,18 @@ transitions! {
     EdgeSticks(Edge -> Edge): "The total reaction lies in the friction cone: the edge stays.",
     EdgeTips(Edge -> SingleVertex): "N_i falls to zero: the body tips about the other vertex.",
     EdgeTipsSliding(Edge -> SingleVertex): "N_i falls to zero in mid-slip: the other vertex slides on.",
-    EdgeSlips(Edge -> Edge): "Friction gives way: the edge slips until |T| = mu_d N.",
+    EdgeSlips(Edge -> Edge): "Friction gives way with stiction: the edge slips until |T| = mu_d N.",
+    EdgeSlides(Edge -> Edge): "Friction is mu_d N without stiction: the edge slides with the hand.",
+    EdgeStops(Edge -> Edge): "The slide comes to a halt, or N rises to N*: the edge sticks.",
     EdgeLifts(Edge -> NonContact): "Both N_i are negative: the edge leaves the surface.",
     EdgeJams(Edge -> Locked): "A vertex reaches another surface: locked.",
     TwoSticks(TwoVertex -> TwoVertex): "Some internal force keeps both reactions in their cones: the pose stays.",
     TwoOpens(TwoVertex -> SingleVertex): "One reaction vanishes, or no slip is driven: the other vertex remains.",
     TwoLifts(TwoVertex -> NonContact): "Both reactions are negative: the body leaves both surfaces.",
     TwoSlips(TwoVertex -> TwoVertex): "Two cone edges bind and the trammel is driven: it slips to balance at mu_d.",
+    TwoSlides(TwoVertex -> TwoVertex): "Two dynamic cone edges bind without stiction: the trammel slides with the hand.",
+    TwoStops(TwoVertex -> TwoVertex): "The slide halts, or a slip would be as long as the memory: both stick.",
+    TwoSnaps(TwoVertex -> TwoVertex): "The balance of a slide folds: both slip on to the next one.",
     TwoOpensSliding(TwoVertex -> SingleVertex): "One reaction vanishes in mid-slip: the other vertex slides on.",
     TwoJams(TwoVertex -> Locked): "A further vertex reaches a surface: locked.",
     CornerSticks(Corner -> Corner): "The reaction lies in the sum of the two cones: the vertex stays in the corner.",
@@ -146,10 +153,29 @@ pub(crate) fn slip_arm<R: Real>(state: &ContactState<R>) -> Transition {
     }
 }
 
+/// Of contacts that begin to slide with the hand.
+pub(crate) fn slide_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Edge(_) => Transition::EdgeSlides,
+        ContactState::TwoVertex(_) => Transition::TwoSlides,
+        _ => Transition::VertexSlides,
+    }
+}
+
+/// Of contacts that stick after a slide.
+pub(crate) fn halt_arm<R: Real>(state: &ContactState<R>) -> Transition {
+    match state {
+        ContactState::Edge(_) => Transition::EdgeStops,
+        ContactState::TwoVertex(_) => Transition::TwoStops,
+        _ => Transition::VertexStops,
+    }
+}
+
 /// Of a balance that folds.
 pub(crate) fn fold_arm<R: Real>(state: &ContactState<R>) -> Transition {
     match state {
         ContactState::Free(_) => Transition::FreeFolds,
+        ContactState::TwoVertex(_) => Transition::TwoSnaps,
         ContactState::Corner(_) => Transition::CornerSnaps,
         _ => Transition::VertexSnaps,
     }

@@ -19,6 +19,12 @@ pub(crate) enum Trigger<R> {
     Slide(R),
     /// The slip ended at mu_d N.
     Stopped,
+    /// The normal reaction has risen to N*: what sticks has stiction, what slides sticks (rule 3).
+    Pressed,
+    /// The foot of a slide comes to a halt (rule 7).
+    Halts,
+    /// The lever of a body that swings has come to lie on the edge of the friction cone (STATICS 3.7).
+    Bears,
     /// Only these contacts (by number, twice the same for one) last; the others open. With a sign the first one slides
     /// along sign·t.
     Keep {
@@ -40,22 +46,13 @@ pub(crate) struct Relax<R> {
     pub(crate) attempt: usize,
 }
 
-/// On what terms a certified frame is followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Terms<R> {
-    /// The hand jumps: what is on its path does not count.
-    pub(crate) jumps: bool,
-    /// The balance is found to within this angle (rad); 0: as far as the digits go.
-    pub(crate) tolerance: R,
-}
-
 /// The outcome of a verb, which has moved the state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moved<R> {
     pub(crate) trigger: Trigger<R>,
     /// The part of the hand's path that was gone (`advance`).
     pub(crate) part: R,
-    /// How far a contact slid (`slide`).
+    /// How far a contact slid (`slip`).
     pub(crate) slip: R,
     /// The body turned over a fold (`relax`).
     pub(crate) snapped: bool,
@@ -81,10 +78,23 @@ impl<R: Real> Moved<R> {
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
 /// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
 /// no choice.
-pub(crate) fn seat<R: Real>(
+pub(crate) fn seat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, others: &[Pair]) -> Pivot<R> {
+    close_gaps(scene, pivot, (others, others.len() == 1))
+}
+
+/// The same after a motion in which the pivot's foot slides: it is shifted and turned by as little as closes the gap.
+pub(crate) fn seat_sliding<R: Real>(
+    scene: &impl World<R>,
+    pivot: Pivot<R>,
+    other: Pair,
+) -> Pivot<R> {
+    close_gaps(scene, pivot, (&[other], false))
+}
+
+fn close_gaps<R: Real>(
     scene: &impl World<R>,
     mut pivot: Pivot<R>,
-    others: &[Pair],
+    (others, foot_stays): (&[Pair], bool),
 ) -> Pivot<R> {
     const SWEEPS: usize = 16;
     let least = R::ONE / R::from_int(64);
@@ -101,7 +111,7 @@ pub(crate) fn seat<R: Real>(
             let normal = scene.surface(other.surface).normal;
             let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
             let by_shift = normal.dot(tangent);
-            pivot = if others.len() == 1 && by_turn.abs() > least {
+            pivot = if foot_stays && by_turn.abs() > least {
                 pivot.moved(R::ZERO, -gap / by_turn)
             } else {
                 let size = by_turn * by_turn + by_shift * by_shift;

@@ -1,7 +1,7 @@
 //! What the states see of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces
 //! / (k_h L).
 
-use crate::friction::Coulomb;
+use crate::friction::{Coulomb, SlidingEdge};
 use crate::geometry::Vec2;
 use crate::real::Real;
 use core::ops::Range;
@@ -30,6 +30,12 @@ impl<R: Real> Surface<R> {
         origin: Vec2::ZERO,
         friction: Coulomb::FRICTIONLESS,
     };
+
+    /// The directions of a contact that slides along sign·t.
+    pub(crate) fn sliding(&self, sign: R) -> SlidingEdge<R> {
+        self.friction
+            .sliding_along((self.normal, self.tangent), sign)
+    }
 
     /// (N, T) of the contact that bears a force on the body.
     pub(crate) fn reaction(&self, force: Vec2<R>) -> (R, R) {
@@ -60,9 +66,13 @@ pub(crate) trait World<R: Real> {
     fn stiffness(&self) -> R;
     /// The weight as a force, W / (k_h L).
     fn weight(&self) -> Vec2<R>;
-    /// Balances and the ends of slips are found to within this angle (rad) and part of the body size; 0: as far as the
-    /// digits go.
-    fn tolerance(&self) -> R;
+
+    /// Nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: it swings freely about the holding
+    /// point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
+    fn swings(&self, arm: Vec2<R>) -> bool {
+        let is_held_there = || arm.length_bound() <= R::EPSILON.doubled();
+        self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
+    }
 
     /// v_i, body frame; the origin where there is no such vertex.
     fn vertex(&self, i: u8) -> Vec2<R> {

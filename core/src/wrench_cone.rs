@@ -31,7 +31,8 @@ pub(crate) struct Bearing<R> {
 struct Edge<R> {
     wrench: Wrench2<R>,
     contact: usize,
-    /// Its part along t.
+    /// Its part along n, and along t.
+    pressing: R,
     friction: R,
 }
 
@@ -53,12 +54,19 @@ impl<R: Real> WrenchCone<R> {
                     moment: bearing.lever.cross(force),
                 },
                 contact: self.levers.len(),
+                pressing: n,
                 friction: t,
             };
             // At most MAX_CONTACTS bearings are added.
             let _ = self.edges.push(edge);
         }
         let _ = self.levers.push(bearing.lever);
+    }
+
+    /// The largest normal reaction that is borne as it is, in k_h L; a body that needs more is jammed (STATICS 6). Half of what fixed
+    /// point represents.
+    pub(crate) fn limit() -> R {
+        R::from_int(64)
     }
 
     /// Directions whose sine is not above this are parallel.

@@ -21,5 +21,6 @@ pub(crate) const SCENE: Description<'static, f32> = Description {
         offset: 0.0,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     }],
 };

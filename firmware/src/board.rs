@@ -7,7 +7,7 @@ use semihosting::experimental::env;
 use semihosting::fs::File;
 use semihosting::io::{Read, Write};
 use semihosting::process;
-use stiction_core::{Model, Real, SiFloat, Solver};
+use stiction_core::{Description, Evolution, Model, Real, Scene, SceneError, SiFloat};
 
 use crate::bits;
 use crate::count::{self, Failure, FileError, Files};
@@ -55,11 +55,17 @@ pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
     measured(|files, instruments| count::run::<R, V, S>(files, instruments))
 }
 
-/// The program `count_scene`: likewise, with the solver of a compiled-in scene.
-pub fn count_compiled<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
-    solver: Solver<R, V, S, M>,
+/// How a description becomes a scene of a number type, room for vertices and surfaces, and a model.
+pub type Make<R, const V: usize, const S: usize, M> =
+    fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, M>, SceneError<<R as Real>::Si>>;
+
+/// The program `count_scene`: likewise, in the model of a compiled-in scene and with its evolution.
+#[inline(always)]
+pub fn count_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    _: Make<R, V, S, M>,
+    evolution: Evolution,
 ) -> ! {
-    measured(|files, instruments| count::run_compiled(solver, files, instruments))
+    measured(|files, instruments| count::run_in_model::<R, V, S, M>(evolution, files, instruments))
 }
 
 fn measured(job: impl FnOnce(&mut HostFiles, &mut Counter) -> Result<(), Failure>) -> ! {
@@ -75,11 +81,6 @@ fn measured(job: impl FnOnce(&mut HostFiles, &mut Counter) -> Result<(), Failure
         Err(Failure::Format(_)) => 3,
         Err(Failure::Scene(_)) => 4,
     })
-}
-
-/// What a program does whose compiled-in scene is none: it ends.
-pub fn no_scene() -> ! {
-    process::exit(4)
 }
 
 fn open() -> Option<HostFiles> {

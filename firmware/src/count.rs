@@ -3,10 +3,11 @@
 
 use core::mem::size_of;
 use stiction_core::{
-    Hand, Model, Output, Parameter, Real, Scene, SceneError, SiFloat, Solver, State, narrow_hand,
+    Evolution, Hand, Model, Output, Parameter, Real, Scene, SceneError, SiFloat, Solver, State,
+    narrow_hand,
 };
 
-use crate::job::{self, FormatError, Frame, Head, Results, Setting, Totals};
+use crate::job::{self, FormatError, Frame, Head, Results, Totals};
 
 /// So many frames are read and written at once.
 const BATCH: usize = 16;
@@ -78,27 +79,28 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
 ) -> Result<(), Failure> {
     let head = head(files)?;
     let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    let Setting {
-        evolution,
-        tolerance,
-    } = head.setting;
-    let solver = Solver::new(scene, evolution).with_tolerance(R::Si::narrow(tolerance));
+    let solver = Solver::new(scene, head.evolution);
     ride(solver, head.samples, files, instruments)
 }
 
-/// Does the job with a solver that is there already, of any model; the job's own scene, which must fit into V and S as
-/// well, and its evolution are passed over.
+/// Does the job in a model of the solver, with an evolution that the compiler knows: that of the job is passed over.
 ///
 /// # Errors
-/// See [`Failure`].
-pub fn run_compiled<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
-    solver: Solver<R, V, S, M>,
+/// See [`Failure`]; the scene of the job may need what the model lacks.
+#[inline(always)]
+pub fn run_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model>(
+    evolution: Evolution,
     files: &mut impl Files,
     instruments: &mut impl Instruments,
 ) -> Result<(), Failure> {
     let head = head(files)?;
-    let _: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    ride(solver, head.samples, files, instruments)
+    let scene: Scene<R, V, S, M> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
+    ride(
+        Solver::new(scene, evolution),
+        head.samples,
+        files,
+        instruments,
+    )
 }
 
 fn head(files: &mut impl Files) -> Result<Head, Failure> {

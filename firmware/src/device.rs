@@ -26,6 +26,7 @@
 //!         offset: 0.0,
 //!         friction_static: 0.5,
 //!         friction_dynamic: 0.3,
+//!         memory: None,
 //!     }],
 //! };
 //! let mut controller: Controller<f32, 4, 1> = Controller::new(&description, &Settings::default())?;

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! job      at  0  "stjb"                              results  at  0  "strs"
-//!              4  u8  version, 2                                   4  u8  version, 2
+//!              4  u8  version, 3                                   4  u8  version, 3
 //!              5  u8  evolution: 0 path, 1 frame                   5  3 bytes, 0
 //!              6  u8  vertices n                               then one frame for every sample:
 //!              7  u8  surfaces m                               at  0  u32 instructions
@@ -13,10 +13,10 @@
 //!             40  f64 weight                                      36  u8  state, as in StateKind::ALL
 //!             48  f64 holding point x, y                          37  u8  status, as in Status::ALL
 //!             64  f64 reach, k_h, k_theta                         38  2 bytes, 0
-//!             88  f64 tolerance (rad), 0 exact                then the totals:
-//!             96  n times f64 vertex x, y                     at  0  "done"
-//!                 m times f64 normal x, y, offset,                 4  u32 frames
-//!                         mu_s, mu_d                               8  u32 stack (bytes)
+//!             88  n times f64 vertex x, y                     then the totals:
+//!                 m times f64 normal x, y, offset,            at  0  "done"
+//!                         mu_s, mu_d, memory (m),                  4  u32 frames
+//!                         NaN where none is given                  8  u32 stack (bytes)
 //!          then for every sample:                                 12  u32 size of the solver (bytes)
 //!          at  0  f64 x, y (m), rest of phi (rad)                 16  u32 size of its state (bytes)
 //!             24  i32 whole turns of phi                          20  u32 size of its output (bytes)
@@ -32,12 +32,12 @@ mod scene;
 use fields::{Fields, Record};
 pub(crate) use results::FRAME_BYTES;
 pub use results::{Frame, Results, Totals};
+pub use scene::write_scene;
 pub(crate) use scene::{HEAD_BYTES, Head};
-pub use scene::{Setting, write_scene};
 use stiction_core::{Angle, Hand};
 
 /// What the first bytes of a job or of its results say about its layout.
-pub const VERSION: u8 = 2;
+pub const VERSION: u8 = 3;
 
 /// The bytes of a hand sample.
 pub(crate) const SAMPLE_BYTES: usize = 32;
@@ -85,5 +85,6 @@ pub(crate) fn decode_sample(bytes: &[u8; SAMPLE_BYTES]) -> Hand<f64> {
         angle: Angle { turns, rest },
         depth: 0.0,
         held: fields.u32() != 0,
+        tilted: false,
     }
 }

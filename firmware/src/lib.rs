@@ -25,8 +25,8 @@
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
-//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` and `footprint` for a scene that
-//! is compiled in.
+//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a model, `footprint` for a scene,
+//! that is compiled in.
 
 pub mod bits;
 #[cfg(all(feature = "board", target_os = "none"))]

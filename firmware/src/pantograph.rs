@@ -134,6 +134,7 @@ impl<C: Counters, M: Motors> Source for Pantograph<C, M> {
                 angle: configuration.handle,
                 depth: 0.0,
                 held,
+                tilted: false,
             },
             number: self.number,
             received_us: now_us,

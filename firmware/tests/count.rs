@@ -4,8 +4,8 @@ use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Parameter, Real, Scene, SiFloat, Solver,
     SurfaceDescription, Weightless, narrow_hand,
 };
-use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_compiled};
-use stiction_firmware::job::{self, FormatError, Frame, Results, Setting};
+use stiction_firmware::count::{Failure, FileError, Files, Instruments, run, run_in_model};
+use stiction_firmware::job::{self, FormatError, Frame, Results};
 
 const SAMPLES: u32 = 100;
 const SURFACE: SurfaceDescription<f64> = SurfaceDescription {
@@ -13,6 +13,13 @@ const SURFACE: SurfaceDescription<f64> = SurfaceDescription {
     offset: 0.0,
     friction_static: 0.5,
     friction_dynamic: 0.3,
+    memory: Some(1e-3),
+};
+const WALL: SurfaceDescription<f64> = SurfaceDescription {
+    normal: [-1.0, 0.0],
+    offset: -0.5,
+    memory: None,
+    ..SURFACE
 };
 const SCENE: Description<'static, f64> = Description {
     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
@@ -22,10 +29,8 @@ const SCENE: Description<'static, f64> = Description {
     reach: 0.01,
     stiffness_translation: 500.0,
     stiffness_rotation: 0.5,
-    surfaces: &[SURFACE],
+    surfaces: &[SURFACE, WALL],
 };
-
-const EXACT: Setting = Setting::exact(Evolution::Path);
 
 /// Files in memory.
 struct Memory {
@@ -82,12 +87,13 @@ fn hand(i: u32) -> Hand<f64> {
         },
         depth: 0.0,
         held: i != 60,
+        tilted: false,
     }
 }
 
-fn job_of(scene: &Description<'_, f64>, setting: Setting) -> Vec<u8> {
+fn job_of(scene: &Description<'_, f64>, evolution: Evolution) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let done: Result<(), ()> = job::write_scene(scene, setting, SAMPLES, |part| {
+    let done: Result<(), ()> = job::write_scene(scene, evolution, SAMPLES, |part| {
         bytes.extend_from_slice(part);
         Ok(())
     });
@@ -102,8 +108,8 @@ fn done(job: Vec<u8>) -> Result<Vec<u8>, Failure> {
     Ok(files.results)
 }
 
-fn comes_back<R: Real<Si: SiFloat>>(setting: Setting) {
-    let mut files = Memory::new(job_of(&SCENE, setting));
+fn comes_back<R: Real<Si: SiFloat>>(evolution: Evolution) {
+    let mut files = Memory::new(job_of(&SCENE, evolution));
     run::<R, 8, 4>(&mut files, &mut Calls(0)).unwrap();
     let results = Results::read(&files.results).unwrap();
     assert_eq!(
@@ -124,15 +130,15 @@ fn comes_back<R: Real<Si: SiFloat>>(setting: Setting) {
         reach: narrow(SCENE.reach),
         stiffness_translation: narrow(SCENE.stiffness_translation),
         stiffness_rotation: narrow(SCENE.stiffness_rotation),
-        surfaces: &[SurfaceDescription {
-            normal: SURFACE.normal.map(narrow),
-            offset: narrow(SURFACE.offset),
-            friction_static: narrow(SURFACE.friction_static),
-            friction_dynamic: narrow(SURFACE.friction_dynamic),
-        }],
+        surfaces: &[SURFACE, WALL].map(|surface| SurfaceDescription {
+            normal: surface.normal.map(narrow),
+            offset: narrow(surface.offset),
+            friction_static: narrow(surface.friction_static),
+            friction_dynamic: narrow(surface.friction_dynamic),
+            memory: surface.memory.map(narrow),
+        }),
     });
-    let solver =
-        Solver::new(scene.unwrap(), setting.evolution).with_tolerance(narrow(setting.tolerance));
+    let solver = Solver::new(scene.unwrap(), evolution);
     let (mut state, first) = solver.start(narrow_hand(&hand(0)));
     for (i, frame) in (0..).zip(results.frames()) {
         let output = match i {
@@ -146,38 +152,35 @@ fn comes_back<R: Real<Si: SiFloat>>(setting: Setting) {
 #[test]
 fn a_job_comes_back_with_the_answers_of_the_solver() {
     for evolution in [Evolution::Path, Evolution::Frame] {
-        for tolerance in [0.0, 1e-3] {
-            let setting = Setting {
-                evolution,
-                tolerance,
-            };
-            comes_back::<f32>(setting);
-            comes_back::<Fixed>(setting);
-            comes_back::<f64>(setting);
-        }
+        comes_back::<f32>(evolution);
+        comes_back::<Fixed>(evolution);
+        comes_back::<f64>(evolution);
     }
 }
 
 #[test]
-fn a_compiled_solver_takes_the_samples_of_a_job_alone() {
+fn in_a_model_of_its_own_it_gives_the_same_answers() {
     let weightless = Description {
         weight: 0.0,
         ..SCENE
     };
-    let mut own = Memory::new(job_of(&weightless, Setting::exact(Evolution::Frame)));
+    let mut own = Memory::new(job_of(&weightless, Evolution::Frame));
     run::<f64, 8, 4>(&mut own, &mut Calls(0)).unwrap();
-    let scene = Scene::<f64, 4, 1, Weightless>::new(&weightless).unwrap();
-    let solver = Solver::new(scene, Evolution::Frame);
-    let mut compiled = Memory::new(job_of(&SCENE, EXACT));
-    run_compiled(solver, &mut compiled, &mut Calls(0)).unwrap();
-    let [own, compiled] = [&own, &compiled].map(|files| Results::read(&files.results).unwrap());
-    assert!(own.frames().eq(compiled.frames()));
-    assert!(compiled.totals.solver < own.totals.solver);
+    let in_model = |scene| {
+        let mut files = Memory::new(job_of(scene, Evolution::Path));
+        run_in_model::<f64, 4, 2, Weightless>(Evolution::Frame, &mut files, &mut Calls(0))?;
+        Ok(files)
+    };
+    let small = in_model(&weightless).unwrap();
+    let [own, small] = [&own, &small].map(|files| Results::read(&files.results).unwrap());
+    assert!(own.frames().eq(small.frames()));
+    assert!(small.totals.solver < own.totals.solver);
+    assert!(matches!(in_model(&SCENE), Err(Failure::Scene(_))));
 }
 
 #[test]
 fn what_is_not_a_job_is_refused() {
-    let good = job_of(&SCENE, EXACT);
+    let good = job_of(&SCENE, Evolution::Path);
     for (at, wrong, expected) in [
         (0, b'x', Failure::Format(FormatError::Mark)),
         (4, job::VERSION + 1, Failure::Format(FormatError::Mark)),
@@ -196,14 +199,14 @@ fn what_is_not_a_job_is_refused() {
         ..SCENE
     };
     assert!(matches!(
-        done(job_of(&sunk, EXACT)),
+        done(job_of(&sunk, Evolution::Path)),
         Err(Failure::Scene(Parameter::Penetration { surface: 0, .. }))
     ));
 }
 
 #[test]
 fn what_is_not_whole_is_no_result() {
-    let good = done(job_of(&SCENE, EXACT)).unwrap();
+    let good = done(job_of(&SCENE, Evolution::Path)).unwrap();
     assert!(Results::read(&good).is_ok());
     for cut in [1, 24, 40, good.len() - 9] {
         assert!(Results::read(&good[..good.len() - cut]).is_err(), "{cut}");

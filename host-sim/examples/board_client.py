@@ -22,35 +22,34 @@ import sys
 import time
 import zlib
 
-VERSION = 1
-SPRINGS = "k_h k_theta mu_s mu_d"
-MODE = ("BBBBBHHHHfB", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance"
-        " event_limit")
+VERSION = 2
+PARAMETERS = ("ffffBf", "k_h k_theta mu_s mu_d has_memory memory")
+MODE = ("BBBBBHHHHB", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every event_limit")
 
 # name: type, layout as of the module struct, the fields, and what follows them
 LAYOUTS = {
     "hand": (0x01, "fffifB", "x y phi turns depth held", None),
     "tracker": (0x02, "fffffffB", "x y z qx qy qz qw held", None),
-    "parameters": (0x03, "ffff", SPRINGS, None),
+    "parameters": (0x03, *PARAMETERS, None),
     "scene": (0x04, "BBBfffffffff", "vertices surfaces has_point start_x start_y start_theta weight point_x point_y"
-              " reach k_h k_theta", [("vertices", "vertex", "ff"), ("surfaces", "surface", "fffff")]),
+              " reach k_h k_theta", [("vertices", "vertex", "ff"), ("surfaces", "surface", "fffffBf")]),
     "mode": (0x05, *MODE, None),
     "hello": (0x06, "", "", None),
     "ping": (0x07, "", "", None),
     "reset": (0x08, "B", "what", None),
-    "pose": (0x80, "ffffBBB", "x y theta depth flags events sample", None),
+    "pose": (0x80, "ffffBHB", "x y theta depth flags events sample", None),
     "forces": (0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
-               [("contacts", "contact", "BBffff")]),
+               [("contacts", "contact", "BBffffb")]),
     "events": (0x91, "IfB", "slips longest_slip events", [("events", "event", "B")]),
     "reply": (0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", "allowed"),
-    "info": (0x93, "BBBBBBBHHffffff" + MODE[0], "major minor patch number vertices surfaces has longest_frame"
-             " fastest_tick stiffest_k_h stiffest_k_theta " + SPRINGS + " " + MODE[1], "name"),
+    "info": (0x93, "BBBBBBBHHff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces has longest_frame"
+             " fastest_tick stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
     "health": (0x94, "B" + 15 * "I", "drive ticks missed_ticks samples late_samples lost_frames unsent worst_step"
                " worst_tick too_long cobs crc version unknown_type length value", None),
     "pong": (0x95, "BI", "ping_sequence ping_time", None),
 }
 STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"]
-EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "grasp", "release"]
+EVENTS = ["touch", "lift", "slip", "tip", "land", "snap", "jam", "slide", "stop", "grasp", "release"]
 
 
 class Fault(Exception):
@@ -88,7 +87,8 @@ def encode(message):
     values = dict(message)
     if message["type"] == "pose":
         kind |= message["state"]
-        values["flags"] = (message["status"] | message["held"] << 3 | message["force_off"] << 4 | message["turns"] << 5)
+        values["flags"] = message["status"] | message["held"] << 4 | message["force_off"] << 5
+        values["events"] |= message["turns"] << 13
     payload = struct.pack("<" + layout, *(number(values[field]) for field in fields.split()))
     if isinstance(tail, str):
         payload += message[tail].encode("ascii")
@@ -131,9 +131,10 @@ def decode(data):
     message = {"type": known[0], "sequence": sequence, "time": when}
     read_payload(message, frame[7:-4])
     if family == 0x80:
-        flags = message.pop("flags")
-        message.update(state=kind & 7, status=flags & 7, held=flags >> 3 & 1, force_off=flags >> 4 & 1, turns=flags >> 5)
-        require(message["status"] < 6)
+        flags, events = message.pop("flags"), message["events"]
+        message.update(state=kind & 7, status=flags & 15, held=flags >> 4 & 1, force_off=flags >> 5 & 1, turns=events >> 13,
+                       events=events & 0x1fff)
+        require(flags < 64 and message["events"] < 1 << len(EVENTS))
     return message
 
 
@@ -167,7 +168,7 @@ def require(holds):
 
 def check_codes(message):
     """Flags and codes have a meaning."""
-    most = {"has_point": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "has": 7, "drive": 2}
+    most = {"has_point": 1, "has_memory": 1, "evolution": 1, "stepping": 1, "what": 1, "reason": 8, "number": 1, "has": 7, "drive": 2}
     if message["type"] in ("hand", "tracker"):
         most["held"] = 1
     for field, limit in most.items():
@@ -177,7 +178,11 @@ def check_codes(message):
         require(x < 8 and x & 3 < 3 and y < 8 and y & 3 < 3 and x & 3 != y & 3 and message["events"] <= 1)
     if message["type"] == "events":
         require(all(message[f"event_{i}"] < len(EVENTS) for i in range(message["events"])))
-    require(message.get("subject", 0) in [*range(15), 32, 33, 34, 35])
+    if message["type"] == "scene":
+        require(all(message[f"surface_{i}"][5] <= 1 for i in range(message["surfaces"])))
+    if message["type"] == "forces":
+        require(all(message[f"contact_{i}"][6] in (-1, 0, 1) for i in range(message["contacts"])))
+    require(message.get("subject", 0) in [*range(16), 32, 33, 34])
 
 
 class Decoder:
@@ -224,7 +229,7 @@ def connect(address, baud):
 def show(message):
     if message["type"] != "pose":
         return print(message)
-    happened = [name for bit, name in enumerate(EVENTS[:7]) if message["events"] >> bit & 1]
+    happened = [name for bit, name in enumerate(EVENTS) if message["events"] >> bit & 1]
     print("{time:10d} µs  {x:9.5f} {y:9.5f} m  {theta:9.5f} rad ".format(**message), STATES[message["state"]], *happened)
 
 

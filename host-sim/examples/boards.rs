@@ -8,7 +8,7 @@
 use std::error::Error;
 
 use stiction_core::{Event, Evolution, Fixed, Hand, Real, Solver, narrow_hand};
-use stiction_firmware::job::{Frame, Setting};
+use stiction_firmware::job::Frame;
 use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
@@ -125,7 +125,7 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
         return Err("a scene without keyframes".into());
     };
     let hands: Vec<_> = path.frames(scene.hand.rate).map(|s| s.hand).collect();
-    let job = job(&scene, Setting::exact(evolution), &hands);
+    let job = job(&scene, evolution, &hands);
     let counted = Counter::new(build.board, build.number, build.profile)?.count(&job)?;
     let steps = counted.steps();
     let instructions = || steps.iter().map(|frame| u64::from(frame.instructions));

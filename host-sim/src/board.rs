@@ -89,9 +89,6 @@ pub struct BoardArgs {
     /// path: events are found along the hand's straight line between two samples; frame: at samples only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
-    /// Tolerance of the board's solver (rad); 0: exact
-    #[arg(long, value_name = "RAD", default_value_t = 0.0)]
-    tolerance: f32,
     /// Events of a step that are told apart (1 to 128), instead of as many as the board tells
     #[arg(long, value_name = "N", value_parser = parse_events)]
     events: Option<u8>,
@@ -177,7 +174,6 @@ fn setup(args: &BoardArgs, scene: &Arc<SceneFile>) -> Setup {
     Setup {
         scene: Arc::clone(scene),
         evolution: args.evolution,
-        tolerance: args.tolerance,
         events: args.events,
         tick: args.tick,
         keep: args.keep,
@@ -229,7 +225,6 @@ fn recording_head(about: &About, scene: &SceneFile, mode: &Mode) -> Head {
     let settings = Settings {
         number: about.number.into(),
         evolution: mode.evolution,
-        tolerance: mode.tolerance.into(),
         events: mode.event_limit,
         ..Settings::default()
     };

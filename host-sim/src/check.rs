@@ -16,8 +16,7 @@ use crate::scenes;
 /// The arguments of `stiction check`.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArgs {
-    /// Trace (jsonl, csv) of `stiction run`, or of any other program; one of `run --tolerance` may be unlawful by these bounds:
-    /// its slips end beside mu_d N, and its forces and moments balance, by what the tolerance allows
+    /// Trace (jsonl, csv) of `stiction run`, or of any other program
     trace: PathBuf,
     /// Scene file (TOML) that the trace is of, or the name of a bundled scene
     #[arg(long)]
@@ -25,7 +24,8 @@ pub struct CheckArgs {
     /// Number type of the solver: how exact the trace can be
     #[arg(long, value_enum, default_value_t = Number::F32)]
     number: Number,
-    /// path: slips begin anywhere on the hand's straight line between two frames; frame: at frames only
+    /// path: slips begin anywhere on the hand's straight line between two frames; frame: after the first event of a frame at
+    /// its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
     /// So many of the worst frames are listed

@@ -16,8 +16,8 @@ use std::convert::Infallible;
 use std::fs;
 use std::process::Command;
 
-use stiction_core::Hand;
-use stiction_firmware::job::{self, Frame, Results, Setting, Totals};
+use stiction_core::{Evolution, Hand};
+use stiction_firmware::job::{self, Frame, Results, Totals};
 use stiction_scene::{NumberType, SceneFile};
 use stiction_tools::process::{EmulatorError, output_of};
 
@@ -95,12 +95,12 @@ impl Counted {
 }
 
 /// A job for a [`Counter`]: the scene, and a hand sample for every frame.
-pub fn job(scene: &SceneFile, setting: Setting, hands: &[Hand<f64>]) -> Vec<u8> {
+pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     scene.described(|description| {
         // A sink that keeps everything does not fail.
-        let _ = job::write_scene(description, setting, samples, |part| {
+        let _ = job::write_scene(description, evolution, samples, |part| {
             bytes.extend_from_slice(part);
             Ok::<_, Infallible>(())
         });
@@ -125,17 +125,17 @@ impl Counter {
         Ok(Self { board, image })
     }
 
-    /// Builds one with a scene and an evolution that are compiled in: `scene` is Rust code, see [`rust_source`](stiction_scene::rust_source). The number
-    /// type, V, S and the model are its own; of a job, which must fit into them, it takes the samples alone.
+    /// Builds one with the number type, V, S, the model and the evolution of `scene`, which is Rust code, see
+    /// [`rust_source`](stiction_scene::rust_source): for jobs whose scenes run in them.
     ///
     /// # Errors
     /// Cargo or the target is missing, or the image cannot be built.
-    pub fn of_scene(board: Board, profile: Profile, scene: &str) -> Result<Self, EmulatorError> {
+    pub fn of_model(board: Board, profile: Profile, scene: &str) -> Result<Self, EmulatorError> {
         let image = Image::of_scene(board, "count_scene", profile, scene)?;
         Ok(Self { board, image })
     }
 
-    /// Does a job: the instructions of every frame. Where no scene is compiled in, it has at most 8 vertices and 4 surfaces.
+    /// Does a job: the instructions of every frame. Without a model of its own it has room for 8 vertices and 4 surfaces.
     ///
     /// # Errors
     /// The emulator is missing, or the job ends with an error.

@@ -55,14 +55,6 @@ pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
     }
 }
 
-/// A tolerance (rad) that the solver takes as it is.
-pub(crate) fn parse_tolerance(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(radians) if (0.0..=0.01).contains(&radians) => Ok(radians),
-        _ => Err("allowed: a number from 0 to 0.01".to_owned()),
-    }
-}
-
 /// An event limit of a frame.
 pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
     match text.parse() {

@@ -10,6 +10,7 @@ mod notes;
 mod plane;
 mod series;
 mod sheet;
+mod slides;
 mod states;
 mod strip;
 pub(crate) mod style;

@@ -95,8 +95,10 @@ pub struct ContactRecord {
     pub point: [f64; 2],
     /// Reaction N on the body along the surface's normal (N).
     pub normal: f64,
-    /// Friction T on the body along the tangent (n_y, -n_x) (N).
+    /// Friction T on the body along the tangent t = (n_y, -n_x) (N).
     pub friction: f64,
+    /// 0 where it sticks, 1 or -1 where it slides along t or against it.
+    pub sliding: i8,
 }
 
 impl Frame {
@@ -125,6 +127,7 @@ impl Frame {
                     point: contact.point.map(R::Si::widen),
                     normal: contact.normal.widen(),
                     friction: contact.friction.widen(),
+                    sliding: contact.sliding,
                 })
                 .collect(),
             wrench: placed(wrench.force, wrench.moment),

@@ -2,7 +2,7 @@
 //! and told from one that differs. A text file of JSON Lines, numbers printed so that they read back to the same value:
 //!
 //! ```text
-//! {"recording":1,"build":"...","number":"f32","evolution":"path","tolerance":0.0,"events":128,
+//! {"recording":2,"build":"...","number":"f32","evolution":"path","events":128,
 //!  "friction":true,"weight":true,"name":"box.toml","scene":"[body]\n..."}
 //! {"sample":{"t":0.0,"position":[x,y],"turns":0,"rest":0.1,"depth":0.0,"held":true},"answer":{record of the trace}}
 //! {"samples":1}
@@ -17,6 +17,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
 use stiction_scene::{Sample, SceneFile};
 use stiction_tools::files::part;
@@ -28,7 +29,7 @@ use crate::trace::Record;
 use line::{End, LineIn, LineOut, Written};
 
 /// The version of the format.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// What was run, and what made the recording.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,8 +41,6 @@ pub(crate) struct Head {
     /// As on the command line.
     pub(crate) number: String,
     pub(crate) evolution: String,
-    /// Of the searches (rad).
-    pub(crate) tolerance: f64,
     /// Events of a frame that are told apart.
     pub(crate) events: u8,
     /// The solver has friction.
@@ -52,6 +51,31 @@ pub(crate) struct Head {
     pub(crate) name: String,
     /// Its text.
     pub(crate) scene: String,
+}
+
+/// What every version of the format has in its head, and what some had.
+#[derive(Clone, Debug, Deserialize)]
+struct Made {
+    recording: u32,
+    build: String,
+    tolerance: Option<IgnoredAny>,
+}
+
+impl Made {
+    /// It is of the version that this program reads, or else what it is.
+    fn check(&self) -> Result<(), String> {
+        let (found, program) = (self.recording, &self.build);
+        if found == VERSION {
+            return Ok(());
+        }
+        let gone = match self.tolerance {
+            Some(_) => " and with a `tolerance`, which the solver does not have any more",
+            None => "",
+        };
+        Err(format!(
+            "`recording` is {found} (made by {program}{gone}), allowed: {VERSION}, the version of the format that this program reads"
+        ))
+    }
 }
 
 /// The program that runs, and the machine.
@@ -70,7 +94,6 @@ impl Head {
             build: this_build(),
             number: settings.number.name().to_owned(),
             evolution: settings.evolution.name().to_owned(),
-            tolerance: settings.tolerance,
             events: settings.events,
             friction: true,
             weight: true,
@@ -195,15 +218,12 @@ impl Recording {
             line: 1,
             problem,
         };
-        let head: Head = serde_json::from_str(&text)
-            .map_err(|e| error(format!("{}, allowed: the head of a recording", plain(&e))))?;
-        if head.recording != VERSION {
-            let (found, program) = (head.recording, &head.build);
-            let problem = format!(
-                "`recording` is {found} (made by {program}), allowed: {VERSION}, the version of the format that this program reads"
-            );
-            return Err(error(problem));
-        }
+        let unread = |e: serde_json::Error| {
+            error(format!("{}, allowed: the head of a recording", plain(&e)))
+        };
+        let made: Made = serde_json::from_str(&text).map_err(unread)?;
+        made.check().map_err(error)?;
+        let head: Head = serde_json::from_str(&text).map_err(unread)?;
         Ok(Self {
             file: file.to_owned(),
             line: 1,

@@ -167,9 +167,8 @@ fn stepped<R: Real<Si: SiFloat> + 'static, M: Model + 'static>(
     run: &Run,
     scene: &SceneFile,
 ) -> Result<Box<dyn Stepper>, InputError> {
-    let solver = Solver::new(scene.scene_in::<R, M>()?, run.evolution)
-        .with_tolerance(R::Si::narrow(head.tolerance))
-        .with_event_limit(head.events);
+    let solver =
+        Solver::new(scene.scene_in::<R, M>()?, run.evolution).with_event_limit(head.events);
     Ok(Box::new(Running::new(solver)))
 }
 

@@ -26,6 +26,8 @@ pub const ALL: &[(&str, &str)] = bundled![
     "point-stick-slip",
     "point-frictionless",
     "rod-on-floor",
+    "slide",
+    "burst",
 ];
 
 /// The bundled scene of a name.

@@ -1,5 +1,5 @@
 //! How a scene is run, as the options of `stiction run` say it: the hand's path, the number type, the evolution, the rate and
-//! the dials of the solver.
+//! the event limit.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -9,7 +9,7 @@ use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
 use stiction_scene::{InputError, Sample, SceneFile};
 
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_events, parse_rate, parse_tolerance};
+use crate::options::{evolution_parser, parse_events, parse_rate};
 use crate::record::Frame;
 use crate::simulate::simulate;
 
@@ -22,15 +22,13 @@ pub(crate) struct Settings {
     /// Number type of the solver
     #[arg(long, value_enum, default_value_t = Number::F32)]
     pub(crate) number: Number,
-    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    /// path: events are found along the hand's straight line between two frames; frame: from the first event of a
+    /// frame the hand jumps to its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     pub(crate) evolution: Evolution,
     /// Hand frames per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
     pub(crate) rate: Option<f64>,
-    /// Tolerance of the solver's searches (rad, 0 to 0.01); 0: exact
-    #[arg(long, value_name = "RAD", default_value_t = 0.0, value_parser = parse_tolerance)]
-    pub(crate) tolerance: f64,
     /// Events of a frame that are told apart (1 to 128)
     #[arg(long, value_name = "N", default_value_t = MAX_EVENT_LIMIT, value_parser = parse_events)]
     pub(crate) events: u8,
@@ -44,7 +42,6 @@ impl Default for Settings {
             number: Number::F32,
             evolution: Evolution::Path,
             rate: None,
-            tolerance: 0.0,
             events: MAX_EVENT_LIMIT,
         }
     }
@@ -74,9 +71,7 @@ impl Settings {
         samples: impl Iterator<Item = Sample>,
         sink: impl FnMut(Frame) -> Result<(), E>,
     ) -> Result<Duration, E> {
-        let solver = Solver::new(scene.scene::<R>()?, self.evolution)
-            .with_tolerance(R::Si::narrow(self.tolerance))
-            .with_event_limit(self.events);
+        let solver = Solver::new(scene.scene::<R>()?, self.evolution).with_event_limit(self.events);
         simulate(solver, samples, sink)
     }
 }

@@ -1,4 +1,4 @@
-//! The summary of a run: time in each state, slips, the largest force, the worst residual of the balance, what limited
+//! The summary of a run: time in each state and in slides, slips, the largest force, the worst residual of the balance, what limited
 //! the answers, and the time that the solver took.
 
 use std::collections::BTreeMap;
@@ -18,6 +18,8 @@ pub(crate) struct Summary {
     pub(crate) frames: u64,
     span: Option<(f64, f64)>,
     pub(crate) seconds: [f64; StateKind::ALL.len()],
+    /// In which something slid (s).
+    sliding: f64,
     pub(crate) slips: u64,
     pub(crate) longest_slip: f64,
     pub(crate) limited: BTreeMap<Status, u64>,
@@ -34,6 +36,7 @@ impl Summary {
             frames: 0,
             span: None,
             seconds: [0.0; StateKind::ALL.len()],
+            sliding: 0.0,
             slips: 0,
             longest_slip: 0.0,
             limited: BTreeMap::new(),
@@ -51,6 +54,9 @@ impl Summary {
             .position(|state| *state == frame.state)
         {
             self.seconds[k] += frame.t - last;
+        }
+        if frame.contacts.iter().any(|contact| contact.sliding != 0) {
+            self.sliding += frame.t - last;
         }
         self.slips += u64::from(frame.slips);
         self.longest_slip = self.longest_slip.max(frame.longest_slip);
@@ -81,14 +87,12 @@ impl fmt::Display for Summary {
             "  {:<18}{:>10}   over {duration:.3} s",
             "frames", self.frames
         )?;
-        for (state, seconds) in StateKind::ALL.iter().zip(self.seconds) {
+        let states = StateKind::ALL.map(StateKind::name);
+        let times = states.into_iter().zip(self.seconds);
+        for (name, seconds) in times.chain([("sliding", self.sliding)]) {
             if seconds > 0.0 {
                 let percent = 100.0 * seconds / duration;
-                writeln!(
-                    f,
-                    "  {:<18}{seconds:>10.3} s {percent:>6.1} %",
-                    state.name()
-                )?;
+                writeln!(f, "  {name:<18}{seconds:>10.3} s {percent:>6.1} %")?;
             }
         }
         writeln!(

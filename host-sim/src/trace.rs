@@ -72,6 +72,7 @@ struct ContactEntry<'a> {
     point: [Value; 2],
     normal: Value,
     friction: Value,
+    sliding: i8,
 }
 
 impl<'a> Record<'a> {
@@ -84,6 +85,7 @@ impl<'a> Record<'a> {
             point: contact.point.map(value),
             normal: value(contact.normal),
             friction: value(contact.friction),
+            sliding: contact.sliding,
         });
         Self {
             t: frame.t,

@@ -24,7 +24,7 @@ mod setting;
 mod suite;
 mod table;
 
-pub use setting::{Dial, FINEST, RATES, Setting};
+pub use setting::{FINEST, Memory, RATES, Setting};
 pub use suite::{Case, Group, Suite};
 
 use std::io;

@@ -94,7 +94,8 @@ pub struct ViewArgs {
     /// Number type of the solver; a board has its own
     #[arg(long, value_enum, default_value_t = Number::F32, conflicts_with = PLACE)]
     number: Number,
-    /// path: events are found along the hand's straight line between two frames; frame: at frames only
+    /// path: events are found along the hand's straight line between two frames; frame: from the first event
+    /// of a frame the hand jumps to its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
     /// Where the page is; the next free port where that is taken. Everyone who reaches another address than this computer's

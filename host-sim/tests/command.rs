@@ -54,7 +54,7 @@ fn records_carry_every_key_in_the_order_of_the_interface() {
     let contact = &last["contacts"][0];
     assert_eq!(last["state"], "single-vertex");
     assert_eq!(contact["surface"], "floor");
-    for key in ["vertex", "normal", "friction"] {
+    for key in ["vertex", "normal", "friction", "sliding"] {
         assert!(contact[key].is_number(), "{contact}");
     }
     assert_eq!(numbers(&contact["point"]).len(), 2);
@@ -139,6 +139,7 @@ fn csv_carries_the_same_as_json() {
                 same("c0_y", &contact["point"][1]);
                 same("c0_normal", &contact["normal"]);
                 same("c0_friction", &contact["friction"]);
+                same("c0_sliding", &contact["sliding"]);
             }
         }
         assert_eq!(row[column("c3_friction")], *"");

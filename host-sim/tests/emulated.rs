@@ -3,7 +3,7 @@
 
 use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
-use stiction_firmware::job::{Frame, Setting};
+use stiction_firmware::job::Frame;
 use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
@@ -22,11 +22,10 @@ fn bundled(name: &str) -> SceneFile {
 /// The answers of the solver on this machine.
 fn outputs<R: Real<Si: SiFloat>>(
     scene: &SceneFile,
-    setting: Setting,
+    evolution: Evolution,
     hands: &[Hand<f64>],
 ) -> Vec<Output<R::Si>> {
-    let solver: HostSolver<R> = Solver::new(scene.scene().unwrap(), setting.evolution)
-        .with_tolerance(R::Si::narrow(setting.tolerance));
+    let solver: HostSolver<R> = Solver::new(scene.scene().unwrap(), evolution);
     let (mut state, first) = solver.start(narrow_hand(&hands[0]));
     let rest = hands[1..].iter();
     let rest = rest.map(|hand| solver.step(&mut state, narrow_hand(hand)));
@@ -37,24 +36,16 @@ fn counts<R: Real<Si = f32>>(number: NumberType) {
     let scene = scene();
     let mut walk = Walk::new();
     let hands: Vec<Hand<f64>> = (0..500).map(|_| walk.sample()).collect();
-    for (evolution, tolerance) in [
-        (Evolution::Path, 0.0),
-        (Evolution::Path, 1e-3),
-        (Evolution::Frame, 0.0),
-    ] {
-        let setting = Setting {
-            evolution,
-            tolerance,
-        };
-        let outputs = outputs::<R>(&scene, setting, &hands);
-        let job = job(&scene, setting, &hands);
+    for evolution in Evolution::ALL {
+        let outputs = outputs::<R>(&scene, evolution, &hands);
+        let job = job(&scene, evolution, &hands);
         for board in Board::ALL {
             let counted = Counter::new(board, number, Profile::Device)
                 .and_then(|counter| counter.count(&job));
             let Some(counted) = if_installed(counted) else {
                 continue;
             };
-            let case = format!("{} {} {setting:?}", board.name(), number.name());
+            let case = format!("{} {} {evolution:?}", board.name(), number.name());
             assert_eq!(counted.frames.len(), outputs.len(), "{case}");
             for (i, (frame, output)) in counted.frames.iter().zip(&outputs).enumerate() {
                 assert_eq!(*frame, Frame::new(frame.instructions, output), "{case} {i}");
@@ -114,8 +105,8 @@ fn of_model(
     };
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
     let code = rust_source(scene, model, number, evolution);
-    let counter = Counter::of_scene(board, Profile::Device, &code)?;
-    let mut counted = counter.count(&job(scene, Setting::exact(evolution), &hands))?;
+    let counter = Counter::of_model(board, Profile::Device, &code)?;
+    let mut counted = counter.count(&job(scene, evolution, &hands))?;
     for frame in &mut counted.frames {
         assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");
         frame.instructions = 0;

@@ -4,6 +4,7 @@
 
 mod common;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -151,18 +152,30 @@ fn faults_in_real_traces_are_found() {
     assert_eq!(broken(&report), ["every number is finite"], "{report}");
 }
 
-/// Slips belong where path evolution finds them: of the same scene with frame evolution they are elsewhere.
+/// Slips belong where static friction gives way, between frames as well: those of the same scene with a little more of it, which
+/// come later by a part of a frame, end at the wrong place.
 #[test]
-fn trace_of_frame_evolution_is_not_one_of_the_path() {
-    for scene in ["vertex-stick-slip", "box-flat", "parallel-walls"] {
+fn slips_that_come_late_are_found() {
+    for scene in ["vertex-stick-slip", "box-flat"] {
         let folder = Folder::new();
-        run(&folder, scene, "f64", "frame");
+        let text_of = fs::read_to_string(scene_file(&folder, scene)).expect("a bundled scene");
+        let (given, more) = ("static = 0.5\n", "static = 0.5005\n");
+        assert!(text_of.contains(given), "{scene}");
+        folder.write("late.toml", text_of.replace(given, more));
+        run(&folder, "late.toml", "f64", "path");
         let verdict = check(&folder, "trace.jsonl", scene, ["f64", "path"]);
         let report = text(&verdict.stdout);
         assert_eq!(verdict.status.code(), Some(1), "{report}");
-        let law = "a slip ends at ";
+        let end = "a slip ends at ";
+        let broken = broken(&report);
         assert!(
-            broken(&report).iter().all(|broken| broken.starts_with(law)),
+            broken.iter().any(|broken| broken.starts_with(end)),
+            "{report}"
+        );
+        // Where a frame comes between the one limit and the other one.
+        let others = ["friction is in its cone"];
+        assert!(
+            (broken.iter()).all(|broken| broken.starts_with(end) || others.contains(broken)),
             "{report}"
         );
     }
@@ -260,7 +273,7 @@ fn a_recorded_hand_moves_the_box_lawfully() {
     };
     let folder = Folder::new();
     folder.write("scene.toml", RECORDED);
-    folder.write("hand.txt", std::fs::read(hand).expect("the recording"));
+    folder.write("hand.txt", fs::read(hand).expect("the recording"));
     for number in NUMBERS {
         for evolution in EVOLUTIONS {
             let trace = judged(&folder, "scene.toml", number, evolution);

@@ -2,7 +2,7 @@
 // shows.
 
 import { EVENTS } from "./events.js";
-import { STATES, STATUS } from "./frame.js";
+import { STATES, statusName } from "./frame.js";
 
 const TURN = 2 * Math.PI;
 /** Slips that a frame message carries. */
@@ -18,8 +18,10 @@ export const BOX = {
   surfaces: [{ name: "floor", normal: [0, 1], offset: 0 }], weight: 0, grasp: [0, 0.02], reach: 0.02,
   start: [0, 0.03, 0], home: [0, 0.05, 0],
 };
-/** Its parameters. @type {Parameters4} */
-export const BOX_PARAMETERS = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3 };
+/** Its parameters. @type {SceneParameters} */
+export const BOX_PARAMETERS = {
+  stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.3, memory: null,
+};
 
 /**
  * True if a board has room for a scene, and for the frame that brings it (FRAME 4.4).
@@ -27,8 +29,11 @@ export const BOX_PARAMETERS = { stiffness_translation: 500, stiffness_rotation: 
  */
 function fits({ body, surfaces }, info) {
   return body.length <= info.vertices && surfaces.length <= info.surfaces
-    && 50 + 8 * body.length + 20 * surfaces.length <= info.longest_frame;
+    && 50 + 8 * body.length + 25 * surfaces.length <= info.longest_frame;
 }
+
+/** The first memory length that is given; null is one: that of a scene that gives none. @param {(number | null | undefined)[]} all */
+const firstGiven = (...all) => all.find((memory) => memory !== undefined) ?? null;
 
 /** What is counted from the start pose on. */
 const newRun = () => ({
@@ -52,7 +57,7 @@ const newRun = () => ({
 });
 
 export class BoardModel {
-  /** @param {Scene} scene @param {Parameters4} parameters */
+  /** @param {Scene} scene @param {SceneParameters} parameters */
   constructor(scene, parameters) {
     this.scene = scene;
     this.parameters = parameters;
@@ -74,7 +79,7 @@ export class BoardModel {
   /**
    * The parameters with a change in them; a friction is of all surfaces. Throws where surfaces would keep frictions of
    * their own: a board has one pair for all.
-   * @param {Partial<Parameters4>} change @returns {Parameters4}
+   * @param {Partial<SceneParameters>} change @returns {SceneParameters}
    */
   changed(change) {
     const parameters = { ...this.parameters, ...change };
@@ -82,20 +87,24 @@ export class BoardModel {
     const frictions = surfaces.map((own) => ({
       static: change.static ?? own.static ?? parameters.static,
       dynamic: change.dynamic ?? own.dynamic ?? parameters.dynamic,
+      memory: firstGiven(change.memory, own.memory, parameters.memory),
     }));
     const [first] = frictions;
-    if (frictions.some((other) => other.static !== first.static || other.dynamic !== first.dynamic)) {
+    const isOther = (/** @type {typeof first} */ other) =>
+      other.static !== first.static || other.dynamic !== first.dynamic || other.memory !== first.memory;
+    if (frictions.some(isOther)) {
       throw new Error(
-        "The surfaces have frictions of their own; allowed on a board: the same static and the same dynamic one for all.",
+        "The surfaces have frictions of their own; allowed on a board: the same static and dynamic one and the same "
+          + "memory length for all.",
       );
     }
     return { ...parameters, ...first };
   }
 
-  /** The board works with these now, all surfaces with the same frictions. @param {Parameters4} parameters */
+  /** The board works with these now, all surfaces with the same frictions. @param {SceneParameters} parameters */
   setParameters(parameters) {
-    const { static: mu_s, dynamic: mu_d } = parameters;
-    const surfaces = this.scene.surfaces.map((surface) => ({ ...surface, static: mu_s, dynamic: mu_d }));
+    const { static: mu_s, dynamic: mu_d, memory } = parameters;
+    const surfaces = this.scene.surfaces.map((surface) => ({ ...surface, static: mu_s, dynamic: mu_d, memory }));
     this.parameters = parameters;
     this.scene = { ...this.scene, surfaces };
   }
@@ -149,8 +158,12 @@ export class BoardModel {
       type: "scene", has_point: scene.grasp ? 1 : 0, start_x, start_y, start_theta, weight: scene.weight,
       point_x, point_y, reach: scene.reach,
       k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation, vertex: scene.body,
-      surface: scene.surfaces.map(({ normal, offset, static: mus, dynamic: mud }) =>
-        [...normal, offset, mus ?? parameters.static, mud ?? parameters.dynamic]),
+      surface: scene.surfaces.map(({ normal, offset, static: mus, dynamic: mud, memory: own }) => {
+        const memory = firstGiven(own, parameters.memory);
+        return [
+          ...normal, offset, mus ?? parameters.static, mud ?? parameters.dynamic, Number(memory !== null), memory ?? 0,
+        ];
+      }),
     };
   }
 
@@ -220,11 +233,11 @@ export class BoardModel {
   }
 
   /**
-   * A contact: vertex, surface, point, reaction.
+   * A contact: vertex, surface, point, reaction, which way it slides.
    * @param {number[]} contact @returns {Contact}
    */
-  contact([vertex, surface, x, y, normal, friction]) {
-    return { vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: [x, y], normal, friction };
+  contact([vertex, surface, x, y, normal, friction, sliding]) {
+    return { vertex, surface: this.scene.surfaces[surface]?.name ?? "", point: [x, y], normal, friction, sliding };
   }
 
   /**
@@ -236,7 +249,7 @@ export class BoardModel {
     const t = this.since(pose.time);
     this.unwrap(pose.turns);
     const sample = this.samples[pose.sample];
-    if (sample && STATUS[pose.status] !== "held-last") this.measure(performance.now() - sample.at);
+    if (sample && statusName(pose.status) !== "held-last") this.measure(performance.now() - sample.at);
     const theta = pose.theta + TURN * run.turns;
     const at = /** @type {Pose} */ ([pose.x, pose.y, theta]);
     const hand = sample?.pose ?? this.scene.home;
@@ -253,7 +266,7 @@ export class BoardModel {
       frame: {
         t, hand, held: pose.held === 1, pose: at, depth: pose.depth, state, contacts,
         wrench: forces ? [forces.wrench_x, forces.wrench_y, forces.wrench_m] : [0, 0, 0],
-        slips: run.slipped, events: run.happened, status: STATUS[pose.status],
+        slips: run.slipped, events: run.happened, status: statusName(pose.status),
       },
       reference: null, counts: run.counts, slips: run.slips, strip: run.strip,
       step: this.health ? { median: null, worst: this.health.worst_step * 1e-9 } : null,

@@ -170,8 +170,7 @@ export class Board {
     const every = Math.max(1, Math.round(rate / (this.baud >= FAST ? POSES.fast : POSES.slow)));
     return {
       type: "mode", evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
-      pose_every: every, forces_every: every, health_every: 500, tolerance: info.tolerance,
-      event_limit: info.event_limit,
+      pose_every: every, forces_every: every, health_every: 500, event_limit: info.event_limit,
     };
   }
 
@@ -210,6 +209,7 @@ export class Board {
         await this.command({
           type: "parameters", k_h: parameters.stiffness_translation, k_theta: parameters.stiffness_rotation,
           mu_s: parameters.static, mu_d: parameters.dynamic,
+          has_memory: Number(parameters.memory !== null), memory: parameters.memory ?? 0,
         });
         this.model.setParameters(parameters);
         break;

@@ -1,20 +1,23 @@
-// The controls of the solver: scene, number type, evolution, the four parameters, pause, step, speed, reset.
+// The controls of the solver: scene, number type, evolution, the parameters, pause, step, speed, reset.
 
 import { byId, digits, setText } from "./dom.js";
 
-/** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic"} ParameterName */
+/** @typedef {"stiffness_translation" | "stiffness_rotation" | "static" | "dynamic" | "memory"} ParameterName */
 
 /**
- * The range of a slider, and whether it is one of decades.
- * @type {Record<ParameterName, {least: number, most: number, log: boolean}>}
+ * The range of a slider, whether it is one of decades, and the unit of what is typed.
+ * @type {Record<ParameterName, {least: number, most: number, log: boolean, unit?: number}>}
  */
 const RANGES = {
   stiffness_translation: { least: 10, most: 10000, log: true },
   stiffness_rotation: { least: 0.01, most: 100, log: true },
   static: { least: 0, most: 1.5, log: false },
   dynamic: { least: 0, most: 1.5, log: false },
+  memory: { least: 1e-6, most: 1e-2, log: true, unit: 1e-6 },
 };
 const NAMES = /** @type {ParameterName[]} */ (Object.keys(RANGES));
+/** The part of the body's size that is the memory length of a scene without one. */
+const MEMORY = 1 / 4096;
 /** Steps of a slider. */
 const STEPS = 1000;
 
@@ -25,7 +28,7 @@ export class Controls {
     this.tell = tell;
     /** @type {StateMessage | null} */
     this.state = null;
-    /** Parameters that wait until those before are answered. @type {Partial<Parameters4> | null} */
+    /** Parameters that wait until those before are answered. @type {Partial<SceneParameters> | null} */
     this.waiting = null;
     this.underWay = false;
     this.scene = byId("scene", HTMLSelectElement);
@@ -89,8 +92,11 @@ export class Controls {
   /** A value was typed. @param {ParameterName} name */
   type(name) {
     const value = Number(this.typed[name].value.replace(",", ".").replace("−", "-"));
-    if (this.typed[name].value.trim() !== "" && Number.isFinite(value)) {
-      this.set(name, value);
+    const isEmpty = this.typed[name].value.trim() === "";
+    if (isEmpty && name === "memory") {
+      this.set(name, null);
+    } else if (!isEmpty && Number.isFinite(value)) {
+      this.set(name, Number((value * (RANGES[name].unit ?? 1)).toPrecision(12)));
     } else {
       this.tell(`${this.typed[name].getAttribute("aria-label")} must be a number.`);
       if (this.state) this.showParameters(this.state.parameters, null, true);
@@ -99,15 +105,15 @@ export class Controls {
 
   /**
    * Sets one parameter. The dynamic friction never exceeds the static one: the other one goes with it.
-   * @param {ParameterName} name @param {number} value
+   * @param {ParameterName} name @param {number | null} value null: the memory length of a scene without one
    */
   set(name, value) {
     if (!this.state) return;
     const now = { ...this.state.parameters, ...this.waiting };
-    /** @type {Partial<Parameters4>} */
+    /** @type {Partial<SceneParameters>} */
     const change = { [name]: value };
-    if (name === "static" && value < now.dynamic) change.dynamic = value;
-    if (name === "dynamic" && value > now.static) change.static = value;
+    if (name === "static" && value !== null && value < now.dynamic) change.dynamic = value;
+    if (name === "dynamic" && value !== null && value > now.static) change.static = value;
     this.waiting = { ...this.waiting, ...change };
     this.showParameters({ ...now, ...change }, name);
     this.sendParameters();
@@ -151,18 +157,20 @@ export class Controls {
 
   /**
    * Shows parameters, but leaves the field alone that is being typed in, and the slider that is being moved.
-   * @param {Parameters4} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone
+   * @param {SceneParameters} parameters @param {ParameterName | null} moved @param {boolean} all leaves nothing alone
    */
   showParameters(parameters, moved, all = false) {
     for (const name of NAMES) {
       // A scene without a surface has no friction.
-      const value = parameters[name] ?? 0;
-      this.sliders[name].disabled = parameters[name] === null;
-      this.typed[name].disabled = parameters[name] === null;
+      const isAbsent = parameters[name === "memory" ? "static" : name] === null;
+      const value = parameters[name] ?? (name === "memory" && this.state ? MEMORY * size(this.state.scene) : 0);
+      const shown = Number((value / (RANGES[name].unit ?? 1)).toPrecision(4));
+      this.sliders[name].disabled = isAbsent;
+      this.typed[name].disabled = isAbsent;
       if (moved !== name) this.sliders[name].value = String(toSlider(name, value));
-      this.sliders[name].setAttribute("aria-valuetext", digits(value));
+      this.sliders[name].setAttribute("aria-valuetext", digits(shown));
       const typing = document.activeElement === this.typed[name] && !moved && !all;
-      if (!typing) this.typed[name].value = String(Number(value.toPrecision(4)));
+      if (!typing) this.typed[name].value = parameters[name] === null && name === "memory" ? "" : String(shown);
     }
   }
 }
@@ -176,8 +184,12 @@ function choose(list, value) {
   list.value = value;
 }
 
+/** The largest distance of two vertices of a body; 0 of a point. @param {Scene} scene */
+const size = ({ body }) =>
+  Math.max(...body.flatMap(([ax, ay]) => body.map(([bx, by]) => Math.hypot(ax - bx, ay - by))));
+
 /**
- * The inputs of the four parameters, by name.
+ * The inputs of the parameters, by name.
  * @param {"slide" | "type"} kind @returns {Record<ParameterName, HTMLInputElement>}
  */
 function inputs(kind) {

@@ -10,6 +10,9 @@ const LONGEST = 110;
 const WIDTH = 7;
 /** Length of the cones' sides (px). */
 const CONE = 92;
+/** Size of the arrows of a slide, and how far under the contact they are (px). */
+const CHEVRON = 6;
+const BELOW = 14;
 /** Height of a line of text (px). */
 const LINE = 14;
 /** Part of the greatest force that is forgotten in a drawing. */
@@ -46,7 +49,7 @@ const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], 
 
 /**
  * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {Parameters4} parameters
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {SceneParameters} parameters
  */
 export function drawCones(ctx, view, contact, surface, parameters) {
   const { tx, ty, nx, ny } = frameOf(surface);
@@ -85,6 +88,31 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
   ctx.fill();
   ctx.strokeStyle = colors.paper;
   ctx.lineWidth = 1.5;
+  ctx.stroke();
+}
+
+/**
+ * Where a contact slides with the hand: a double arrow under it, within the surface.
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface
+ */
+export function drawSliding(ctx, view, contact, surface) {
+  if (!contact.sliding) return;
+  const { tx, ty, nx, ny } = frameOf(surface);
+  const x = view.px(contact.point[0]) - BELOW * nx, y = view.py(contact.point[1]) - BELOW * ny;
+  const [ux, uy] = [contact.sliding * tx, contact.sliding * ty];
+  ctx.beginPath();
+  for (const at of [-CHEVRON, CHEVRON / 2]) {
+    const back = at - CHEVRON;
+    ctx.moveTo(x + back * ux + CHEVRON * nx, y + back * uy + CHEVRON * ny);
+    ctx.lineTo(x + at * ux, y + at * uy);
+    ctx.lineTo(x + back * ux - CHEVRON * nx, y + back * uy - CHEVRON * ny);
+  }
+  ctx.lineJoin = "round";
+  ctx.strokeStyle = colors.paper;
+  ctx.lineWidth = 6;
+  ctx.stroke();
+  ctx.strokeStyle = colors.slip;
+  ctx.lineWidth = 2.6;
   ctx.stroke();
 }
 

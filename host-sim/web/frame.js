@@ -5,11 +5,15 @@
 /** @typedef {{code: number, shape: string, fields: string[], lists: List[], text: string | null}} Layout */
 
 /** Version of the wire. */
-const VERSION = 1;
+const VERSION = 2;
 /** Contact states in the order of their codes. */
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** What limited an answer, in the order of its codes. */
-export const STATUS = ["ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last"];
+const STATUS = [
+  "ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist",
+];
+/** The name of a status; one that is not known may be out of balance (FRAME 5.1). @param {number} code */
+export const statusName = (code) => STATUS[code] ?? "ambiguous";
 /** Why a command is refused, in the order of its codes. */
 export const REASONS = [
   "done", "version", "unknown-type", "length", "code", "number", "not-passive", "unsupported", "not-now",
@@ -22,13 +26,13 @@ const CHECK = 4;
 /** Longest frame that a client has room for before COBS (bytes); what a board sends is shorter. */
 const LONGEST = 1024;
 
-/** A letter of a shape: B u8, F a flag, H u16, I u32, i i32, f f32. */
-const SIZES = /** @type {{[letter: string]: number}} */ ({ B: 1, F: 1, H: 2, I: 4, i: 4, f: 4 });
+/** A letter of a shape: B u8, b i8, F a flag, H u16, I u32, i i32, f f32. */
+const SIZES = /** @type {{[letter: string]: number}} */ ({ B: 1, b: 1, F: 1, H: 2, I: 4, i: 4, f: 4 });
 
-const SPRINGS = "k_h k_theta mu_s mu_d";
-const MODE_SHAPE = "BBBBFHHHHfB";
-const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every tolerance "
-  + "event_limit";
+const PARAMETERS_SHAPE = "ffffFf";
+const PARAMETERS = "k_h k_theta mu_s mu_d has_memory memory";
+const MODE_SHAPE = "BBBBFHHHHB";
+const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every event_limit";
 const FAULTS = "too_long cobs crc version unknown_type length value";
 
 /**
@@ -43,22 +47,22 @@ const layout = (code, shape, fields, lists = [], text = null) =>
 const LAYOUTS = {
   hand: layout(0x01, "fffifF", "x y phi turns depth held"),
   tracker: layout(0x02, "fffffffF", "x y z qx qy qz qw held"),
-  parameters: layout(0x03, "ffff", SPRINGS),
+  parameters: layout(0x03, PARAMETERS_SHAPE, PARAMETERS),
   scene: layout(0x04, "BBFfffffffff",
     "vertices surfaces has_point start_x start_y start_theta weight point_x point_y reach k_h k_theta",
-    [{ count: "vertices", item: "vertex", shape: "ff" }, { count: "surfaces", item: "surface", shape: "fffff" }]),
+    [{ count: "vertices", item: "vertex", shape: "ff" }, { count: "surfaces", item: "surface", shape: "fffffFf" }]),
   mode: layout(0x05, MODE_SHAPE, MODE),
   hello: layout(0x06, "", ""),
   ping: layout(0x07, "", ""),
   reset: layout(0x08, "B", "what"),
-  pose: layout(0x80, "ffffBBB", "x y theta depth flags events sample"),
+  pose: layout(0x80, "ffffBHB", "x y theta depth flags events sample"),
   forces: layout(0x90, "ffffffiB", "wrench_x wrench_y wrench_m hand_x hand_y hand_m turns contacts",
-    [{ count: "contacts", item: "contact", shape: "BBffff" }]),
+    [{ count: "contacts", item: "contact", shape: "BBffffb" }]),
   events: layout(0x91, "IfB", "slips longest_slip events", [{ count: "events", item: "event", shape: "B" }]),
   reply: layout(0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", [], "allowed"),
-  info: layout(0x93, "BBBBBBBHHffffff" + MODE_SHAPE,
+  info: layout(0x93, "BBBBBBBHHff" + PARAMETERS_SHAPE + MODE_SHAPE,
     "major minor patch number vertices surfaces has longest_frame fastest_tick stiffest_k_h stiffest_k_theta "
-      + `${SPRINGS} ${MODE}`,
+      + `${PARAMETERS} ${MODE}`,
     [], "name"),
   health: layout(0x94, "B" + "I".repeat(15),
     `drive ticks missed_ticks samples late_samples lost_frames unsent worst_step worst_tick ${FAULTS}`),
@@ -68,8 +72,8 @@ const LAYOUTS = {
 /** The greatest code of fields that are codes: [field, type] to it. @type {{[key: string]: number}} */
 const CODES = {
   "mode.evolution": 1, "mode.stepping": 1, "info.evolution": 1, "info.stepping": 1, "info.number": 1, "info.has": 7,
-  "reset.what": 1, "reply.reason": 8, "health.drive": 2, "pose.status": 5, "events.event": 8, "forces.contacts": 8,
-  "events.events": 16,
+  "reset.what": 1, "reply.reason": 8, "health.drive": 2, "events.event": 10, "forces.contacts": 8, "events.events": 16,
+  "pose.events": 0x7ff,
 };
 
 /** The axes of a mode that have a meaning. */
@@ -145,6 +149,13 @@ class Reader {
     this.at = 0;
   }
 
+  /** The next number, of a flag 0 or 1. @param {string} letter */
+  field(letter) {
+    const value = this.one(letter);
+    if (letter === "F" && value > 1) throw new Fault("value");
+    return value;
+  }
+
   /** The next number. @param {string} letter */
   one(letter) {
     const at = this.at;
@@ -154,6 +165,7 @@ class Reader {
       case "I": return this.view.getUint32(at, true);
       case "i": return this.view.getInt32(at, true);
       case "f": return this.view.getFloat32(at, true);
+      case "b": return this.view.getInt8(at);
       default: return this.view.getUint8(at);
     }
   }
@@ -169,6 +181,7 @@ function put(view, at, letter, value) {
     case "I": view.setUint32(at, value, true); break;
     case "i": view.setInt32(at, value, true); break;
     case "f": view.setFloat32(at, value, true); break;
+    case "b": view.setInt8(at, value); break;
     default: view.setUint8(at, value);
   }
   return at + SIZES[letter];
@@ -182,7 +195,8 @@ export function encode(message) {
   let code = row.code;
   if (message.type === "pose") {
     code |= message.state;
-    values.flags = message.status | (message.held << 3) | (message.force_off << 4) | (message.turns << 5);
+    values.flags = message.status | (message.held << 4) | (message.force_off << 5);
+    values.events |= message.turns << 13;
   }
   const text = row.text ? String(message[row.text]) : "";
   const tail = row.lists.reduce((sum, { count, shape }) => sum + values[count] * sizeOf(shape), text.length);
@@ -236,14 +250,12 @@ function readPayload(message, row, payload) {
   if (payload.length < fixed) throw new Fault("length");
   const reader = new Reader(payload);
   row.fields.forEach((field, i) => {
-    const value = reader.one(row.shape[i]);
-    if (row.shape[i] === "F" && value > 1) throw new Fault("value");
-    message[field] = value;
+    message[field] = reader.field(row.shape[i]);
   });
   const tail = row.lists.reduce((sum, { count, shape }) => sum + message[count] * sizeOf(shape), fixed);
   if (row.text === null && payload.length !== tail) throw new Fault("length");
   for (const { count, item, shape } of row.lists) {
-    const many = Array.from({ length: message[count] }, () => [...shape].map((letter) => reader.one(letter)));
+    const many = Array.from({ length: message[count] }, () => [...shape].map((letter) => reader.field(letter)));
     message[item] = shape.length === 1 ? many.flat() : many;
   }
   if (row.text === null) return;
@@ -254,13 +266,15 @@ function readPayload(message, row, payload) {
 
 /** The flags of a pose (FRAME 5.1), taken apart. @param {Message} message @param {number} code its type */
 function readFlags(message, code) {
-  const { flags } = message;
+  const { flags, events } = message;
+  if (flags > 63) throw new Fault("value");
   delete message.flags;
   message.state = code & 7;
-  message.status = flags & 7;
-  message.held = (flags >> 3) & 1;
-  message.force_off = (flags >> 4) & 1;
-  message.turns = flags >> 5;
+  message.status = flags & 15;
+  message.held = (flags >> 4) & 1;
+  message.force_off = (flags >> 5) & 1;
+  message.turns = events >> 13;
+  message.events = events & 0x1fff;
 }
 
 /** Refuses a code that is not listed. @param {Message} message */
@@ -271,6 +285,8 @@ function checkCodes(message) {
   }
   if (message.axis_x !== undefined && !(AXES.includes(message.axis_x) && AXES.includes(message.axis_y)
     && message.axis_x % 4 !== message.axis_y % 4)) throw new Fault("value");
+  const slides = message.type === "forces" ? message.contact.map((/** @type {number[]} */ one) => one[6]) : [];
+  if (slides.some((/** @type {number} */ sign) => Math.abs(sign) > 1)) throw new Fault("value");
 }
 
 /** Collects bytes as they come and hands on every message; counts what is not accepted. */

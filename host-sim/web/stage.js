@@ -2,7 +2,7 @@
 // measures what drawing costs and how old a sample of the hand is when its pose appears.
 
 import { colors, onTheme } from "./theme.js";
-import { drawContact, drawCones, ForceScale, labelContact } from "./forces.js";
+import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
 import { Samples } from "./samples.js";
@@ -179,6 +179,7 @@ export class Stage {
     }
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
+    for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */

@@ -23,6 +23,8 @@ interface Contact {
   point: Vec;
   normal: number;
   friction: number;
+  /** 1 or -1 where it slides along the tangent or against it, 0 where it sticks. */
+  sliding: number;
 }
 
 /** A record of the trace. */
@@ -98,6 +100,8 @@ interface Surface {
   offset: number;
   static?: number;
   dynamic?: number;
+  /** Null: that of a scene that gives none. */
+  memory?: number | null;
 }
 
 interface Scene {
@@ -111,17 +115,19 @@ interface Scene {
   home: Pose;
 }
 
-interface Parameters4 {
+interface SceneParameters {
   stiffness_translation: number;
   stiffness_rotation: number;
   static: number;
   dynamic: number;
+  /** Null: that of a scene that gives none. */
+  memory: number | null;
 }
 
 interface StateMessage {
   type: "state";
   scene: Scene;
-  parameters: Parameters4;
+  parameters: SceneParameters;
   number: string;
   evolution: string;
   paused: boolean;

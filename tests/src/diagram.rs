@@ -14,7 +14,7 @@ use stiction_core::Transition;
 use words::markup;
 
 /// Width and height of the picture (px).
-pub const SIZE: [f64; 2] = [1560.0, 1320.0];
+pub const SIZE: [f64; 2] = [1560.0, 1470.0];
 const INK: &str = "#1d2b36";
 const CLOSES: &str = "#15616d";
 const OPENS: &str = "#a8461f";
@@ -87,7 +87,7 @@ const WAYS: [(StateKind, StateKind, [Port; 2], [f64; 2]); 12] = [
         SingleVertex,
         Corner,
         [Port(Side::Right, 0.85), Port(Side::Right, 0.25)],
-        [80.0, 9.0],
+        [160.0, 9.0],
     ),
     (
         Edge,
@@ -204,7 +204,7 @@ impl Diagram {
 
 /// What the colours mean, and the arms that every state has.
 fn legend(out: &mut String) -> fmt::Result {
-    let (x, mut y) = (30.0, 1190.0);
+    let (x, mut y) = (30.0, 1340.0);
     for (colour, text) in [(CLOSES, "contacts close"), (OPENS, "contacts open")] {
         writeln!(
             out,

@@ -96,6 +96,7 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
             offset: s.offset,
             friction_static: s.friction_static,
             friction_dynamic: s.friction_dynamic,
+            memory: s.memory,
         }
     };
     let surfaces = setup.surfaces.iter().enumerate().map(surface).collect();
@@ -123,6 +124,7 @@ pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
         point: c.point,
         normal: c.normal,
         friction: c.friction,
+        sliding: Some(c.sliding),
     };
     stiction_judge::Frame {
         t: i as f64,

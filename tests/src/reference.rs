@@ -1,33 +1,61 @@
 //! A slow second solution of the statics, for checking the fast one: hand poses to body poses and contact forces, plain SI `f64`.
 //!
-//! The hand moves along the straight line between two frames in sub-steps. In each the body rests, followed by walking down the
-//! moment in steps of 1e-3 rad; when it cannot, the instant is bisected, the hand frozen there, and the body moves in steps of
-//! 1e-3 body sizes or rad until forces found by trying every subset of friction-cone edges hold it. It shares no code and no
-//! closed form with the solver.
+//! The hand moves along the straight line between two frames in sub-steps. In each the contacts stick or slide as they
+//! do, followed by walking down what does not balance in steps of 1e-3 rad or body sizes; when something happens, the instant is
+//! bisected. What is out of balance there moves under the frozen hand in steps of 1e-3 until forces found by trying every subset of
+//! friction-cone edges hold it. It shares no code and no closed form with the solver.
+//!
+//! The law: a slide is a motion with the hand; a slip, under the frozen hand, needs *stiction*. That is one bit of the body: with
+//! it friction at rest is mu_s, without it mu_d. One vertex or an edge gets it where N reaches N* = k_h memory / (mu_s - mu_d), and
+//! keeps it after a slip that ends at N* or more; two contacts on two surfaces get or keep it where the longer of their ways in a
+//! slip is a memory length. Without it, what yields slides. A touch from free flight clears it.
+//!
+//! Rules where the law leaves a choice:
+//! * A foot is compared with the memory length of its own surface; a memory below 2^-19 body sizes counts as that.
+//! * A hand that rests ends a slide, and clears the bit, as one that turns back does.
+//! * A yield without the bit whose slide the hand does not drive, or that has no balance nearby, is a slip.
+//! * A slide whose balance folds sticks, without the bit, if dynamic friction holds the foot where it is; otherwise it is a slip.
+//! * Where one vertex no longer presses, but the free body would not leave, the rates of the forces decide as at a touch.
+//! * A contact that no longer presses in a joint slide opens if that leaves its gap open; otherwise both stick, without the bit.
+//! * Sliding contacts that close a third one, or a corner, stick without the bit.
+//! * Several contacts all of whose gaps the free body opens lift, before they yield.
+//! * A vertex that closes another contact in mid-slip slips on with it if dynamic friction does not hold both; the length of that
+//!   slip counts from there. If it does, that is the end of a slip, and on two surfaces both stick.
+//! * Where two surfaces do not turn the body, what brakes a joint slide is equal drag at both contacts instead of a couple.
+//! * In a joint slip, of the driven directions one that presses on both contacts comes first, then the one driven most. It keeps
+//!   its direction where a contact no longer presses but cannot open.
+//! * A joint slip whose balance pulls on a contact opens it, if the other one holds or slips either way; otherwise rest is
+//!   tested anew.
+//! * A slip counts where it ends at dynamic friction in contact; an opening before anything has moved is none.
+//! * Corners and three contacts or more get or lose the bit only through what remains of them.
 //!
 //! Where it is approximate:
 //! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not seen.
 //! * A snap is noticed as a turn of more than 0.03 rad; a smaller one happens unseen, with the same end.
-//! * Events that follow each other ever faster (continuous sliding, the slips of a body being lifted or set down obliquely) are
-//!   cut short: the body relaxes at the end of the sub-step or where its contacts change. The number of slips is then not the
-//!   true one, and where static friction is larger than dynamic, the phase of the slips is open: see `skipped`.
-//! * Where two contacts slide, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
-//!   the slide, but the instant at which one of them opens depends on this choice.
-//! * Of several motions that fit the one that turns about a sticking contact comes first, then the slide with the strongest drive.
+//! * Rates are differences over 3e-5 body sizes of the hand's way, 1e-6 after a touch.
+//! * Where two contacts slip, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
+//!   the slip, but the instant at which one of them opens depends on this choice.
+//! * Of several motions of three contacts that fit, the one that turns about a sticking contact comes first, then the slip with the
+//!   strongest drive.
 
 mod cone;
+mod events;
+mod follow;
+mod forces;
 mod free;
+mod meet;
+mod memory;
+mod mode;
 mod relax;
 mod scene;
 mod search;
+mod slip;
 mod statics;
 mod walk;
 
 pub use scene::{Scene, Surface};
 
 use scene::{Pose, Touch};
-use search::bisect;
-use walk::{End, SNAP};
 
 /// A vertex may be this far inside a surface unseen, in body sizes.
 const CLEARANCE: f64 = 1e-12;
@@ -35,12 +63,6 @@ const CLEARANCE: f64 = 1e-12;
 const TOUCHING: f64 = 1e-5;
 /// Largest turn in one look at the moment, rad.
 const TURN: f64 = 1e-3;
-/// An event that follows another sooner than this, in sub-steps, belongs to a sequence without end.
-const SOON: f64 = 1e-7;
-/// The same where static friction equals dynamic friction, so that a slip leaves the body about to slip again.
-const SOON_SLIDING: f64 = 1e-3;
-/// Events in a sub-step.
-const EVENTS: u32 = 100;
 
 /// The force of one contact on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,6 +75,19 @@ pub struct ContactForce {
     pub normal: f64,
     /// Force along the tangent (n_y, -n_x), N.
     pub friction: f64,
+    /// The direction along the tangent in which the contact slides with the hand, 1 or -1; 0 while it sticks.
+    pub slides: i8,
+}
+
+/// A contact of a body that is put where another run has left it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Foot {
+    /// Index of the vertex.
+    pub vertex: usize,
+    /// Index of the surface.
+    pub surface: usize,
+    /// The direction along the tangent in which the contact slides with the hand, 1 or -1; 0 while it sticks.
+    pub slides: i8,
 }
 
 /// The body under a moving hand.
@@ -63,7 +98,11 @@ pub struct Reference {
     hand: [f64; 3],
     pose: Pose,
     contacts: Vec<Touch>,
+    /// For each contact the direction of its slide along the tangent, 1 or -1; `None` while they stick.
+    slide: Option<Vec<f64>>,
+    stiction: bool,
     slips: u32,
+    events: u32,
     skipped: bool,
     ambiguous: bool,
 }
@@ -76,21 +115,26 @@ impl Reference {
             angle: start[2],
         };
         let size = scene.size();
+        let foot = |touch: Touch| Foot {
+            vertex: touch.vertex,
+            surface: touch.surface,
+            slides: 0,
+        };
         let contacts: Vec<_> = scene
             .touches()
             .filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size)
-            .map(|touch| (touch.vertex, touch.surface))
+            .map(foot)
             .collect();
-        let mut reference = Self::resumed(scene, start, &contacts, first_hand);
+        let mut reference = Self::resumed(scene, start, (&contacts, false), first_hand);
         reference.relax(first_hand);
         reference
     }
 
-    /// A body that is in equilibrium at `pose` with these contacts (vertex, surface).
+    /// A body that is in equilibrium at `pose` with these contacts, with or without the bit of stiction.
     pub fn resumed(
         scene: Scene,
         pose: [f64; 3],
-        contacts: &[(usize, usize)],
+        (contacts, stiction): (&[Foot], bool),
         hand: [f64; 3],
     ) -> Self {
         let size = scene.size();
@@ -98,18 +142,23 @@ impl Reference {
             position: [pose[0], pose[1]],
             angle: pose[2],
         };
-        let mut contacts: Vec<Touch> = contacts
-            .iter()
-            .map(|&(vertex, surface)| Touch { vertex, surface })
-            .collect();
-        contacts.sort_by_key(|touch| (touch.vertex, touch.surface));
+        let mut feet = contacts.to_vec();
+        feet.sort_by_key(|foot| (foot.vertex, foot.surface));
+        let touch = |foot: &Foot| Touch {
+            vertex: foot.vertex,
+            surface: foot.surface,
+        };
+        let slides = !feet.is_empty() && feet.iter().all(|foot| foot.slides != 0);
         let mut reference = Self {
             scene,
             size,
             hand,
             pose,
-            contacts,
+            contacts: feet.iter().map(touch).collect(),
+            slide: slides.then(|| feet.iter().map(|foot| f64::from(foot.slides)).collect()),
+            stiction,
             slips: 0,
+            events: 0,
             skipped: false,
             ambiguous: false,
         };
@@ -120,6 +169,7 @@ impl Reference {
     /// Moves the hand straight to `hand` (x, y, m; phi, rad) in `substeps` parts.
     pub fn step(&mut self, hand: [f64; 3], substeps: usize) {
         self.slips = 0;
+        self.events = 0;
         self.skipped = false;
         self.ambiguous = false;
         let from = self.hand;
@@ -158,12 +208,22 @@ impl Reference {
         self.contact_forces()
     }
 
-    /// Slips that ended at dynamic friction in the last frame.
+    /// Whether the contacts have stiction: static friction while they stick, and slips where they yield.
+    pub fn stiction(&self) -> bool {
+        self.stiction
+    }
+
+    /// Events in the last frame.
+    pub fn events(&self) -> u32 {
+        self.events
+    }
+
+    /// Slips that ended at dynamic friction in the last frame; a slide with the hand is none.
     pub fn slips(&self) -> u32 {
         self.slips
     }
 
-    /// Whether slips of the last frame followed each other without end, so that where the last one stopped is not known.
+    /// Whether more happened in a part of the last frame than is followed, so that the body jumped to its end.
     pub fn skipped(&self) -> bool {
         self.skipped
     }
@@ -171,90 +231,6 @@ impl Reference {
     /// Whether no motion fitted somewhere in the last frame, so that the body was left where it was for the rest of it.
     pub fn ambiguous(&self) -> bool {
         self.ambiguous
-    }
-
-    /// Follows the hand to `to`, from event to event.
-    fn advance(&mut self, to: [f64; 3]) {
-        let from = self.hand;
-        let (mut done, mut hurried) = (0.0, 0);
-        for _ in 0..EVENTS {
-            let after = if hurried < 3 {
-                if let Some(pose) = self.at_rest(to) {
-                    self.pose = pose;
-                    self.hand = to;
-                    return;
-                }
-                let (before, after) = bisect(done, 1.0, |part| {
-                    self.at_rest(blend(from, to, part)).is_none()
-                });
-                if let Some(pose) = self.at_rest(blend(from, to, before)) {
-                    self.pose = pose;
-                }
-                after
-            } else {
-                let relaxed = self.relaxed(to);
-                if relaxed.follows(self) {
-                    *self = relaxed;
-                    break;
-                }
-                let changes = |part| !self.relaxed(blend(from, to, part)).follows(self);
-                let (before, after) = bisect(done, 1.0, changes);
-                *self = self.relaxed(blend(from, to, before));
-                after
-            };
-            self.relax(blend(from, to, after));
-            let slides = self.slides();
-            let soon = if slides { SOON_SLIDING } else { SOON };
-            hurried = if after - done < soon { hurried + 1 } else { 0 };
-            self.skipped |= !slides && hurried > 0 && done > 0.0;
-            done = after;
-            if self.ambiguous {
-                break;
-            }
-        }
-        if !self.ambiguous {
-            self.relax(to);
-        }
-        self.hand = to;
-    }
-
-    /// The body relaxed under a frozen hand.
-    fn relaxed(&self, hand: [f64; 3]) -> Self {
-        let mut relaxed = self.clone();
-        relaxed.relax(hand);
-        relaxed
-    }
-
-    /// Whether this is where the body comes from `before` without a change of contacts.
-    fn follows(&self, before: &Self) -> bool {
-        self.contacts == before.contacts && !self.ambiguous
-    }
-
-    /// Whether a contact slides continuously.
-    fn slides(&self) -> bool {
-        let surfaces = self
-            .contacts
-            .iter()
-            .map(|touch| &self.scene.surfaces[touch.surface]);
-        surfaces
-            .into_iter()
-            .any(|surface| surface.mu_s <= surface.mu_d * (1.0 + 1e-9))
-    }
-
-    /// The pose for this hand with the contacts as they are; `None` if something happens before.
-    fn at_rest(&self, hand: [f64; 3]) -> Option<Pose> {
-        let pose = match *self.contacts.as_slice() {
-            [] => {
-                let pose = self.free_pose(hand);
-                return (!self.enters(&pose, CLEARANCE)).then_some(pose);
-            }
-            [first, ref rest @ ..] if rest.iter().all(|touch| touch.vertex == first.vertex) => {
-                let (pose, end) = self.turn(&self.pose, first.vertex, hand, (SNAP, true));
-                (end == End::Rest).then_some(pose)?
-            }
-            _ => self.pose,
-        };
-        self.admissible(&pose, &self.contacts, hand).then_some(pose)
     }
 }
 

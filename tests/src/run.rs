@@ -52,6 +52,7 @@ impl Frame {
             point: c.point.map(wide),
             normal: wide(c.normal),
             friction: wide(c.friction),
+            sliding: c.sliding,
         };
         let (hand, wrench) = (state.hand(), solver.wrench(state));
         let [fx, fy] = wrench.force;

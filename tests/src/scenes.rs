@@ -2,7 +2,7 @@
 
 use crate::random::Scenario;
 use crate::setup::Setup;
-use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI};
+use std::f64::consts::{FRAC_PI_4, FRAC_PI_6, PI, SQRT_2};
 
 const FRICTION: [f64; 2] = [0.5, 0.3];
 
@@ -35,6 +35,7 @@ pub fn all() -> Vec<(&'static str, Scenario)> {
             "rod lies down between floor and wall",
             rod_between_floor_and_wall(-3.0),
         ),
+        ("rod buckles between smooth walls", rod_buckles()),
         ("rod taken off floor and wall", rod_taken_off()),
         ("rod dropped between floor and wall", rod_dropped()),
         ("point in a corner", point_in_a_corner()),
@@ -236,6 +237,24 @@ fn strut_falls_on_its_edge() -> Scenario {
         strut(2.0, 1.19),
         &[[0.0, -1.0, -0.665], [0.0, -1.0, -0.7], [0.0, 1.5, 0.0]],
     )
+}
+
+/// k_theta of [`rod_buckles`] (N·m/rad): m = 1.06, so that it folds at |u| = acos(1 / m) = 0.338.
+pub const BUCKLING: f64 = SQRT_2 / 2.0 / 1.06;
+
+/// A rod of length 2 with its ends on a smooth floor and a smooth wall, held in the middle by a hand at (-1/2, -1/2) that turns: it
+/// buckles to the other side and back. At a turn of -pi/4 - beta it rests at -pi/4 - u with u - m sin u = beta, m = 1 / (sqrt 2 k_theta).
+pub fn rod_buckles() -> Scenario {
+    let u = 0.65_f64;
+    let (sin, cos) = (FRAC_PI_4 + u).sin_cos();
+    let setup = Setup::new(&[[-1.0, 0.0], [1.0, 0.0]])
+        .at([cos, sin, -FRAC_PI_4 - u])
+        .springs(1.0, BUCKLING)
+        .floor([0.0, 0.0])
+        .surface([1.0, 0.0], 0.0, [0.0, 0.0]);
+    let hand = |beta: f64| [-0.5, -0.5, -FRAC_PI_4 - beta];
+    let turns = [u - u.sin() * SQRT_2 / 2.0 / BUCKLING, -0.02, 0.02, 0.0];
+    scenario(setup, &turns.map(hand))
 }
 
 /// A rod that leans by 1 rad between floor and wall.

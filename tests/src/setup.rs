@@ -107,6 +107,7 @@ impl Setup {
             offset,
             friction_static: friction[0],
             friction_dynamic: friction[1],
+            memory: None,
         });
         self
     }
@@ -119,6 +120,15 @@ impl Setup {
     #[must_use]
     pub fn wall(self, x: f64, friction: [f64; 2]) -> Self {
         self.surface([-1.0, 0.0], -x, friction)
+    }
+
+    /// The same with a memory length (m) on every surface.
+    #[must_use]
+    pub fn remembering(mut self, memory: f64) -> Self {
+        for surface in &mut self.surfaces {
+            surface.memory = Some(memory);
+        }
+        self
     }
 
     /// The same without friction anywhere.
@@ -205,6 +215,7 @@ impl Setup {
             offset: R::si(s.offset),
             friction_static: R::si(s.friction_static),
             friction_dynamic: R::si(s.friction_dynamic),
+            memory: s.memory.map(R::si),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
         Scene::new(&Description {
@@ -231,5 +242,6 @@ fn rounded_surface<R: Number>(s: &SurfaceDescription<f64>) -> SurfaceDescription
         offset: R::rounded(s.offset),
         friction_static: R::rounded(s.friction_static),
         friction_dynamic: R::rounded(s.friction_dynamic),
+        memory: s.memory.map(R::rounded),
     }
 }

@@ -15,11 +15,13 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             Bounded {
                 value: cosine,
                 slope: -p.sine * self.rate,
+                error: R::EPSILON.doubled(),
                 bounds,
             },
             Bounded {
                 value: p.sine,
                 slope: cosine * self.rate,
+                error: R::EPSILON.doubled(),
                 bounds,
             },
         )
@@ -35,6 +37,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         Bounded {
             value: p.turn,
             slope: self.rate,
+            error: R::rounding(p.turn.abs()),
             bounds: [self.rate.abs() * window, self.rate.abs(), R::ZERO],
         }
     }
@@ -45,6 +48,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         Bounded {
             value: p.part(),
             slope: p.h_slope,
+            error: R::rounding(p.part().abs()).doubled(),
             bounds: [most * window, most, most * self.rate.abs()],
         }
     }
@@ -56,6 +60,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         Bounded {
             value: p.h_slope,
             slope: self.second(p).0,
+            error: R::rounding(most).doubled(),
             bounds: [most, most * rate, most * rate * rate],
         }
     }

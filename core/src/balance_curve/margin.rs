@@ -132,16 +132,17 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         } else {
             self.curved_zero(margin, extent)
         };
+        // What comes before the end is sure, though a search for the end gave up.
         let (end, unsure) = match found {
             Found::Nothing { .. } => return false,
-            Found::Zero { x, .. } if x == limit.x => (limit, false),
+            Found::Zero { x, .. } if x == limit.x => (limit, extent.unsure),
             Found::Zero { x, .. } => (self.at(x), false),
             Found::Unsure { x, .. } => (self.at(x), true),
         };
         *extent = Extent {
             end,
             folds: false,
-            unsure: extent.unsure || unsure,
+            unsure,
             ..*extent
         };
         true
@@ -163,7 +164,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
 
     /// The zero of a margin where the body does not turn: E·D is linear.
     fn linear_zero(&self, margin: &Margin<R>, limit: &Place<R>) -> Found<R> {
-        let fall = margin.start * self.drive.x - margin.along * (self.stiffness + self.hold.x);
+        let fall = margin.start * self.drive.x - margin.along * self.begin().h_slope;
         let start = margin.start + margin.credit();
         if fall > R::ZERO && start < limit.x * fall {
             Found::Zero {
@@ -180,7 +181,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let margin = &margin.scaled();
         let curvature_bound = self.curvature_bound(margin);
         let limit = extent.end.x;
-        let found = first_zero((limit, self.tolerance), |x| {
+        let found = first_zero(limit, |x| {
             Samples::far([self.slope(margin, &self.at(x), (&curvature_bound, limit - x))])
         });
         match found {

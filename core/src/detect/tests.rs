@@ -27,6 +27,7 @@ fn scene<R: Real>(si: impl Fn(f64) -> R::Si, planes: [(f64, f64); 3]) -> Room<R>
         offset: si(offset),
         friction_static: si(0.5),
         friction_dynamic: si(0.3),
+        memory: None,
     });
     Scene::new(&Description {
         vertices: &VERTICES.map(|v| v.map(&si)),
@@ -205,6 +206,7 @@ fn rod(offset: f64) -> Room<f64> {
             offset,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }],
     })
     .expect("a sound scene")

@@ -45,7 +45,7 @@ pub enum Command<'a> {
     Reset(Reset),
 }
 
-/// The four parameters of the paper; the friction is that of every surface. Finite, or the command is refused.
+/// The four parameters of the paper and the memory length; the friction is that of every surface. Finite, or the command is refused.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Parameters {
     /// Translational stiffness k_h (N/m) > 0.
@@ -56,6 +56,37 @@ pub struct Parameters {
     pub friction_static: f32,
     /// Dynamic friction mu_d >= 0.
     pub friction_dynamic: f32,
+    /// Memory length (m) >= 0, see [`SurfaceDescription::memory`](crate::SurfaceDescription::memory); `None`: L / 4096.
+    pub memory: Option<f32>,
+}
+
+impl Parameters {
+    fn write(&self, sink: &mut impl Sink) {
+        sink.f32s(&[
+            self.stiffness_translation,
+            self.stiffness_rotation,
+            self.friction_static,
+            self.friction_dynamic,
+        ]);
+        sink.option(self.memory);
+    }
+
+    fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
+        fields.exactly(21)?;
+        let [
+            stiffness_translation,
+            stiffness_rotation,
+            friction_static,
+            friction_dynamic,
+        ] = fields.f32s();
+        Ok(Self {
+            stiffness_translation,
+            stiffness_rotation,
+            friction_static,
+            friction_dynamic,
+            memory: fields.option()?,
+        })
+    }
 }
 
 /// What a reset takes back.
@@ -128,12 +159,7 @@ impl<'a> Wire<'a> for Command<'a> {
                 sink.f32s(&sample.orientation);
                 sink.byte(u8::from(sample.held));
             }
-            Self::Parameters(p) => sink.f32s(&[
-                p.stiffness_translation,
-                p.stiffness_rotation,
-                p.friction_static,
-                p.friction_dynamic,
-            ]),
+            Self::Parameters(parameters) => parameters.write(sink),
             Self::Scene(scene) => scene.write(sink),
             Self::Mode(mode) => mode.write(sink),
             Self::Hello | Self::Ping => {}
@@ -145,7 +171,7 @@ impl<'a> Wire<'a> for Command<'a> {
         match code {
             HAND => read_hand(&mut fields).map(Self::Hand),
             TRACKER => read_tracker(&mut fields).map(Self::Tracker),
-            PARAMETERS => read_parameters(&mut fields).map(Self::Parameters),
+            PARAMETERS => Parameters::read(&mut fields).map(Self::Parameters),
             SCENE => SceneCommand::read(&mut fields).map(Self::Scene),
             MODE => {
                 fields.exactly(Mode::BYTES)?;
@@ -179,6 +205,7 @@ fn read_hand(fields: &mut Fields<'_>) -> Result<Hand<f32>, FaultKind> {
         angle: Angle { turns, rest },
         depth: fields.f32(),
         held: fields.flag()?,
+        tilted: false,
     })
 }
 
@@ -188,21 +215,5 @@ fn read_tracker(fields: &mut Fields<'_>) -> Result<TrackerSample<f32>, FaultKind
         position: fields.f32s(),
         orientation: fields.f32s(),
         held: fields.flag()?,
-    })
-}
-
-fn read_parameters(fields: &mut Fields<'_>) -> Result<Parameters, FaultKind> {
-    fields.exactly(16)?;
-    let [
-        stiffness_translation,
-        stiffness_rotation,
-        friction_static,
-        friction_dynamic,
-    ] = fields.f32s();
-    Ok(Parameters {
-        stiffness_translation,
-        stiffness_rotation,
-        friction_static,
-        friction_dynamic,
     })
 }

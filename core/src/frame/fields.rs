@@ -70,6 +70,12 @@ impl<'a> Fields<'a> {
             _ => Err(FaultKind::Value),
         }
     }
+    /// A flag and a number, which means nothing where the flag is 0.
+    pub(super) fn option(&mut self) -> Result<Option<f32>, FaultKind> {
+        let given = self.flag()?;
+        let value = self.f32();
+        Ok(given.then_some(value))
+    }
     /// The entry of a table at the index that comes next.
     pub(super) fn code<T: Copy>(&mut self, table: &[T]) -> Result<T, FaultKind> {
         at(table, self.u8())
@@ -112,6 +118,11 @@ pub trait Sink {
         for &value in values {
             self.f32(value);
         }
+    }
+    /// A flag and a number, which is 0 where there is none.
+    fn option(&mut self, value: Option<f32>) {
+        self.byte(u8::from(value.is_some()));
+        self.f32(value.unwrap_or_default());
     }
     /// The index of an entry of a table.
     fn code<T: PartialEq>(&mut self, table: &[T], entry: &T) {

@@ -1,7 +1,7 @@
 //! Forces and events of a step on the wire (FRAME 5.2, 5.3).
 
 use super::fault::FaultKind;
-use super::fields::{Fields, Sink, at, index_of, require};
+use super::fields::{Fields, Sink, at, index_of};
 use super::list::{Item, List};
 use crate::contact::MAX_CONTACTS;
 use crate::event::{Event, MAX_EVENTS};
@@ -61,7 +61,7 @@ impl<'a> Forces<'a> {
             wrench: on_body,
             feedback,
             turns,
-            contacts: List::take(fields, count),
+            contacts: List::take(fields, count)?,
         })
     }
 }
@@ -83,36 +83,41 @@ impl<'a> Events<'a> {
         let (slips, longest_slip) = (fields.u32(), fields.f32());
         let count = usize::from(fields.u8());
         fields.exactly(count)?;
-        let known = |code: &u8| at(&Event::ALL, *code).is_ok();
-        let mut ahead = *fields;
-        require(ahead.remaining().iter().all(known), FaultKind::Value)?;
         Ok(Self {
             slips,
             longest_slip,
-            list: List::take(fields, count),
+            list: List::take(fields, count)?,
         })
     }
 }
 
 impl Item for Contact<f32> {
-    const BYTES: usize = 18;
+    const BYTES: usize = 19;
     fn put(&self, sink: &mut impl Sink) {
         sink.count(self.vertex);
         sink.count(self.surface);
         sink.f32s(&self.point);
         sink.f32s(&[self.normal, self.friction]);
+        sink.byte(self.sliding.cast_unsigned());
     }
     fn get(fields: &mut Fields<'_>) -> Self {
         let [vertex, surface] = fields.take().map(usize::from);
         let point = fields.f32s();
         let [normal, friction] = fields.f32s();
+        let sliding = fields.u8().cast_signed();
         Self {
             vertex,
             surface,
             point,
             normal,
             friction,
+            sliding,
         }
+    }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes
+            .last()
+            .is_some_and(|&byte| (-1..=1).contains(&byte.cast_signed()))
     }
 }
 
@@ -121,8 +126,10 @@ impl Item for Event {
     fn put(&self, sink: &mut impl Sink) {
         sink.byte(index_of(&Event::ALL, self));
     }
-    /// The codes of a list are checked before it is made.
     fn get(fields: &mut Fields<'_>) -> Self {
         fields.code(&Event::ALL).unwrap_or(Self::Touch)
+    }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes.iter().all(|&code| at(&Event::ALL, code).is_ok())
     }
 }

@@ -55,6 +55,8 @@ pub struct Info<'a> {
     pub stiffness: [f32; 2],
     /// mu_s and mu_d of the first surface now; 0 without one.
     pub friction_now: [f32; 2],
+    /// Its memory length (m) now; `None`: L / 4096, or there is no surface.
+    pub memory_now: Option<f32>,
     /// How it works now.
     pub mode: Mode,
     /// Name of the board.
@@ -62,7 +64,7 @@ pub struct Info<'a> {
 }
 
 impl<'a> Info<'a> {
-    const HEAD_BYTES: usize = 35 + Mode::BYTES;
+    const HEAD_BYTES: usize = 40 + Mode::BYTES;
     /// With the longest name.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
@@ -78,6 +80,7 @@ impl<'a> Info<'a> {
         for pair in [self.stiffest, self.stiffness, self.friction_now] {
             sink.f32s(&pair);
         }
+        sink.option(self.memory_now);
         self.mode.write(sink);
         self.name.write(sink);
     }
@@ -103,6 +106,7 @@ impl<'a> Info<'a> {
             stiffest: fields.f32s(),
             stiffness: fields.f32s(),
             friction_now: fields.f32s(),
+            memory_now: fields.option()?,
             mode: Mode::read(fields)?,
             name: Text::read(fields.remaining()).ok_or(FaultKind::Value)?,
         })

@@ -1,6 +1,7 @@
 //! Lists within a payload: on one side the sender's items, on the other the bytes as they came, nothing copied.
 
-use super::fields::{Fields, Sink};
+use super::fault::FaultKind;
+use super::fields::{Fields, Sink, require};
 use core::fmt;
 
 /// An item of a list: a fixed number of bytes.
@@ -9,8 +10,12 @@ pub trait Item: Copy {
     const BYTES: usize;
     /// To bytes.
     fn put(&self, sink: &mut impl Sink);
-    /// From bytes.
+    /// From bytes that are valid.
     fn get(fields: &mut Fields<'_>) -> Self;
+    /// The flags and codes in these bytes have a meaning. Where there are none, any bytes have.
+    fn valid(_bytes: &[u8]) -> bool {
+        true
+    }
 }
 
 /// A list in a message. One that was received points into the receiver's buffer.
@@ -35,11 +40,12 @@ enum Items<'a, T> {
 
 impl<'a, T: Item> List<'a, T> {
     /// The next `count` items of a payload, which has them.
-    pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Self {
+    pub(super) fn take(fields: &mut Fields<'a>, count: usize) -> Result<Self, FaultKind> {
         let bytes = fields.bytes(count.saturating_mul(T::BYTES));
-        Self {
+        require(bytes.chunks(T::BYTES).all(T::valid), FaultKind::Value)?;
+        Ok(Self {
             items: Items::Received { bytes, count },
-        }
+        })
     }
     /// How many items.
     pub const fn len(&self) -> usize {

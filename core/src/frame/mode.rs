@@ -28,7 +28,7 @@ impl Stepping {
     }
 }
 
-/// How a board works. The default is path evolution, exact, at 1 kHz in the x-y plane, with every pose and its events. A board
+/// How a board works. The default is path evolution at 1 kHz in the x-y plane, with every pose and its events. A board
 /// refuses what is out of its range (FRAME 4.5).
 ///
 /// ```
@@ -71,8 +71,6 @@ pub struct Mode {
     pub forces_every: u16,
     /// Health every so many milliseconds; 0: never.
     pub health_every: u16,
-    /// The tolerance of the solver (rad), 0 to 0.01, see [`Solver::with_tolerance`](crate::Solver::with_tolerance); 0: exact.
-    pub tolerance: f32,
     /// So many events of a step are told apart, 1 to 128, see
     /// [`Solver::with_event_limit`](crate::Solver::with_event_limit).
     pub event_limit: u8,
@@ -98,11 +96,10 @@ impl Mode {
         pose_every: 1,
         forces_every: 0,
         health_every: 1000,
-        tolerance: 0.0,
         event_limit: MAX_EVENT_LIMIT,
     };
 
-    pub(super) const BYTES: usize = 18;
+    pub(super) const BYTES: usize = 14;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Evolution::ALL, &self.evolution);
@@ -119,7 +116,6 @@ impl Mode {
         sink.u16(self.pose_every);
         sink.u16(self.forces_every);
         sink.u16(self.health_every);
-        sink.f32(self.tolerance);
         sink.byte(self.event_limit);
     }
 
@@ -138,7 +134,6 @@ impl Mode {
             pose_every: fields.u16(),
             forces_every: fields.u16(),
             health_every: fields.u16(),
-            tolerance: fields.f32(),
             event_limit: fields.u8(),
         })
     }

@@ -1,15 +1,15 @@
-//! The pose on the wire (FRAME 5.1): 32 bytes with everything around it, and the bits of the solver.
+//! The pose on the wire (FRAME 5.1): 33 bytes with everything around it, and the bits of the solver.
 
 use super::fault::FaultKind;
-use super::fields::{Fields, Sink, at, index_of};
+use super::fields::{Fields, Sink, at, index_of, require};
 use crate::event::{Event, StateKind, Status};
 use crate::geometry::Angle;
 use crate::output::Output;
 
-/// A set of events. Grasp and release are one entry of it; which one it was, is told by [`Pose::held`].
+/// A set of events: a bit for each one, in the order of [`Event::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct EventSet {
-    bits: u8,
+    bits: u16,
 }
 
 impl EventSet {
@@ -32,11 +32,14 @@ impl EventSet {
             bits: self.bits | other.bits,
         }
     }
-    /// The event is in the set; grasp and release both are where one of them is.
+    /// The event is in the set.
     pub const fn contains(self, event: Event) -> bool {
         self.bits & Self::bit(event) != 0
     }
-    const fn bit(event: Event) -> u8 {
+    /// The bits of all events.
+    const ALL: u16 = (1 << Event::ALL.len()) - 1;
+
+    const fn bit(event: Event) -> u16 {
         match event {
             Event::Touch => 1,
             Event::Lift => 1 << 1,
@@ -45,7 +48,10 @@ impl EventSet {
             Event::Land => 1 << 4,
             Event::Snap => 1 << 5,
             Event::Jam => 1 << 6,
-            Event::Grasp | Event::Release => 1 << 7,
+            Event::Slide => 1 << 7,
+            Event::Stop => 1 << 8,
+            Event::Grasp => 1 << 9,
+            Event::Release => 1 << 10,
         }
     }
 }
@@ -77,6 +83,13 @@ pub struct Pose {
 
 /// Turns are sent modulo this power of two.
 const TURNS: i32 = 8;
+/// The bits of the flags: the code of the status, and two flags.
+const STATUS: u8 = 0b1111;
+const HELD: u8 = 1 << 4;
+const FORCE_OFF: u8 = 1 << 5;
+/// The turns are the upper bits of the events.
+const TURNS_FROM: u32 = 13;
+const TURNS_BITS: u16 = 0b111 << TURNS_FROM;
 
 impl Pose {
     /// The pose of an answer of the solver: its bits. `events` are those since the last pose that was sent, the ones of
@@ -119,50 +132,67 @@ impl Pose {
         }
     }
 
-    /// This event happened since the last pose that was sent; of grasp and release only the last one is told.
-    pub fn saw(&self, event: Event) -> bool {
-        let told = match event {
-            Event::Grasp => self.held,
-            Event::Release => !self.held,
-            _ => true,
-        };
-        told && self.events.contains(event)
-    }
-
     /// The lower bits of the type.
     pub(super) fn state_code(&self) -> u8 {
         index_of(&StateKind::ALL, &self.state)
     }
 
+    pub(super) const BYTES: usize = 20;
+
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.f32s(&self.position);
         sink.f32(self.rest);
         sink.f32(self.depth);
-        let status = index_of(&Status::ALL, &self.status);
-        let held = if self.held { 1 << 3 } else { 0 };
-        let off = if self.force_off { 1 << 4 } else { 0 };
-        sink.parts(&[status, held, off, (self.turns & 7) << 5]);
-        sink.byte(self.events.bits);
+        let held = if self.held { HELD } else { 0 };
+        let off = if self.force_off { FORCE_OFF } else { 0 };
+        sink.parts(&[status_code(self.status), held, off]);
+        sink.u16(self.events.bits | u16::from(self.turns) << TURNS_FROM);
         sink.byte(self.sample);
     }
 
     pub(super) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
-        fields.exactly(19)?;
+        fields.exactly(Self::BYTES)?;
         let [x, y, rest, depth] = fields.f32s();
-        let [flags, events, sample] = fields.take();
+        let (flags, happened, sample) = (fields.u8(), fields.u16(), fields.u8());
+        let events = happened & !TURNS_BITS;
+        let known = flags & !(STATUS | HELD | FORCE_OFF) == 0 && events & !EventSet::ALL == 0;
+        require(known, FaultKind::Value)?;
+        let [turns, _] = (happened >> TURNS_FROM).to_le_bytes();
         Ok(Self {
             position: [x, y],
             rest,
-            turns: flags >> 5,
+            turns,
             depth,
             state: at(&StateKind::ALL, state)?,
-            status: at(&Status::ALL, flags & 7)?,
-            held: flags & (1 << 3) != 0,
-            force_off: flags & (1 << 4) != 0,
+            status: status(flags & STATUS),
+            held: flags & HELD != 0,
+            force_off: flags & FORCE_OFF != 0,
             events: EventSet { bits: events },
             sample,
         })
     }
+}
+
+/// The code of a status. Codes keep their place; a new status takes the next one, wherever it stands in [`Status::ALL`].
+const fn status_code(status: Status) -> u8 {
+    match status {
+        Status::Ok => 0,
+        Status::EventLimit => 1,
+        Status::IterationLimit => 2,
+        Status::Ambiguous => 3,
+        Status::Saturated => 4,
+        Status::HeldLast => 5,
+        Status::Jammed => 6,
+        Status::Twist => 7,
+    }
+}
+
+/// The status of a code. One to come is taken for [`Status::Ambiguous`]: the pose may be out of balance.
+fn status(code: u8) -> Status {
+    let known = Status::ALL
+        .into_iter()
+        .find(|&one| status_code(one) == code);
+    known.unwrap_or(Status::Ambiguous)
 }
 
 /// Turns modulo 8.

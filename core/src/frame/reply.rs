@@ -72,8 +72,6 @@ pub enum Subject {
     TickRate,
     /// What is sent would not fit the line (bytes per second).
     LineRate,
-    /// The tolerance (rad).
-    Tolerance,
     /// The events of a step.
     EventLimit,
 }
@@ -208,11 +206,11 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
             Parameter::FrictionStatic(i) => (12, [i, 0]),
             Parameter::FrictionDynamic(i) => (13, [i, 0]),
             Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
+            Parameter::Memory(i) => (15, [i, 0]),
         },
         Subject::TickRate => (32, [0; 2]),
         Subject::LineRate => (33, [0; 2]),
-        Subject::Tolerance => (34, [0; 2]),
-        Subject::EventLimit => (35, [0; 2]),
+        Subject::EventLimit => (34, [0; 2]),
     }
 }
 
@@ -237,10 +235,10 @@ fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
             surface: i,
             vertex: j,
         },
+        15 => Parameter::Memory(i),
         32 => return Ok(Subject::TickRate),
         33 => return Ok(Subject::LineRate),
-        34 => return Ok(Subject::Tolerance),
-        35 => return Ok(Subject::EventLimit),
+        34 => return Ok(Subject::EventLimit),
         _ => return Err(FaultKind::Value),
     };
     Ok(Subject::Scene(parameter))

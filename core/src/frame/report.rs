@@ -27,7 +27,7 @@ use super::reply::Reply;
 ///
 /// let pose = Pose::new(&output, EventSet::of(output.events()), 17);
 /// let frame = Frame { sequence: 0, time: 1000, message: Report::Pose(pose) };
-/// assert_eq!(frame.encode(&mut [0; 32]).map(<[u8]>::len), Some(32));
+/// assert_eq!(frame.encode(&mut [0; 33]).map(<[u8]>::len), Some(33));
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,7 +21,7 @@ pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
 /// use stiction_core::{Description, Scene, SurfaceDescription};
 /// use stiction_core::frame::SceneCommand;
 ///
-/// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3 };
+/// let floor = SurfaceDescription { normal: [0.0, 1.0], offset: 0.0, friction_static: 0.5, friction_dynamic: 0.3, memory: None };
 /// let described = Description {
 ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.0, 0.03]],
 ///     start: [0.0, 0.03, 0.0],
@@ -124,14 +124,14 @@ impl<'a> SceneCommand<'a> {
         let holding_point = fields.f32s();
         let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
         Ok(Self {
-            vertices: List::take(fields, vertices),
+            vertices: List::take(fields, vertices)?,
             start,
             weight,
             holding_point: given.then_some(holding_point),
             reach,
             stiffness_translation,
             stiffness_rotation,
-            surfaces: List::take(fields, surfaces),
+            surfaces: List::take(fields, surfaces)?,
         })
     }
 }
@@ -167,10 +167,11 @@ impl Item for [f32; 2] {
 }
 
 impl Item for SurfaceDescription<f32> {
-    const BYTES: usize = 20;
+    const BYTES: usize = 25;
     fn put(&self, sink: &mut impl Sink) {
         sink.f32s(&self.normal);
         sink.f32s(&[self.offset, self.friction_static, self.friction_dynamic]);
+        sink.option(self.memory);
     }
     fn get(fields: &mut Fields<'_>) -> Self {
         let normal = fields.f32s();
@@ -180,6 +181,10 @@ impl Item for SurfaceDescription<f32> {
             offset,
             friction_static,
             friction_dynamic,
+            memory: fields.option().unwrap_or(None),
         }
+    }
+    fn valid(bytes: &[u8]) -> bool {
+        bytes.get(20).is_some_and(|&flag| flag <= 1)
     }
 }

@@ -3,6 +3,8 @@
 use super::*;
 use crate::fixtures::{Random, loads, unloaded};
 
+mod sliding;
+
 /// The pull on the lever and the couple together, each of either sign, up to what the number type represents.
 #[test]
 fn load_is_representable_together_with_the_couple() {

@@ -1,5 +1,5 @@
-//! The second harmonic of a moment: what a foot that glides without friction adds to the balance of a pinned one
-//! (STATICS 3.6). With friction a foot does not give way while the body turns, and there is none: by type, so that nothing
+//! The second harmonic of a moment: what a foot that slides adds to the balance of a pinned one
+//! (STATICS 3.6). A foot that sticks does not give way while the body turns, and there is none: by type, so that nothing
 //! of it is compiled.
 
 use crate::geometry::Vec2;
@@ -12,8 +12,9 @@ pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
     /// A foot that stays.
     const NONE: Self;
 
-    /// Of a foot that glides, the lever being (along, off) the surface.
-    fn gliding(lever: (R, R)) -> Self;
+    /// Of a foot that slides, the lever being (along, off) the surface, the reaction on an edge of the friction cone at
+    /// (cos lambda, sign sin lambda) from the normal.
+    fn sliding(lever: (R, R), edge: (R, R)) -> Self;
     /// The moment at ϑ = 0.
     fn moment(self, first: R) -> R;
     /// -dM/dϑ at ϑ = 0.
@@ -43,7 +44,7 @@ pub(crate) struct Pinned;
 impl<R: Real> SecondHarmonic<R> for Pinned {
     const NONE: Self = Self;
 
-    fn gliding(_: (R, R)) -> Self {
+    fn sliding(_: (R, R), _: (R, R)) -> Self {
         Self
     }
     fn moment(self, first: R) -> R {
@@ -78,29 +79,30 @@ impl<R: Real> SecondHarmonic<R> for Pinned {
     }
 }
 
-/// The foot glides.
+/// The foot slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Gliding<R> {
+pub(crate) struct Sliding<R> {
     /// (Q, P)
     second: Vec2<R>,
 }
 
-impl<R: Real> Gliding<R> {
-    /// (1 - cos 2ϑ) P + sin 2ϑ Q over 2 sin ϑ, (E11).
+impl<R: Real> Sliding<R> {
+    /// (1 - cos 2ϑ) P + sin 2ϑ Q over 2 sin ϑ.
     fn rise(self, (cosine, sine): (R, R)) -> R {
         R::sum_of_products(sine, self.second.y, cosine, self.second.x)
     }
 }
 
-impl<R: Real> SecondHarmonic<R> for Gliding<R> {
+impl<R: Real> SecondHarmonic<R> for Sliding<R> {
     const NONE: Self = Self { second: Vec2::ZERO };
 
-    fn gliding((along, off): (R, R)) -> Self {
+    fn sliding((along, off): (R, R), (cos, sin): (R, R)) -> Self {
+        let smooth = Vec2::new(
+            R::difference_of_products(along, along, off, off).halved(),
+            -(along * off),
+        );
         Self {
-            second: Vec2::new(
-                R::difference_of_products(along, along, off, off).halved(),
-                -(along * off),
-            ),
+            second: smooth * cos + smooth.turned() * sin,
         }
     }
     fn moment(self, first: R) -> R {

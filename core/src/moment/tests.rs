@@ -18,7 +18,6 @@ fn fold_lands_on_the_first_stable_balance() {
             stiffness: 1.0,
             hold: Vec2::new(kappa * libm::cos(fold), -kappa * libm::sin(fold)),
             harmonic: Pinned,
-            tolerance: 0.0,
         };
         let found = moment.over_fold(1.0);
         assert!(found.snapped && !found.unsure);
@@ -39,7 +38,6 @@ where
         stiffness: number(stiffness),
         hold: Vec2::new(number(x), number(y)),
         harmonic: Pinned,
-        tolerance: R::ZERO,
     }
 }
 

@@ -50,6 +50,7 @@ pub(super) mod samples;
 ///         offset: 0.0,
 ///         friction_static: 0.5,
 ///         friction_dynamic: 0.3,
+///         memory: None,
 ///     }],
 /// })?;
 /// let solver = Solver::new(scene, Evolution::Frame);

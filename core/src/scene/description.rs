@@ -14,6 +14,10 @@ pub struct SurfaceDescription<F> {
     /// Coefficient of dynamic friction mu_d >= 0: a slip ends where |T| = mu_d N. Equal to mu_s it makes a steady slide, smaller
     /// stick-slip.
     pub friction_dynamic: F,
+    /// Memory length D_c (m) >= 0: over so much sliding a contact renews. It sticks and slips where its normal force is at least
+    /// k_h D_c / (mu_s - mu_d), and slides at mu_d where it is less (STATICS 7). Small, it makes more and shorter slips. Finite;
+    /// `None`: L / 4096, L the body's largest vertex distance; 0 and all that is shorter count as 2^-19 L.
+    pub memory: Option<F>,
 }
 
 /// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new). The world frame is right-handed with y upwards,
@@ -27,6 +31,7 @@ pub struct SurfaceDescription<F> {
 ///     offset: 0.0,
 ///     friction_static: 0.1,
 ///     friction_dynamic: 0.3,
+///     memory: None,
 /// };
 /// let description = Description {
 ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
@@ -54,8 +59,8 @@ pub struct SurfaceDescription<F> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Description<'a, F> {
-    /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise, each farther than 3e-5
-    /// of the body's size from every side that does not end at it. At most as many as the scene has room for, and 255.
+    /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise, each farther than 3.1e-5
+    /// of the body's size (in `f64` 5.8e-6, in [`Fixed`](crate::Fixed) 1.6e-5) from every side that does not end at it. At most as many as the scene has room for, and 255.
     pub vertices: &'a [[F; 2]],
     /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface than 1e-5 of the body's
     /// size; those nearer to one than that touch it from the start.
@@ -107,6 +112,8 @@ pub enum Parameter {
     FrictionStatic(usize),
     /// The dynamic friction mu_d of a surface.
     FrictionDynamic(usize),
+    /// The memory length of a surface.
+    Memory(usize),
     /// At the start a vertex is inside a surface; the value is its depth (m).
     Penetration {
         /// Index of the surface.
@@ -132,6 +139,7 @@ impl fmt::Display for Parameter {
             Self::Offset(i) => write!(f, "offset of surface {i}"),
             Self::FrictionStatic(i) => write!(f, "static friction of surface {i}"),
             Self::FrictionDynamic(i) => write!(f, "dynamic friction of surface {i}"),
+            Self::Memory(i) => write!(f, "memory of surface {i}"),
             Self::Penetration { surface, vertex } => {
                 write!(
                     f,

@@ -78,7 +78,7 @@ fn pivot_that_lasts_stays_to_the_bit() {
             foot: 0.1 + angle,
             ..fixtures::pivot(angle)
         };
-        let state = ContactState::Edge(Edge { pivot, vertex: 1 });
+        let state = ContactState::Edge(Edge::new(pivot, 1));
         let [first, second] = [0, 1].map(|vertex| Pair { vertex, surface: 0 });
         assert_eq!(pivot_of(&scene, &state, first), pivot);
         let other = pivot_of(&scene, &state, second);
@@ -135,23 +135,4 @@ fn attempts_are_counted_while_nothing_moves() {
             assert_eq!([0; 3].map(|_| attempts.count(&here, single)), [0; 3]);
         }
     }
-}
-
-/// A slide without jumps goes on only through what is one slip and nothing else.
-#[test]
-fn log_tells_one_slip_from_more() {
-    let mut log = Log::<f64>::default();
-    assert!(!log.is_one_slip());
-    log.slip(-2.0);
-    assert!(log.is_one_slip());
-    assert_eq!(log.longest_slip, 2.0);
-    let with = |change: fn(&mut Log<f64>)| {
-        let mut log = log.clone();
-        change(&mut log);
-        log
-    };
-    assert!(!with(|log| log.slip(1.0)).is_one_slip());
-    assert!(!with(|log| log.event(Event::Tip)).is_one_slip());
-    assert!(!with(|log| log.limit(Status::IterationLimit)).is_one_slip());
-    assert!(!with(|log| log.ambiguous = true).is_one_slip());
 }

@@ -52,10 +52,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);
         let load = Load::new(&self.scene, placed, &state.grip);
-        let mut reactions = state.contact.reactions(&self.scene, &load);
+        let mut reactions = state.contact.reactions(&self.scene, &state.grip, &load);
         if !state.held {
             reactions.clear();
         }
+        let sliding = state.contact.sliding(&self.scene, &state.grip);
         let mut contacts = Contacts::default();
         for (i, pair) in state.contact.contacts().iter().enumerate() {
             let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
@@ -66,6 +67,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 point: units.point_to_si(at),
                 normal: units.force_to_si(normal),
                 friction: units.force_to_si(friction),
+                sliding: match sliding.get(i).copied().unwrap_or(R::ZERO) {
+                    sign if !state.held || sign == R::ZERO => 0,
+                    sign if sign < R::ZERO => -1,
+                    _ => 1,
+                },
             });
         }
         contacts

@@ -4,6 +4,7 @@
 use super::fixed_pose::FixedPose;
 use super::segment::Segment;
 use crate::contact::{Pair, Pairs, Reactions};
+use crate::detect::PointPath;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::list::gather;
@@ -20,6 +21,8 @@ use crate::wrench_cone::WrenchCone;
 pub(crate) struct Corner<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) surface: u8,
+    /// mu_s bounds the friction, not mu_d.
+    pub(crate) stiction: bool,
 }
 
 /// An outer edge of the sum of the cones: the contact that it belongs to and its direction of slip, and the inner normal.
@@ -48,7 +51,7 @@ impl<R: Real> Corner<R> {
                 self.surface
             };
             let surface = scene.surface(index);
-            let (n, t) = surface.friction.static_edge(side);
+            let (n, t) = surface.friction.edge(self.stiction, side);
             (contact, surface.normal * n + surface.tangent * t)
         };
         [
@@ -112,9 +115,13 @@ impl<R: Real> Corner<R> {
         let load = self.pivot.load(scene, from);
         let displacement = from.displacement_to(to);
         let moment = load.pinned::<Pinned>();
-        let mut segment =
-            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
-        segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
+        );
         for outer in self.outer_edges(scene).into_iter().flatten() {
             segment.stop_at(
                 &load.reaction(outer.inner, &displacement),
@@ -168,8 +175,21 @@ impl<R: Real> Corner<R> {
         if pulled { Trigger::Clear } else { trigger }
     }
 
+    fn fixed_pose(&self, scene: &impl World<R>) -> FixedPose<R> {
+        FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
+    }
+
+    /// Surfaces press harder than the load pulls by at most 1 over the sine of their angle.
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let [first, second] =
+            [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
+        let narrow = first.cross(second).abs() * WrenchCone::<R>::limit();
+        let size = self.pivot.load(scene, grip).force.length_bound();
+        narrow < size && self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        FixedPose::new(scene, &self.pivot, &self.contacts()).reactions(scene, load)
+        self.fixed_pose(scene).reactions(scene, load)
     }
 }
 
@@ -180,7 +200,7 @@ mod tests {
     use crate::real::Fixed;
     use crate::scene::{Description, Scene, SurfaceDescription};
 
-    /// A point on two surfaces whose normals are turned from the upright by these angles, with their mu_s.
+    /// A point on two surfaces whose normals are turned from the upright by these angles, with their mu_s, twice mu_d.
     fn corner<R: Real>(
         si: impl Fn(f64) -> R::Si,
         angles: [f64; 2],
@@ -191,6 +211,7 @@ mod tests {
             offset: si(0.0),
             friction_static: si(mu[i]),
             friction_dynamic: si(mu[i] / 2.0),
+            memory: None,
         };
         let scene = Scene::new(&Description {
             vertices: &[[0.0; 2].map(&si)],
@@ -207,10 +228,15 @@ mod tests {
             foot: R::ZERO,
             orientation: Orientation::new(Angle::default()),
         };
-        (scene.expect("a sound scene"), Corner { pivot, surface: 1 })
+        let corner = Corner {
+            pivot,
+            surface: 1,
+            stiction: true,
+        };
+        (scene.expect("a sound scene"), corner)
     }
 
-    /// The reaction may have any direction between the outer edges of the two cones, these included; where both surfaces are
+    /// The reaction may have any direction between the outer edges of the two cones, of mu_s or of mu_d, these included; where both surfaces are
     /// left the vertex is free, else it slides on one of them. The cone of a rough plane may have both.
     #[test]
     fn vertex_stays_while_the_reaction_is_between_the_outer_edges() {
@@ -221,9 +247,12 @@ mod tests {
             (-0.4, [0.2, 2.0]),
             (-0.4, [2.0, 0.2]),
         ];
-        for (angle, mu) in even.into_iter().chain(rough) {
-            let (scene, corner) = corner::<f64>(|x| x, [0.0, angle], mu);
-            let [floor, plane] = mu.map(libm::atan);
+        let both = |case| [true, false].map(|stiction| (case, stiction));
+        for ((angle, mu), stiction) in even.into_iter().chain(rough).flat_map(both) {
+            let (scene, mut corner) = corner::<f64>(|x| x, [0.0, angle], mu);
+            corner.stiction = stiction;
+            let dynamic = if stiction { 1.0 } else { 0.5 };
+            let [floor, plane] = mu.map(|mu| libm::atan(mu * dynamic));
             let (first, last) = (f64::min(-floor, angle - plane), floor.max(angle + plane));
             for i in -300..=300 {
                 // Of the reaction from the floor's normal; both edges are among them.

@@ -1,25 +1,30 @@
 //! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's path
 //! and in the slip, so every event is closed form.
 
+use super::SingleVertex;
 use super::segment::Segment;
 use crate::balance_curve::Margin;
-use crate::contact::{Pair, Pairs, Reactions};
-use crate::friction::Verdict;
+use crate::contact::{Pair, Pairs, Reactions, Regime};
+use crate::detect::PointPath;
+use crate::friction::{SlidingEdge, Verdict};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::list::gather;
 use crate::load::Load;
-use crate::moment::Gliding;
+use crate::moment::Sliding;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
-/// The memory: where the first vertex is held, the locked angle, and the other vertex.
+/// The memory: where the first vertex is held, the locked angle, the other vertex, and whether they stick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Edge<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) vertex: u8,
+    pub(crate) regime: Regime<R>,
+    /// So far it can slide before a vertex can touch another surface; 0: not known.
+    room: R,
 }
 
 /// Reactions on a path of the hand: (E4) and its change.
@@ -49,6 +54,15 @@ impl<R: Real> Reaction<R> {
 }
 
 impl<R: Real> Edge<R> {
+    pub(crate) fn new(pivot: Pivot<R>, vertex: u8) -> Self {
+        Self {
+            pivot,
+            vertex,
+            regime: Regime::LOOSE,
+            room: R::ZERO,
+        }
+    }
+
     pub(crate) fn contacts(&self) -> Pairs {
         let first = self.pivot.contact;
         let second = Pair {
@@ -83,45 +97,95 @@ impl<R: Real> Edge<R> {
         }
     }
 
-    /// A certified frame: it stays, or without friction glides. All is linear on the path, so that its end decides.
-    pub(crate) fn follow<W: World<R>>(&mut self, scene: &W, to: &Grip<R>) -> bool {
-        let mut pivot = self.pivot;
-        if W::GLIDES {
-            pivot.glide(scene, to);
-        }
-        let load = pivot.load(scene, to);
+    /// The edge of the friction cone in a slide along sign·t.
+    fn sliding(&self, scene: &impl World<R>, sign: R) -> SlidingEdge<R> {
+        self.pivot.surface(scene).sliding(sign)
+    }
+
+    /// A certified frame: it stays, or slides with the hand. All is linear on the way, so that its end decides.
+    pub(crate) fn follow<W: World<R>>(
+        &mut self,
+        scene: &W,
+        (from, to): (&Grip<R>, &Grip<R>),
+    ) -> bool {
+        let mut after = self.clone();
         let surface = self.pivot.surface(scene);
+        let slide = if W::GLIDES {
+            Some(R::ONE)
+        } else {
+            self.regime.slide()
+        };
+        if let Some(sign) = slide {
+            let edge = self.sliding(scene, sign);
+            after.pivot.slide(scene, to, &edge);
+            let displacement = from.displacement_to(to);
+            let advance = edge.balanced.dot(displacement.hand) * sign;
+            let way = (after.pivot.foot - self.pivot.foot).abs();
+            if !W::GLIDES && advance < -SingleVertex::<R>::slack(&displacement)
+                || W::SURFACES && !after.has_room(scene, way)
+            {
+                return false;
+            }
+        }
+        let load = after.pivot.load(scene, to);
         let (normal, friction) = surface.reaction(load.force);
         let span = surface.tangent.dot(load.placed.arm(scene, self.vertex));
         let second = -load.moment() / span;
         let slack = load.rounding() / span.abs();
-        let is_certified = load.is_representable()
-            && second > slack
-            && normal - second > slack
-            && (W::GLIDES || (surface.friction).is_within(normal, friction, slack));
-        if is_certified {
-            self.pivot = pivot;
+        let stiction = self.regime.has_stiction();
+        let coulomb = surface.friction;
+        let holds = slide.is_some() || coulomb.is_within((normal, friction), stiction, slack);
+        let follows = load.is_representable() && second > slack && normal - second > slack && holds;
+        if coulomb.is_pressed(normal) && !stiction {
+            if slide.is_some() {
+                return false;
+            }
+            after.regime = Regime::Stick { stiction: true };
         }
-        is_certified
+        if follows {
+            *self = after;
+        }
+        follows
     }
 
-    /// Stays as the hand moves, to the first of friction limit and N_i = 0.
+    /// True if no vertex can reach another surface on a way of the edge that has ended here.
+    fn has_room(&mut self, scene: &impl World<R>, way: R) -> bool {
+        self.room = self.room - way;
+        if self.room <= R::ZERO {
+            let placed = self.pivot.placed(scene);
+            self.room = placed.room_beside(scene, self.pivot.contact.surface) - way;
+        }
+        self.room > R::ZERO
+    }
+
+    /// Stays or slides as the hand moves, to the first of friction limit, N = N*, halt, touch and N_i = 0.
     pub(crate) fn advance<W: World<R>>(
         &mut self,
         scene: &W,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
+        self.room = R::ZERO;
         if W::GLIDES {
-            return self.glide_along(scene, from, to);
+            return self.advance_sliding(scene, (from, to), R::ONE);
+        }
+        if let Some(sign) = self.regime.slide() {
+            return self.advance_sliding(scene, (from, to), sign);
         }
         let load = self.pivot.load(scene, from);
         let reaction = self.reaction(scene, &load, &from.displacement_to(to));
         let mut segment: Segment<R> = Segment::straight(R::ONE, Trigger::Balanced);
         let friction = self.pivot.surface(scene).friction;
+        let stiction = self.regime.has_stiction();
         for sign in [R::ONE, -R::ONE] {
-            let holds = friction.holds(reaction.normal, reaction.friction, sign);
+            let margins = (reaction.normal, reaction.friction);
+            let holds = friction.holds(margins, stiction, sign);
             segment.stop_at(&holds, Trigger::Slide(sign));
+        }
+        if let Some(loosens) = friction.loosens(reaction.normal)
+            && !stiction
+        {
+            segment.stop_at(&loosens, Trigger::Pressed);
         }
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             segment.stop_at(part, keep(other, None));
@@ -129,24 +193,50 @@ impl<R: Real> Edge<R> {
         segment.moved()
     }
 
-    /// Without friction it glides as the hand moves, to the first N_i = 0.
-    fn glide_along(&mut self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
+    /// Slides along sign·t as the hand moves, to the first of halt, N = N*, touch and N_i = 0.
+    fn advance_sliding<W: World<R>>(
+        &mut self,
+        scene: &W,
+        (from, to): (&Grip<R>, &Grip<R>),
+        sign: R,
+    ) -> Moved<R> {
+        let edge = self.sliding(scene, sign);
+        let displacement = from.displacement_to(to);
         let load = self.pivot.load(scene, from);
-        let displacement = from
-            .displacement_to(to)
-            .pressing(&self.pivot.surface(scene));
-        let reaction = self.reaction(scene, &load, &displacement);
-        let mut segment = Segment::<R, Gliding<R>>::straight(R::ONE, Trigger::Balanced);
-        for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            segment.stop_at(part, keep(other, None));
+        let foot = load.foot(&edge, &displacement);
+        if !W::GLIDES && foot.along * sign < -SingleVertex::<R>::slack(&displacement) {
+            return Moved {
+                part: R::ZERO,
+                ..Moved::by(Trigger::Halts)
+            };
         }
-        self.pivot.glide(scene, &from.lerp(to, segment.part()));
+        let surface = self.pivot.surface(scene);
+        let shift = surface.tangent * (foot.along / edge.cos);
+        let relative = Displacement {
+            hand: displacement.hand - shift,
+            ..displacement
+        };
+        let reaction = self.reaction(scene, &load, &relative);
+        let mut segment = Segment::<R, Sliding<R>>::straight(R::ONE, Trigger::Balanced);
+        if W::SURFACES {
+            let path = PointPath::straight(shift);
+            segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
+        }
+        if let Some(loosens) = surface.friction.loosens(reaction.normal) {
+            segment.stop_at(&loosens, Trigger::Pressed);
+        }
+        for (part, other) in reaction.parts.iter().zip([1, 0]) {
+            segment.stop_at(part, keep(other, Some(sign)));
+        }
+        self.pivot
+            .slide(scene, &from.lerp(to, segment.part()), &edge);
         segment.moved()
     }
 
     /// Without friction it glides to balance, the energy falling by itself; then N_i are put to the test.
     fn glide_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        self.pivot.glide(scene, grip);
+        let edge = self.sliding(scene, R::ONE);
+        self.pivot.slide(scene, grip, &edge);
         let load = self.pivot.load(scene, grip);
         let reaction = self.reaction(scene, &load, &Displacement::slide(Vec2::ZERO));
         Moved::by(reaction.opens(None).unwrap_or(Trigger::Balanced))
@@ -161,6 +251,11 @@ impl<R: Real> Edge<R> {
     ) -> Moved<R> {
         if W::GLIDES {
             return self.glide_down(scene, grip);
+        }
+        let surface = self.pivot.surface(scene);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+        if surface.friction.is_pressed(normal) {
+            self.regime = Regime::Stick { stiction: true };
         }
         Moved::by(self.test(scene, grip, sliding))
     }
@@ -179,15 +274,17 @@ impl<R: Real> Edge<R> {
         {
             return Trigger::Slide(sign);
         }
-        match coulomb.judge(normal, friction, rounding) {
+        let stiction = self.regime.has_stiction();
+        match coulomb.judge((normal, friction), stiction, rounding) {
             Verdict::Sticks => Trigger::Balanced,
             Verdict::Slides(sign) => Trigger::Slide(sign),
             Verdict::Opens => Trigger::Clear,
         }
     }
 
-    /// Slides along sign·t to the first of |T| = mu_d N, touch, N_i = 0.
-    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    /// Slips along sign·t to the first of |T| = mu_d N, touch, N_i = 0. Where |T| = mu_d N ends it, it sticks if it is pressed hard
+    /// enough, else it slides on with the hand (rule 4).
+    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
         let farthest = load.force.length_bound() + load.lever.length_bound().doubled();
@@ -198,16 +295,23 @@ impl<R: Real> Edge<R> {
             .friction
             .drives(reaction.normal, reaction.friction, sign);
         segment.stop_at(&drives, Trigger::Stopped);
-        segment.stop_at_touch(scene, &load.placed, (shift, &self.contacts()));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(shift), &self.contacts()),
+        );
         for (part, other) in reaction.parts.iter().zip([1, 0]) {
             segment.stop_at(part, keep(other, Some(sign)));
         }
         let slip = sign * segment.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);
-        Moved {
-            slip,
-            ..segment.moved()
+        self.room = R::ZERO;
+        let moved = segment.moved();
+        if moved.trigger == Trigger::Stopped {
+            let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+            self.regime = Regime::after_slip(surface.friction.is_pressed(normal), sign);
         }
+        Moved { slip, ..moved }
     }
 
     /// The friction is collinear; it is reported in proportion to N_i.

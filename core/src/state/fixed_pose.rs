@@ -19,6 +19,7 @@ use crate::wrench_cone::{Bearing, WrenchCone, Yield};
 pub(super) struct FixedPose<R: Real> {
     pivot: Pivot<R>,
     contacts: Pairs,
+    stiction: bool,
     cone: WrenchCone<R>,
 }
 
@@ -50,7 +51,12 @@ fn keep<R: Real>((contacts, sliding): Mode<R>) -> Trigger<R> {
 }
 
 impl<R: Real> FixedPose<R> {
-    pub(super) fn new(scene: &impl World<R>, pivot: &Pivot<R>, contacts: &Pairs) -> Self {
+    /// With stiction or without it.
+    pub(super) fn new(
+        scene: &impl World<R>,
+        pivot: &Pivot<R>,
+        (contacts, stiction): (&Pairs, bool),
+    ) -> Self {
         let placed = pivot.placed(scene);
         let mut cone = WrenchCone::default();
         for contact in contacts {
@@ -59,18 +65,19 @@ impl<R: Real> FixedPose<R> {
                 lever: placed.arm(scene, contact.vertex),
                 normal: surface.normal,
                 tangent: surface.tangent,
-                edges: [R::ONE, -R::ONE].map(|edge| surface.friction.static_edge(edge)),
+                edges: [R::ONE, -R::ONE].map(|edge| surface.friction.edge(stiction, edge)),
             });
         }
         Self {
             pivot: *pivot,
             contacts: contacts.clone(),
+            stiction,
             cone,
         }
     }
 
-    /// True if the contacts bear the load on three edges of their cones: those of the last time, or others, which are
-    /// remembered.
+    /// True if the contacts bear the load on three edges of their cones, within the limit: those of the last time, or others, which
+    /// are remembered.
     pub(super) fn bears(
         &self,
         scene: &impl World<R>,
@@ -82,7 +89,7 @@ impl<R: Real> FixedPose<R> {
             return false;
         }
         let wrench = load.wrench();
-        let little = Self::little(&load, R::ZERO);
+        let little = load.little();
         if self.cone.bears_on(*bearers, wrench, little) {
             return true;
         }
@@ -91,17 +98,40 @@ impl<R: Real> FixedPose<R> {
         found.is_some()
     }
 
-    /// To the end of the hand's path, or to where the load is not borne any more.
+    /// True if the contacts bear the load, however large their reactions.
+    fn holds(&self, load: &Load<R>) -> bool {
+        let (wrench, little) = (load.wrench(), load.little());
+        if self.cone.jams(wrench, little) {
+            return true;
+        }
+        // Contacts without friction bear a load on fewer edges, at the edge of a cone and beyond a facet by a rounding.
+        let rounding = load.rounding().doubled().doubled();
+        let is_inside = self.cone.first_yield(wrench, wrench, rounding).is_none();
+        is_inside && self.cone.left(wrench, little) <= little
+    }
+
+    /// True if the contacts bear the load with no reactions within the limit.
+    pub(super) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let (wrench, little) = (load.wrench(), load.little());
+        self.cone.bearers(wrench, little).is_none() && self.cone.exceeds_limit(wrench, little)
+    }
+
+    /// To the end of the hand's path, or to where the load is not borne any more. The loads that are borne are convex, so that
+    /// the end decides.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
+        if self.holds(&after) {
+            return Moved::by(Trigger::Balanced);
+        }
         let rounding = (before.rounding() + after.rounding()).doubled();
         match (self.cone).first_yield(before.wrench(), after.wrench(), rounding) {
             // Facets may be known less well than reactions.
-            None => Moved::by(self.test(scene, to, 0)),
+            None => Moved::by(self.give_way(scene, (to, to), 0)),
             Some(part) => {
                 let at = from.lerp(to, part);
-                // A short path ahead: farther on the load might drive other motions.
-                let ahead = at.toward(to, R::ONE / R::from_int(128));
+                // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
+                let ahead = at.ahead(scene, to, self.release(scene, &at));
                 Moved {
                     part,
                     ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
@@ -110,15 +140,18 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
+    /// A displacement of the hand after which a load that the contacts had just borne is surely beyond that.
+    pub(super) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        let load = self.pivot.load(scene, grip);
+        let of_reactions = self
+            .cone
+            .rounding_of_reactions(load.wrench(), load.little());
+        load.release() + of_reactions.doubled()
+    }
+
     /// At rest, or what begins. `attempt`: how many motions were tried in vain.
     pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
-        let load = self.pivot.load(scene, grip);
-        let (wrench, rounding) = (load.wrench(), load.rounding().doubled().doubled());
-        let holds = || self.cone.first_yield(wrench, wrench, rounding).is_none();
-        // At the edge of a cone a load may be borne and beyond a facet by a rounding.
-        let little = Self::little(&load, R::ZERO);
-        let is_borne = self.cone.bearers(wrench, little).is_some();
-        if is_borne || (holds() && self.cone.left(wrench, little) <= little) {
+        if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
         } else {
             self.give_way(scene, (grip, grip), attempt)
@@ -128,14 +161,21 @@ impl<R: Real> FixedPose<R> {
     /// True if there are reactions that balance the load, to what the end of a slip is found to.
     pub(super) fn is_at_rest(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let load = self.pivot.load(scene, grip);
-        let little = Self::little(&load, load.tolerance.doubled().doubled());
+        let little = load.little();
         self.cone.left(load.wrench(), little) <= little
     }
 
-    /// What reactions may leave of a load: a `part` of its size and what is as small as a gap that counts as closed. At the
-    /// edge of a cone nothing is driven yet.
-    fn little(load: &Load<R>, part: R) -> R {
-        load.rounding() * R::from_int(4) + load.size() * (R::TOUCH + part)
+    /// The directions along t in which two contacts slide where the load crosses the facet of one edge of each.
+    pub(super) fn sliding_signs(&self, scene: &impl World<R>, grip: &Grip<R>) -> Option<[R; 2]> {
+        let load = self.pivot.load(scene, grip);
+        match self
+            .cone
+            .yields(load.wrench(), load.rounding(), &|_| true)?
+        {
+            Yield::Slide { first, second } if first.0 < second.0 => Some([first.1, second.1]),
+            Yield::Slide { first, second } => Some([second.1, first.1]),
+            Yield::Pivot { .. } => None,
+        }
     }
 
     /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
@@ -242,11 +282,14 @@ impl<R: Real> FixedPose<R> {
 
     /// Reactions, which are statically indeterminate.
     pub(super) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        let little = Self::little(load, R::ZERO);
+        let little = load.little();
         let shares = self.cone.share(load.wrench(), little);
         let pairs = self.contacts.iter().zip(&shares);
         gather(pairs.map(|(contact, &[plus, minus])| {
-            let (n, t) = scene.surface(contact.surface).friction.static_edge(R::ONE);
+            let (n, t) = scene
+                .surface(contact.surface)
+                .friction
+                .edge(self.stiction, R::ONE);
             [plus * n + minus * n, plus * t - minus * t]
         }))
     }

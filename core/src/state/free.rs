@@ -2,11 +2,11 @@
 
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::detect::Placed;
+use crate::detect::{Placed, PointPath};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
-use crate::moment::{Downhill, SecondHarmonic};
+use crate::moment::{Downhill, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
@@ -38,15 +38,13 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
-        tolerance: R,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
         let (orientation, curvature_bound) = if Self::turns_with_hand(scene) {
             (Orientation::new(to.angle), turn * turn)
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
-            let mut load = Self { pose }.load(scene, to);
-            load.tolerance = tolerance;
+            let load = Self { pose }.load(scene, to);
             match CertifiedTurn::pinned::<H>(scene, &load, to, &Displacement::turn(turn)) {
                 Some(certified) => (certified.orientation, certified.swing()),
                 None => return false,
@@ -86,12 +84,12 @@ impl<R: Real> Free<R> {
         let load = self.load(scene, from);
         let displacement = from.displacement_to(to);
         let mut moment = load.pinned::<H>();
+        let mut drive = load.drive(&Displacement::turn(displacement.turn));
         if Self::turns_with_hand(scene) {
             // As the hand does, however little of the moment the number type sees.
-            moment.stiffness = R::ONE;
+            (moment.stiffness, drive.couple) = (R::ONE, displacement.turn);
         }
-        let turns = Displacement::turn(displacement.turn);
-        let segment = Segment::balanced(&moment, (load.lever, &turns), Trigger::Balanced);
+        let segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
         let moved = self.sweep(scene, &load.placed, segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the path.
@@ -126,7 +124,26 @@ impl<R: Real> Free<R> {
         scene: &impl World<R>,
         grip: &Grip<R>,
     ) -> Moved<R> {
-        let downhill = self.downhill::<H>(scene, grip);
+        self.relax_by::<H>(scene, grip, self.downhill::<H>(scene, grip))
+    }
+
+    /// The same from a fold of the balance of the weight, on in the direction of the sign.
+    pub(crate) fn snap<H: SecondHarmonic<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Moved<R> {
+        let moment = self.load(scene, grip).pinned::<H>();
+        self.relax_by::<H>(scene, grip, moment.over_fold(direction))
+    }
+
+    fn relax_by<H: SecondHarmonic<R>>(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        downhill: Downhill<R>,
+    ) -> Moved<R> {
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
         let mut moved = self.straight::<H>(scene, grip, downhill.turn, R::ONE);
@@ -143,6 +160,17 @@ impl<R: Real> Free<R> {
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
         moved
+    }
+
+    /// The hand alone holds it where it is, but for what rounding leaves.
+    pub(crate) fn is_near_balance(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.load(scene, grip);
+        let turn = if Self::turns_with_hand(scene) {
+            load.turn
+        } else {
+            load.pinned::<Pinned>().polish()
+        };
+        load.force.length_bound() + turn.abs() <= load.release()
     }
 
     /// The turn to balance.
@@ -185,7 +213,7 @@ impl<R: Real> Free<R> {
         mut segment: Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
-        segment.stop_at_touch(scene, placed, (shift, &[]));
+        segment.stop_at_touch(scene, placed, (&PointPath::straight(shift), &[]));
         let end = Placed {
             point: placed.point + shift * segment.part(),
             orientation: placed.orientation.plus(segment.turn()),

@@ -17,6 +17,8 @@ use heapless::Vec;
 pub(crate) struct Locked<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) others: Vec<Pair, { MAX_CONTACTS - 1 }>,
+    /// mu_s bounds the friction, not mu_d.
+    pub(crate) stiction: bool,
     /// Edges of the friction cones that bore the load last.
     pub(crate) bearers: [u8; 3],
 }
@@ -26,6 +28,7 @@ impl<R: Real> Locked<R> {
         Self {
             pivot,
             others: gather(others.iter().copied()),
+            stiction: false,
             bearers: [0, 1, 2],
         }
     }
@@ -35,24 +38,36 @@ impl<R: Real> Locked<R> {
         gather(first.into_iter().chain(self.others.iter().copied()))
     }
 
-    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the path decides.
+    fn fixed_pose(&self, scene: &impl World<R>) -> FixedPose<R> {
+        FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
+    }
+
+    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        let fixed_pose = FixedPose::new(scene, &self.pivot, &self.contacts());
+        let fixed_pose = self.fixed_pose(scene);
         fixed_pose.bears(scene, to, &mut self.bearers)
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.
     pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        FixedPose::new(scene, &self.pivot, &self.contacts()).advance(scene, from, to)
+        self.fixed_pose(scene).advance(scene, from, to)
     }
 
     /// Puts the contacts to the test as they are.
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Moved<R> {
-        let fixed_pose = FixedPose::new(scene, &self.pivot, &self.contacts());
+        let fixed_pose = self.fixed_pose(scene);
         Moved::by(fixed_pose.test(scene, grip, attempt))
     }
 
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        self.fixed_pose(scene).release(scene, grip)
+    }
+
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
-        FixedPose::new(scene, &self.pivot, &self.contacts()).reactions(scene, load)
+        self.fixed_pose(scene).reactions(scene, load)
     }
 }

@@ -3,10 +3,10 @@
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::Pair;
-use crate::detect::{Moving, Placed};
+use crate::detect::{Moving, Placed, PointPath};
 use crate::geometry::Vec2;
-use crate::grip::{Displacement, Grip};
-use crate::moment::{Downhill, Moment, Pinned, SecondHarmonic};
+use crate::grip::Grip;
+use crate::moment::{Downhill, Drive, Moment, Pinned, SecondHarmonic};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
@@ -37,39 +37,25 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
     }
 
     /// Of a body that turns about a point in balance of moments, to the end of the path of the hand or to the fold before.
-    pub(super) fn balanced(
-        moment: &Moment<R, H>,
-        (lever, displacement): (Vec2<R>, &Displacement<R>),
-        trigger: Trigger<R>,
-    ) -> Self {
-        let curve = Self::curve(moment, lever, displacement);
+    pub(super) fn balanced(moment: &Moment<R, H>, drive: &Drive<R>, trigger: Trigger<R>) -> Self {
+        let curve = BalanceCurve::balanced(moment, drive);
         Self::of(curve, curve.extent(), trigger)
     }
 
     /// The same, to where a margin is used up, if that is earlier: what usually ends it, in one search with the others.
     pub(super) fn balanced_until(
         moment: &Moment<R, H>,
-        (lever, displacement): (Vec2<R>, &Displacement<R>),
+        drive: &Drive<R>,
         trigger: Trigger<R>,
         (margin, ends): (&Margin<R>, Trigger<R>),
     ) -> Self {
-        let curve = Self::curve(moment, lever, displacement);
+        let curve = BalanceCurve::balanced(moment, drive);
         let (extent, ended) = curve.extent_until(Some(margin));
         let segment = Self::of(curve, extent, if ended { ends } else { trigger });
         Self {
             goes_on: segment.goes_on && !ended,
             ..segment
         }
-    }
-
-    fn curve(
-        moment: &Moment<R, H>,
-        lever: Vec2<R>,
-        displacement: &Displacement<R>,
-    ) -> BalanceCurve<R, H> {
-        let drive = lever.conj_mul(displacement.hand);
-        BalanceCurve::balanced(moment, drive, displacement.turn)
-            .to_within(moment.tolerance, displacement.hand.length_bound())
     }
 
     fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {
@@ -94,16 +80,24 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
-    /// Ends where a further vertex reaches a surface, if that is earlier. The placed point moves by `shift` at tau = 1.
+    /// Ends where a foot turns back whose displacement is a margin, if that is earlier.
+    pub(super) fn stop_at_reversal(&mut self, foot: &Margin<R>, slack: R, trigger: Trigger<R>) {
+        if self.curve.stop_at_reversal(foot, slack, &mut self.extent) {
+            self.trigger = trigger;
+            self.goes_on = false;
+        }
+    }
+
+    /// Ends where a further vertex reaches a surface, if that is earlier, the placed point going along a path.
     pub(super) fn stop_at_touch(
         &mut self,
         scene: &impl World<R>,
         placed: &Placed<R>,
-        (shift, lasting): (Vec2<R>, &[Pair]),
+        (path, lasting): (&PointPath<R>, &[Pair]),
     ) {
         let moving = Moving {
             curve: &self.curve,
-            shift,
+            path,
             lasting,
         };
         if let Some(pair) = placed.first_touch(scene, &mut self.extent, &moving) {
@@ -146,12 +140,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         let moved = self.moved();
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             let moment = pivot.load(scene, to).pinned::<H>();
-            let polished = pivot.moved(R::ZERO, moment.polish());
-            // Within a tolerance touches were looked for up to the end of the segment only.
-            let is_exact = moment.tolerance == R::ZERO;
-            if is_exact || polished.placed(scene).touching(scene, -R::TOUCH).is_empty() {
-                *pivot = polished;
-            }
+            *pivot = pivot.moved(R::ZERO, moment.polish());
         }
         moved
     }
@@ -164,7 +153,11 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         downhill: &Downhill<R>,
     ) -> Moved<R> {
         let mut segment = Self::turning(downhill.turn, Trigger::Balanced);
-        segment.stop_at_touch(scene, &pivot.placed(scene), (Vec2::ZERO, lasting));
+        segment.stop_at_touch(
+            scene,
+            &pivot.placed(scene),
+            (&PointPath::straight(Vec2::ZERO), lasting),
+        );
         *pivot = pivot.moved(R::ZERO, segment.turn());
         let moved = segment.moved();
         Moved {

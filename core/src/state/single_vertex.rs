@@ -5,7 +5,8 @@ use super::segment::Segment;
 use super::short_slip::ShortSlip;
 use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
-use crate::contact::{Pairs, Reactions};
+use crate::contact::{Pairs, Reactions, Regime};
+use crate::detect::PointPath;
 use crate::friction::Verdict;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -14,13 +15,14 @@ use crate::load::Load;
 use crate::moment::{Downhill, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::verb::{Moved, Terms, Trigger};
+use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
-/// The memory: where the vertex is held, and the angle, which is the branch.
+/// The memory: where the vertex is held, the angle, which is the branch, and whether it sticks.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SingleVertex<R> {
     pub(crate) pivot: Pivot<R>,
+    pub(crate) regime: Regime<R>,
     /// By so much the body can turn about the pivot before another vertex can touch (rad); 0: not known.
     pub(super) room: R,
 }
@@ -35,6 +37,7 @@ impl<R: Real> SingleVertex<R> {
     pub(crate) fn new(pivot: Pivot<R>) -> Self {
         Self {
             pivot,
+            regime: Regime::LOOSE,
             room: R::ZERO,
         }
     }
@@ -54,51 +57,77 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// A certified frame: it sticks and turns. If the hand jumps, its end alone decides.
+    /// A certified frame: it sticks and turns.
     pub(crate) fn follow(
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
-        terms: Terms<R>,
-    ) -> Option<Trigger<R>> {
-        let mut load = self.pivot.load(scene, to);
-        load.tolerance = terms.tolerance;
+    ) -> bool {
+        let load = self.pivot.load(scene, to);
         if !load.is_representable() {
-            return None;
+            return false;
         }
         let displacement = from.displacement_to(to);
-        let certified = CertifiedTurn::pinned::<Pinned>(scene, &load, to, &displacement)?;
+        let certified = CertifiedTurn::pinned::<Pinned>(scene, &load, to, &displacement);
+        let Some(certified) = certified else {
+            return false;
+        };
         let orientation = certified.orientation;
         // The reaction strays by the turn from the straight line to where the hand alone would take it ...
-        let trigger = if self.holds(scene, &load, certified.turn_bound) {
-            Trigger::Balanced
-        } else {
+        if !self.holds(scene, &load, certified.turn_bound) {
             // ... and by much less from the one to where it ends.
             let end = load.turned(scene, orientation, to);
-            if terms.jumps {
-                self.test(scene, &end)
-            } else if self.holds(
-                scene,
-                &end,
-                certified.curvature_bound(&load, &displacement).halved(),
-            ) {
-                Trigger::Balanced
-            } else {
-                return None;
+            let stray = certified
+                .curvature_bound(&load.drive(&displacement))
+                .halved();
+            if !self.holds(scene, &end, stray) {
+                return false;
             }
+        }
+        let Some(regime) = self.pressed(scene, (&load, to), &certified) else {
+            return false;
         };
-        self.has_room_to_turn(scene, &certified).then(|| {
+        let follows = self.has_room_to_turn(scene, &certified);
+        if follows {
             self.pivot.orientation = orientation;
-            trigger
-        })
+            self.regime = regime;
+        }
+        follows
     }
 
-    /// True if the reaction stays within the static cone though the lever strays by a part of its length.
+    /// The regime after a certified turn: without stiction the vertex gains it where it is pressed hard enough (rule 3). Nothing
+    /// where the reaction may rise to that and fall again.
+    fn pressed(
+        &self,
+        scene: &impl World<R>,
+        (load, to): (&Load<R>, &Grip<R>),
+        certified: &CertifiedTurn<R>,
+    ) -> Option<Regime<R>> {
+        let surface = self.pivot.surface(scene);
+        let threshold = surface.friction.threshold();
+        if self.regime.has_stiction() {
+            return Some(self.regime);
+        }
+        let (normal, _) = surface.reaction(load.force);
+        if normal + self.stray(load, certified.turn_bound) < threshold || threshold >= R::HUGE {
+            return Some(self.regime);
+        }
+        let end = load.turned(scene, certified.orientation, to);
+        let (normal, _) = surface.reaction(end.force);
+        (surface.friction.is_pressed(normal)).then_some(Regime::Stick { stiction: true })
+    }
+
+    /// By so much a reaction strays whose lever strays by a part of its length.
+    fn stray(&self, load: &Load<R>, part: R) -> R {
+        load.lever.length_bound() * part + load.rounding()
+    }
+
+    /// True if the reaction stays within the cone though the lever strays by a part of its length.
     fn holds(&self, scene: &impl World<R>, load: &Load<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
-        let slack = load.lever.length_bound() * stray + load.rounding();
-        (surface.friction).is_within(normal, friction, slack)
+        let slack = self.stray(load, stray);
+        (surface.friction).is_within((normal, friction), self.regime.has_stiction(), slack)
     }
 
     /// True if no other vertex can reach a surface on the path to `end`, on which no point of the body goes farther than
@@ -146,13 +175,23 @@ impl<R: Real> SingleVertex<R> {
         let surface = self.pivot.surface(scene);
         let displacement = from.displacement_to(to);
         let moment = load.pinned::<Pinned>();
-        let mut segment =
-            Segment::balanced(&moment, (load.lever, &displacement), Trigger::Balanced);
-        segment.stop_at_touch(scene, &load.placed, (Vec2::ZERO, &self.contacts()));
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
+        );
         let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
+        let stiction = self.regime.has_stiction();
         for sign in [R::ONE, -R::ONE] {
-            let holds = surface.friction.holds(normal, friction, sign);
+            let holds = (surface.friction).holds((normal, friction), stiction, sign);
             segment.stop_at(&holds, Trigger::Slide(sign));
+        }
+        if let Some(loosens) = surface.friction.loosens(normal)
+            && !stiction
+        {
+            segment.stop_at(&loosens, Trigger::Pressed);
         }
         segment.stop_at(&normal, Trigger::Clear);
         segment.turn_with_hand(scene, &mut self.pivot, to)
@@ -192,9 +231,19 @@ impl<R: Real> SingleVertex<R> {
             && self.has_room_to_turn(scene, &certified)
         {
             self.pivot.orientation = certified.orientation;
+            self.renew(scene, grip);
             return Moved::by(self.test(scene, &self.pivot.load(scene, grip)));
         }
         self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill())
+    }
+
+    /// At a frozen hand it has stiction where it is pressed hard enough (rule 3).
+    fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
+        let surface = self.pivot.surface(scene);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+        if surface.friction.is_pressed(normal) {
+            self.regime = Regime::Stick { stiction: true };
+        }
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
@@ -212,9 +261,8 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// What the friction at the end of a slip may be off.
-    fn found_to(load: &Load<R>) -> R {
-        let rounding = load.rounding_with_foot() * R::from_int(64);
-        rounding + (load.size() * load.tolerance).doubled().doubled()
+    pub(super) fn found_to(load: &Load<R>) -> R {
+        load.rounding_with_foot() * R::from_int(64)
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
@@ -233,6 +281,7 @@ impl<R: Real> SingleVertex<R> {
         let lasting = self.contacts();
         let mut moved = Segment::<R>::turn_downhill(scene, &mut self.pivot, &lasting, downhill);
         if moved.trigger == Trigger::Balanced {
+            self.renew(scene, grip);
             moved.trigger = self.test(scene, &self.pivot.load(scene, grip));
         }
         moved
@@ -243,23 +292,25 @@ impl<R: Real> SingleVertex<R> {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
         let rounding = load.rounding();
-        match surface.friction.judge(normal, friction, rounding) {
+        let stiction = self.regime.has_stiction();
+        match (surface.friction).judge((normal, friction), stiction, rounding) {
             Verdict::Sticks => Trigger::Balanced,
             Verdict::Slides(sign) => Trigger::Slide(sign),
             Verdict::Opens => Trigger::Clear,
         }
     }
 
-    /// Slides along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of
-    /// (E3), touch, lift-off, fold.
-    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
-        let mut load = self.pivot.load(scene, grip);
+    /// Slips along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch,
+    /// lift-off, fold. Where it ends in balance it sticks if it is pressed hard enough, else it slides on with the hand (rule 4).
+    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+        let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);
         let found = ShortSlip::find(scene, placed, grip, sign);
         if let Ok(slip) = found {
             let end = self.pivot.moved(slip.slide, slip.turn);
             if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
+                self.end_slip(scene, grip, sign);
                 return Moved {
                     slip: slip.slide,
                     ..Moved::by(Trigger::Stopped)
@@ -267,11 +318,7 @@ impl<R: Real> SingleVertex<R> {
             }
         }
         self.room = R::ZERO;
-        if self.pivot.surface(scene).friction.is_continuous() {
-            // Where it stops it must also stick.
-            load.tolerance = R::ZERO;
-        }
-        // Beyond this distance the hand would pull back; a longer one than this load is covered in several slips.
+        // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
         let lever = load.lever.length_bound();
         let farthest =
             (load.force.length_bound() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
@@ -281,46 +328,79 @@ impl<R: Real> SingleVertex<R> {
         };
         // To look no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
-        let (mut slip, mut segment) = self.slide_segment(scene, &load, sign * near);
+        let (mut slip, mut segment) = self.slip_segment(scene, &load, sign * near);
         if segment.goes_on() && near < farthest {
-            (slip, segment) = self.slide_segment(scene, &load, sign * farthest);
+            (slip, segment) = self.slip_segment(scene, &load, sign * farthest);
         }
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);
         let load = self.pivot.load(scene, grip);
+        let surface = self.pivot.surface(scene);
+        let (normal, friction) = surface.reaction(load.force);
+        // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
+        let off = Self::found_to(&load);
+        let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
+        let unbalanced = !self.is_balanced(&load) || drives(sign) || drives(-sign);
+        if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
+            self.end_slip(scene, grip, sign);
+        }
         Moved {
             slip,
-            unbalanced: !self.is_balanced(&load)
-                || self.is_driven_beyond(scene, &load, (sign, Self::found_to(&load))),
+            unbalanced,
             ..moved
         }
     }
 
-    /// A slide by `shift` along t, or to what ends it before: how far it goes, and its segment. The slide as a function of the turn
-    /// is (E2), in the form of (E7).
-    fn slide_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
+    fn end_slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
+        if grip.swings(scene) {
+            self.lean_on(scene, grip, sign);
+        }
+        let surface = self.pivot.surface(scene);
+        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
+        self.regime = Regime::after_slip(surface.friction.is_pressed(normal), sign);
+    }
+
+    /// A slip by `shift` along t, or to what ends it before: how far it goes, and its course.
+    fn slip_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
         let surface = self.pivot.surface(scene);
         let displacement = Displacement::slide(surface.tangent * shift);
         let moment = load.pinned::<Pinned>();
         let Reaction { normal, friction } = Self::reaction(load, &surface, &displacement);
         let drives = surface.friction.drives(normal, friction, shift.sign());
         let ends = (&drives, Trigger::Stopped);
-        let lever = load.lever;
-        let mut segment =
-            Segment::balanced_until(&moment, (lever, &displacement), Trigger::Stopped, ends);
+        let drive = load.drive(&displacement);
+        let mut segment = Segment::balanced_until(&moment, &drive, Trigger::Stopped, ends);
         let lasting = self.contacts();
-        segment.stop_at_touch(scene, &load.placed, (surface.tangent * shift, &lasting));
+        segment.stop_at_touch(
+            scene,
+            &load.placed,
+            (&PointPath::straight(surface.tangent * shift), &lasting),
+        );
         segment.stop_at(&normal, Trigger::Clear);
         (shift * segment.part(), segment)
     }
 
-    /// True if the moment of the load is rounding, or within the tolerance.
+    /// True if the body is in balance about the vertex, to what the end of a path is found to.
+    pub(crate) fn is_found(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        load.moment().abs() <= Self::found_to(&load)
+    }
+
+    /// True if its reaction is in the cone, to the same.
+    pub(crate) fn is_in_cone(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let surface = self.pivot.surface(scene);
+        let (reaction, found) = (surface.reaction(load.force), Self::found_to(&load));
+        let verdict = (surface.friction).judge(reaction, self.regime.has_stiction(), found);
+        matches!(verdict, Verdict::Sticks)
+    }
+
+    /// True if the moment of the load is rounding.
     fn is_balanced(&self, load: &Load<R>) -> bool {
-        let within = (load.tolerance * load.stability()).doubled();
         // The angle is rounded, too.
         let angle = R::rounding(load.stability()).doubled().doubled();
         let rounding = (load.rounding_with_foot() + angle).doubled();
-        load.moment().abs() <= rounding.max(within)
+        load.moment().abs() <= rounding
     }
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {

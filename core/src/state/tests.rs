@@ -24,6 +24,7 @@ pub(in crate::state) fn scene(planes: &[(f64, [f64; 2])]) -> Room {
             offset: cos * y - sin * x,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }
     };
     let mut surfaces = [surface(0.0, [0.0; 2]); 4];
@@ -64,6 +65,7 @@ fn on_floor<const V: usize, M: Model>(
         offset: 0.0,
         friction_static: mu,
         friction_dynamic: mu / 2.0,
+        memory: None,
     };
     let scene = Scene::new(&Description {
         vertices,

@@ -1,10 +1,10 @@
 //! The slip of a body with two vertices on two surfaces: one degree of freedom, the unit twist of slide along t1 and
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
-use crate::balance_curve::{BalanceCurve, Place};
-use crate::bounded::{Bounded, BoundedVec};
+use crate::balance_curve::{BalanceCurve, Extent};
+use crate::bounded::Bounded;
 use crate::contact::Pair;
-use crate::detect::Moving;
+use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::load::Load;
@@ -12,6 +12,11 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
 use crate::world::{Surface, World};
+
+mod kinematics;
+mod slide;
+
+pub(crate) use slide::{SlideEnding, Slides};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +34,8 @@ pub(crate) struct Trammel<R> {
 /// What depends on the direction of a trammel motion.
 #[derive(Clone, Copy, Debug)]
 struct Sense<R> {
+    /// The sign of the unit twist.
+    direction: R,
     curve: BalanceCurve<R>,
     /// Signs of the velocities of the two contacts along their tangents; 0 where a contact rests.
     signs: [R; 2],
@@ -74,22 +81,11 @@ pub(crate) enum Ending<R> {
     Window,
 }
 
-/// The quantities of the motion at a place.
-struct Quantities<R> {
-    /// (E6), delta times the resistance: zero in balance.
-    imbalance: Bounded<R>,
-    /// N_1, N_2 times the resistance.
-    normals: [Bounded<R>; 2],
-    /// det [w1 w2 drag]
-    resistance: Bounded<R>,
-    /// Velocities of the contacts along their tangents.
-    velocities: [Bounded<R>; 2],
-}
-
 impl<R: Real> Sense<R> {
     /// Along a motion whose friction is not known yet.
-    fn along(curve: BalanceCurve<R>) -> Self {
+    fn along(curve: BalanceCurve<R>, direction: R) -> Self {
         Self {
+            direction,
             curve,
             signs: [R::ZERO; 2],
             reactions: [Vec2::ZERO; 2],
@@ -108,37 +104,96 @@ impl<R: Real> Trammel<R> {
         grip: &Grip<R>,
         demand: Demand,
     ) -> Option<Self> {
-        let placed = pivot.placed(scene);
-        let mut load = Load::new(scene, placed, grip);
-        let arm = placed.arm(scene, other.vertex);
-        let size =
-            load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
-        let per_load = R::ONE / (size + load.couple.abs() + load.stiffness);
-        let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
-        if surfaces
-            .iter()
-            .all(|surface| surface.friction.is_continuous())
-        {
-            // Where it stops it must also stick.
-            load.tolerance = R::ZERO;
-        }
-        let mut trammel = Self {
-            sense: Sense::along(BalanceCurve::straight()),
-            surfaces,
-            load,
-            arm,
-            weight: scene.weight(),
-            per_load,
-        };
+        Self::driven_in(scene, (pivot, other), grip, (&[R::ONE, -R::ONE], demand))
+    }
+
+    /// That of some directions that the hand drives most, if any.
+    pub(crate) fn driven_in(
+        scene: &impl World<R>,
+        contacts: (&Pivot<R>, Pair),
+        grip: &Grip<R>,
+        (directions, demand): (&[R], Demand),
+    ) -> Option<Self> {
+        let mut trammel = Self::at(scene, contacts, grip);
         let mut best: Option<Sense<R>> = None;
-        for direction in [R::ONE, -R::ONE] {
-            trammel.sense = Sense::along(Self::curve(&surfaces, arm, direction));
+        for &direction in directions {
+            trammel.sense = trammel.turned_to(direction);
             let excess = best.map_or(R::LEAST, |sense| sense.excess);
             if trammel.meets_friction(demand) && trammel.sense.excess > excess {
                 best = Some(trammel.sense);
             }
         }
         best.map(|sense| Self { sense, ..trammel })
+    }
+
+    /// In a direction, driven or not.
+    pub(crate) fn in_sense(
+        scene: &impl World<R>,
+        contacts: (&Pivot<R>, Pair),
+        grip: &Grip<R>,
+        direction: R,
+    ) -> Self {
+        let mut trammel = Self::at(scene, contacts, grip);
+        trammel.sense = trammel.turned_to(direction);
+        trammel.meets_friction(Demand::AtTheEnd);
+        trammel
+    }
+
+    /// At a place, without a motion yet.
+    fn at(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), grip: &Grip<R>) -> Self {
+        let placed = pivot.placed(scene);
+        let load = Load::new(scene, placed, grip);
+        let size =
+            load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
+        Self {
+            sense: Sense::along(BalanceCurve::straight(), R::ONE),
+            surfaces: [pivot.surface(scene), scene.surface(other.surface)],
+            load,
+            arm: placed.arm(scene, other.vertex),
+            weight: scene.weight(),
+            per_load: R::ONE / (size + load.couple.abs() + load.stiffness),
+        }
+    }
+
+    fn turned_to(&self, direction: R) -> Sense<R> {
+        let curve = Self::curve(&self.surfaces, self.arm, direction);
+        Sense::along(curve, direction)
+    }
+
+    /// The sign of the unit twist.
+    pub(crate) fn direction(&self) -> R {
+        self.sense.direction
+    }
+
+    /// The signs of the velocities of both contacts along their tangents; 0 where one rests.
+    pub(crate) fn signs(&self) -> [R; 2] {
+        self.sense.signs
+    }
+
+    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone.
+    pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
+        let [f1, f2] = self.sense.reactions;
+        let spread = f1.cross(f2);
+        if spread.abs() > R::HALF.halved().halved() {
+            // What balances the force does so to the last digit.
+            let force = self.load.force;
+            let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
+            return self.on_edges(sizes);
+        }
+        let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
+        let per = found.resistance.value * self.per_load;
+        self.on_edges(found.normals.map(|size| size.value / per))
+    }
+
+    /// (N, T) of both contacts from the parts of their reactions along the edges of the dynamic cones.
+    fn on_edges(&self, sizes: [R; 2]) -> [[R; 2]; 2] {
+        let ([first, second], [s1, s2]) = (self.surfaces, self.sense.signs);
+        let [size1, size2] = sizes;
+        [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {
+            let (n, t) = surface.friction.sliding_edge(sign);
+            let size = size.max(R::ZERO);
+            [size * n, size * t]
+        })
     }
 
     /// Slide along t1 and turn, per unit of the motion.
@@ -219,72 +274,30 @@ impl<R: Real> Trammel<R> {
         R::from_int(16) * R::EPSILON
     }
 
-    fn velocities(&self, p: &Place<R>) -> [Bounded<R>; 2] {
-        let [first, second] = self.surfaces;
-        let rate = self.sense.curve.rate_bounded();
-        let slide = self.sense.curve.part_velocity(p);
-        let turning = self.rotated(p, self.arm.turned());
-        let along = second.tangent.dot(first.tangent);
-        let swing = turning.x * Bounded::constant(second.tangent.x)
-            + turning.y * Bounded::constant(second.tangent.y);
-        [slide, slide * Bounded::constant(along) + swing * rate]
-    }
-
-    fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> BoundedVec<R> {
-        let (cos, sin) = self.sense.curve.rotation_bounded(p);
-        let at = BoundedVec::constant(v);
-        BoundedVec {
-            x: at.x * cos - at.y * sin,
-            y: at.x * sin + at.y * cos,
+    /// At a fold of (E6), where it and its slope are zero: up to here it grows with the curvature ahead.
+    pub(crate) fn clear_of_fold(&self) -> R {
+        let p = self.sense.curve.at(R::ZERO);
+        let curved = self.imbalance_slope(&p, R::ONE);
+        let ahead = curved.slope * self.sense.resistance.sign();
+        if ahead > R::ZERO {
+            (R::ONE + R::HALF) * ahead / curved.bounds[2].max(ahead)
+        } else {
+            R::ZERO
         }
     }
 
-    fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
-        let slide = self.sense.curve.part_bounded(p, window);
-        let turn = self.sense.curve.turn_bounded(p, window);
-        let lever = self.rotated(p, self.load.lever);
-        let centroid = self.rotated(p, self.load.centroid);
-        let arm = self.rotated(p, self.arm);
-        let relative = |v: Vec2<R>| BoundedVec::constant(v * self.per_load);
-        let hand = relative(self.load.spring + self.load.lever)
-            - relative(self.surfaces[0].tangent).scaled(slide);
-        let weight = relative(self.weight);
-        let force = hand - lever.scaled(Bounded::constant(self.per_load)) + weight;
-        let couple = Bounded::constant(self.load.couple * self.per_load)
-            - turn * Bounded::constant(self.load.stiffness * self.per_load);
-        let moment = couple + lever.cross(hand) + centroid.cross(weight);
-        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
-        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
-        let velocities = self.velocities(p);
-        let second = arm.cross(f2);
-        let drag = t1.scaled(velocities[0]) + t2.scaled(velocities[1]);
-        let drag_moment = arm.cross(t2) * velocities[1];
-        let spread = f1.cross(f2);
-        Quantities {
-            imbalance: moment * spread - second * f1.cross(force),
-            normals: [
-                second * force.cross(drag)
-                    - moment * f2.cross(drag)
-                    - drag_moment * force.cross(f2),
-                moment * f1.cross(drag) - drag_moment * f1.cross(force),
-            ],
-            resistance: drag_moment * spread - second * f1.cross(drag),
-            velocities,
-        }
-    }
-
-    /// Runs to the first ending; `lasting`: the two contacts.
+    /// Runs to the first ending, of which the balance is not before `clear`; `lasting`: the two contacts.
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
         lasting: &[Pair],
-        demand: Demand,
+        (clear, demand): (R, Demand),
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
         let begin = self.velocities(&self.sense.curve.at(R::ZERO));
         let are_turning = begin.map(|v| v.value.abs() <= Self::standstill());
-        let found = first_zero((window, self.load.tolerance), |x| {
+        let found = first_zero(window, |x| {
             let q = self.quantities(&self.sense.curve.at(x), window);
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
@@ -304,7 +317,16 @@ impl<R: Real> Trammel<R> {
             // What drives it is not nothing to the search, whatever its bound.
             let mut imbalance = q.imbalance.as_slope(sense);
             imbalance.rounding = imbalance.rounding.min(self.sense.rounding);
-            Samples::far([imbalance, n1, n2, turns1, turns2])
+            let (balance, window) = if x < clear {
+                (None, clear - x)
+            } else {
+                (Some(imbalance), R::HUGE)
+            };
+            let [n1, n2, turns1, turns2] = [n1, n2, turns1, turns2].map(Some);
+            Samples {
+                functions: [balance, n1, n2, turns1, turns2],
+                window,
+            }
         });
         let (x, mut ending, unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),
@@ -312,10 +334,13 @@ impl<R: Real> Trammel<R> {
             // So far nothing ended it: it goes on from there.
             Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
-        let mut extent = self.sense.curve.extent_to(x);
+        let mut extent = Extent {
+            unsure,
+            ..self.sense.curve.extent_to(x)
+        };
         let moving = Moving {
             curve: &self.sense.curve,
-            shift: self.surfaces[0].tangent,
+            path: &PointPath::straight(self.surfaces[0].tangent),
             lasting,
         };
         if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {
@@ -324,7 +349,7 @@ impl<R: Real> Trammel<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure: unsure || extent.unsure,
+            unsure: extent.unsure,
         };
         (run, ending)
     }

@@ -2,21 +2,22 @@
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 use super::fixed_pose::FixedPose;
-use super::trammel::{Demand, Ending, Trammel};
-use crate::contact::{Pair, Pairs, Reactions};
+use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel};
+use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::grip::Grip;
 use crate::list::gather;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::verb::{Moved, Relax, Trigger, seat};
-use crate::world::World;
+use crate::verb::{Moved, Relax, Trigger, seat_sliding};
+use crate::world::{Surface, World};
 
-/// The memory: where the first contact is held, the fixed angle, the other contact.
+/// The memory: where the first contact is held, the fixed angle, the other contact, and whether they stick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct TwoVertex<R> {
     pub(crate) pivot: Pivot<R>,
     pub(crate) other: Pair,
+    pub(crate) regime: Regime<R>,
     /// Edges of the friction cones that bore the load last.
     pub(crate) bearers: [u8; 3],
 }
@@ -29,6 +30,7 @@ impl<R: Real> TwoVertex<R> {
         Self {
             pivot,
             other,
+            regime: Regime::LOOSE,
             bearers: [0, 1, 2],
         }
     }
@@ -38,22 +40,134 @@ impl<R: Real> TwoVertex<R> {
     }
 
     fn fixed_pose(&self, scene: &impl World<R>) -> FixedPose<R> {
-        FixedPose::new(scene, &self.pivot, &self.contacts())
+        let stiction = self.regime.has_stiction();
+        FixedPose::new(scene, &self.pivot, (&self.contacts(), stiction))
     }
 
-    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the path decides.
+    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
     pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
+        if self.regime.slide().is_some() {
+            return false;
+        }
         let fixed_pose = self.fixed_pose(scene);
         fixed_pose.bears(scene, to, &mut self.bearers)
     }
 
-    /// Stays as the hand moves, as long as the interval of (E5) is not empty.
-    pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
+    /// Stays as the hand moves, as long as the interval of (E5) is not empty, or slides with it.
+    pub(crate) fn advance(
+        &mut self,
+        scene: &impl World<R>,
+        from: &Grip<R>,
+        to: &Grip<R>,
+    ) -> Moved<R> {
+        if let Some(sense) = self.regime.slide() {
+            return self.advance_sliding(scene, (from, to), sense);
+        }
         let moved = self.fixed_pose(scene).advance(scene, from, to);
         Moved {
             trigger: slides(moved.trigger),
             ..moved
         }
+    }
+
+    /// The slide in a sense of the twist that follows a displacement of the hand.
+    fn sliding(
+        &self,
+        scene: &impl World<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+        sense: R,
+    ) -> Slides<R> {
+        let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), from, sense);
+        Slides::new(trammel, &from.displacement_to(to))
+    }
+
+    /// Slides on both surfaces as the hand moves, to the first of halt, fold, touch, N_i = 0, stiction.
+    fn advance_sliding(
+        &mut self,
+        scene: &impl World<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+        sense: R,
+    ) -> Moved<R> {
+        let mut done = R::ZERO;
+        let mut at = *from;
+        for _ in 0..WINDOWS {
+            let slides = self.sliding(scene, (&at, to), sense);
+            let (run, part, ending) = slides.run(scene, &self.contacts());
+            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+            at = at.lerp(to, part);
+            done = done + (R::ONE - done) * part;
+            let trigger = match ending {
+                SlideEnding::Window => continue,
+                SlideEnding::Arrives => Trigger::Balanced,
+                SlideEnding::Halts => Trigger::Halts,
+                SlideEnding::Folds => Trigger::Fold(sense),
+                SlideEnding::Pressed => Trigger::Pressed,
+                SlideEnding::Touches(pair) => Trigger::Touch(pair),
+                SlideEnding::Opens { lasts, sliding } => Trigger::Keep {
+                    contacts: [lasts, lasts],
+                    sliding: Some(sliding),
+                },
+            };
+            return Moved {
+                part: done,
+                ..Moved::by(trigger)
+            };
+        }
+        // So far nothing ended it: it goes on from there.
+        Moved {
+            part: done,
+            unsure: true,
+            ..Moved::by(Trigger::Balanced)
+        }
+    }
+
+    /// Without stiction the contacts give way at the edges of their dynamic cones: they slide, or stick on with stiction. Nothing
+    /// where no slide has the signs of these edges, or none follows the hand in balance (rule 10e).
+    pub(crate) fn begin_slide(
+        &self,
+        scene: &impl World<R>,
+        path: (&Grip<R>, &Grip<R>),
+    ) -> Option<Regime<R>> {
+        let signs = self.fixed_pose(scene).sliding_signs(scene, path.0)?;
+        let mut senses = [R::ONE, -R::ONE].into_iter();
+        senses.find_map(|sense| {
+            let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);
+            let mut velocities = trammel.signs().into_iter().zip(signs);
+            if !velocities.all(|(velocity, sign)| velocity * sign >= R::ZERO) {
+                return None;
+            }
+            let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
+            match slides.begins() {
+                Some(SlideEnding::Arrives) => Some(Regime::Slide(sense)),
+                Some(SlideEnding::Pressed) => Some(Regime::Stick { stiction: true }),
+                _ => None,
+            }
+        })
+    }
+
+    /// The other contact has just closed while the first one slid along a sign: both slide if the motion that goes on with that
+    /// follows the hand and presses the new contact on, else both stick (rule 10g).
+    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, path: (&Grip<R>, &Grip<R>), sign: R) {
+        self.regime = Regime::LOOSE;
+        for sense in [R::ONE, -R::ONE] {
+            let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);
+            let [first, _] = trammel.signs();
+            if first != sign {
+                continue;
+            }
+            let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
+            if let Some((advances, [_, pressing])) = slides.rates()
+                && advances > R::ZERO
+                && pressing > R::ZERO
+            {
+                self.regime = Regime::Slide(sense);
+            }
+        }
+    }
+
+    /// The directions along t in which both slide.
+    pub(crate) fn sliding_signs(&self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> [R; 2] {
+        Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense).signs()
     }
 
     /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
@@ -66,18 +180,44 @@ impl<R: Real> TwoVertex<R> {
         })
     }
 
-    /// Slides on both surfaces to the first of (E6), N_i = 0, touch.
-    pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+    /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
+    /// its memory, else they slide on with the hand (rule 10d).
+    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        self.slip_on(scene, grip, None)
+    }
+
+    /// From a fold of a slide, on in the same sense.
+    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Moved<R> {
+        self.slip_on(scene, grip, Some(sense))
+    }
+
+    /// In the sense that is driven most, or over a fold in the sense of the slide.
+    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, over_fold: Option<R>) -> Moved<R> {
         let mut moved = Moved::by(Trigger::Undriven);
         let (begin, mut turn) = (self.pivot, R::ZERO);
+        let (mut sense, mut folds) = (over_fold, over_fold.is_some());
         let mut demand = Demand::Pressed;
         for _ in 0..WINDOWS {
-            let any = |demand| Trammel::driven(scene, (&self.pivot, self.other), grip, demand);
-            let Some(trammel) = any(demand).or_else(|| any(Demand::AtTheEnd)) else {
+            // It goes one way.
+            let senses = sense.map_or([R::ONE, -R::ONE], |sense| [sense; 2]);
+            let contacts = (&self.pivot, self.other);
+            let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
+            let trammel = match sense {
+                Some(sense) if folds => Some(Trammel::in_sense(scene, contacts, grip, sense)),
+                _ => any(demand).or_else(|| any(Demand::AtTheEnd)),
+            };
+            let Some(trammel) = trammel else {
                 break;
             };
-            let (run, ending) = trammel.run(scene, &self.contacts(), demand);
-            self.pivot = seat(scene, self.pivot.moved(run.slide, run.turn), &[self.other]);
+            sense = Some(trammel.direction());
+            let clear = if folds {
+                trammel.clear_of_fold()
+            } else {
+                R::ZERO
+            };
+            folds = false;
+            let (run, ending) = trammel.run(scene, &self.contacts(), (clear, demand));
+            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
             moved.slip = moved.slip + run.slide;
             turn = turn + run.turn;
             moved.unsure |= run.unsure;
@@ -106,7 +246,30 @@ impl<R: Real> TwoVertex<R> {
                 moved.trigger = Trigger::Undriven;
             }
         }
+        if let Some(sense) = sense
+            && moved.trigger == Trigger::Stopped
+            && !moved.unsure
+            && !moved.unbalanced
+        {
+            self.regime = Regime::after_slip(self.has_renewed(scene, &begin), sense);
+        }
         moved
+    }
+
+    /// A contact has gone as far as its memory since a place, and regains stiction.
+    fn has_renewed(&self, scene: &impl World<R>, begin: &Pivot<R>) -> bool {
+        let pairs = self.contacts();
+        let surfaces = || pairs.iter().map(|pair| scene.surface(pair.surface));
+        let has_stiction = surfaces().any(|surface| surface.friction.threshold() < R::HUGE);
+        let foot = |pivot: &Pivot<R>, pair: &Pair| {
+            let placed = pivot.placed(scene);
+            let point = placed.point + placed.arm(scene, pair.vertex);
+            scene.surface(pair.surface).tangent.dot(point)
+        };
+        let renews = |(pair, surface): (&Pair, Surface<R>)| {
+            (foot(&self.pivot, pair) - foot(begin, pair)).abs() >= surface.friction.memory()
+        };
+        has_stiction && pairs.iter().zip(surfaces()).any(renews)
     }
 
     /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide.
@@ -117,7 +280,24 @@ impl<R: Real> TwoVertex<R> {
             .any(|sliding| fixed_pose.opens(scene, grip, &([lasts, lasts], sliding)))
     }
 
-    pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        self.regime.slide().is_none() && self.fixed_pose(scene).is_jammed(scene, grip)
+    }
+
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        self.fixed_pose(scene).release(scene, grip)
+    }
+
+    pub(crate) fn reactions(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        load: &Load<R>,
+    ) -> Reactions<R> {
+        if let Some(sense) = self.regime.slide() {
+            let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
+            return gather(trammel.reactions());
+        }
         self.fixed_pose(scene).reactions(scene, load)
     }
 }

@@ -83,9 +83,13 @@ fn arm_of_a_verb_leads_from_the_state() {
     let states = [
         ContactState::Free(Free { pose }),
         ContactState::SingleVertex(SingleVertex::new(pivot)),
-        ContactState::Edge(Edge { pivot, vertex: 1 }),
+        ContactState::Edge(Edge::new(pivot, 1)),
         ContactState::TwoVertex(TwoVertex::new(pivot, other)),
-        ContactState::Corner(Corner { pivot, surface: 1 }),
+        ContactState::Corner(Corner {
+            pivot,
+            surface: 1,
+            stiction: false,
+        }),
         ContactState::Locked(Locked::new(pivot, &[other])),
     ];
     for (state, kind) in states.iter().zip(Kind::ALL) {

@@ -8,17 +8,65 @@ use crate::list::gather;
 use crate::real::Real;
 use crate::wrench2::Wrench2;
 
+/// The parts of edges that lie almost in a plane are looked at so many times at most, and refined in between.
+const REFINEMENTS: usize = 4;
+
 impl<R: Real> WrenchCone<R> {
-    /// True if three edges alone bear a load but for a little.
+    /// True if three edges alone bear a load but for a little, with no reaction beyond the limit.
     pub(crate) fn bears_on(&self, edges: [u8; 3], load: Wrench2<R>, little: R) -> bool {
-        self.bearing(edges.map(usize::from), load, little).is_some()
+        let parts = self.bearing(edges.map(usize::from), load, little);
+        parts.is_some_and(|parts| self.is_within_limit(&parts))
     }
 
-    /// Three edges that bear a load but for a little.
+    /// Three edges that do.
     pub(crate) fn bearers(&self, load: Wrench2<R>, little: R) -> Option<[u8; 3]> {
         let small = |edges: [usize; 3]| edges.map(|k| u8::try_from(k).unwrap_or(u8::MAX));
         let mut triples = self.triples().map(small);
         triples.find(|&edges| self.bears_on(edges, load, little))
+    }
+
+    /// True if three edges bear a load but for a little, however large the reactions.
+    pub(crate) fn jams(&self, load: Wrench2<R>, little: R) -> bool {
+        let (mut part, step) = (load, R::from_int(16));
+        while part.size() > little * step {
+            if self
+                .triples()
+                .any(|t| self.bearing(t, part, little).is_some())
+            {
+                return true;
+            }
+            let presses = |&part: &R| part >= R::ZERO;
+            let mut solutions = self.triples().filter_map(|t| self.on_three(t, part));
+            let is_beyond = solutions.any(|(solution, _)| {
+                let parts = solution.map(|(_, part)| part);
+                parts.iter().all(presses) && parts.iter().any(|&part| part >= R::HUGE)
+            });
+            if !is_beyond {
+                return false;
+            }
+            // Reactions beyond the numbers: those that bear a fraction of the load are not.
+            part = part.over(step);
+        }
+        false
+    }
+
+    /// True if no contact has to press harder than what is borne as it is.
+    #[inline(never)]
+    fn is_within_limit(&self, solution: &[(usize, R)]) -> bool {
+        (0..self.levers.len()).all(|contact| {
+            let edges = solution
+                .iter()
+                .filter_map(|&(k, part)| Some((self.edges.get(k)?, part)));
+            let own = edges.filter(|(edge, _)| edge.contact == contact);
+            own.fold(R::ZERO, |sum, (edge, part)| sum + edge.pressing * part) <= Self::limit()
+        })
+    }
+
+    /// True if some contact of those that come nearest to bearing a load presses harder than what is borne as it is.
+    pub(crate) fn exceeds_limit(&self, load: Wrench2<R>, little: R) -> bool {
+        let (parts, _) = self.parts(load, little);
+        let all: Vec<(usize, R), MAX_EDGES> = gather(parts.into_iter().enumerate());
+        !self.is_within_limit(&all)
     }
 
     /// What the reactions that come nearest to bearing a load leave of it.
@@ -58,13 +106,14 @@ impl<R: Real> WrenchCone<R> {
         (nearest.parts, nearest.left)
     }
 
-    /// The mean of all that bear it, or what comes nearest, as far as numbers go.
+    /// The mean of all that bear it within the limit, or what comes nearest, as far as numbers go. Once in an image.
+    #[inline(never)]
     fn nearest(&self, load: Wrench2<R>, little: R) -> Nearest<R> {
         let mut parts = self.none();
         let mut solutions = 0_i32;
         let mut large = None;
         for solution in self.triples().filter_map(|t| self.bearing(t, load, little)) {
-            if solution.iter().all(|&(_, part)| part < R::RANGE) {
+            if self.is_within_limit(&solution) {
                 solutions = solutions.saturating_add(1);
                 add(&mut parts, &solution);
             } else {
@@ -171,15 +220,35 @@ impl<R: Real> WrenchCone<R> {
             add(&mut parts, solution);
             self.remainder(load, &parts)
         };
-        // In finer steps.
-        let fine = R::from_int(256);
-        let (more, _) = self.on_three(edges, remainder_of(&solution).scaled(fine))?;
         let mut refined = solution;
-        for (part, (_, more)) in refined.iter_mut().zip(more) {
-            part.1 = part.1 + more / fine;
+        for _ in 0..REFINEMENTS {
+            let remainder = remainder_of(&refined);
+            let rounding = Self::rounding(refined.iter().map(|(_, part)| part), load);
+            if presses(&refined) && remainder.size() <= little + rounding {
+                return Some(refined);
+            }
+            // In steps so fine that what is left is a sixteenth: its parts are numbers then, and those of the faces show.
+            let fine = remainder.size().unit() * R::from_int(16);
+            let (more, _) = self.on_three(edges, remainder.over(fine))?;
+            for (part, (_, more)) in refined.iter_mut().zip(more) {
+                part.1 = part.1 + more * fine;
+            }
         }
-        let is_borne = presses(&refined) && remainder_of(&refined).size() <= little;
-        is_borne.then_some(refined)
+        None
+    }
+
+    /// What the rounding of parts of edges leaves of a load: of as much of it as shows in which direction it is.
+    fn rounding<'a>(parts: impl IntoIterator<Item = &'a R>, load: Wrench2<R>) -> R {
+        let sum = parts.into_iter().fold(R::ZERO, |sum, &part| sum + part);
+        R::rounding(sum)
+            .doubled()
+            .doubled()
+            .min(load.size() / R::from_int(64))
+    }
+
+    /// What the rounding of the reactions that bear a load leaves of it.
+    pub(crate) fn rounding_of_reactions(&self, load: Wrench2<R>, little: R) -> R {
+        Self::rounding(&self.nearest(load, little).parts, load)
     }
 
     /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings. No factor is beyond the
@@ -194,7 +263,8 @@ impl<R: Real> WrenchCone<R> {
         let (ab, bc, ca) = (a.cross(b), b.cross(c), c.cross(a));
         let volume = a.dot(bc);
         let part = |face: Wrench2<R>| -face.dot(load) / volume;
-        let usable = volume.abs() > Self::tolerance();
+        // What is hardly known shows by what it leaves.
+        let usable = volume.abs() > R::EPSILON;
         usable.then(|| {
             let solution = [(i, part(bc)), (j, part(ca)), (k, part(ab))];
             (solution, volume.abs())

@@ -1,19 +1,17 @@
-//! The instruction bench with the solver of a compiled-in scene: of its number type, its capacities and its model.
+//! The instruction bench in the number type, the capacities, the model and the evolution of a compiled-in scene, for the scenes of
+//! jobs.
 #![no_std]
 #![no_main]
 
-use stiction_core::Solver;
 use stiction_firmware::board::{self, entry};
 
+#[expect(dead_code, reason = "the scene is that of a job")]
 mod scene {
     include!(env!("STICTION_SCENE_FILE"));
 }
-use scene::{CompiledScene, EVOLUTION, SCENE};
+use scene::{CompiledScene, EVOLUTION};
 
 #[entry]
 fn main() -> ! {
-    match CompiledScene::new(&SCENE) {
-        Ok(scene) => board::count_compiled(Solver::new(scene, EVOLUTION)),
-        Err(_) => board::no_scene(),
-    }
+    board::count_in_model(CompiledScene::new, EVOLUTION)
 }

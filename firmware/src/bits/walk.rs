@@ -85,6 +85,7 @@ impl Walk {
             angle: Angle { turns: 0, rest },
             depth: rest,
             held: self.held,
+            tilted: false,
         }
     }
 }
@@ -107,6 +108,7 @@ fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
         offset: narrow(offset),
         friction_static: narrow(0.5),
         friction_dynamic: narrow(0.3),
+        memory: None,
     };
     let vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]];
     let description = Description {

@@ -31,7 +31,7 @@ pub enum Placement {
 }
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, V, S, M> {
-    /// New stiffnesses and frictions. The answer is that of the settling, if there was a body to settle.
+    /// New stiffnesses, and the friction and memory length of every surface. The answer is that of the settling, if there was a body to settle.
     ///
     /// # Errors
     /// [`Refusal`]; then nothing has changed.
@@ -42,6 +42,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         for surface in &mut store.surfaces {
             surface.friction_static = new.friction_static;
             surface.friction_dynamic = new.friction_dynamic;
+            surface.memory = new.memory;
         }
         self.set_scene(&store.description(), Placement::Present)
     }
@@ -77,7 +78,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         Ok(Some(output))
     }
 
-    /// How the device runs from now on: evolution, tolerance, limits, the period of ticks. The body stays as it is; the force
+    /// How the device runs from now on: evolution, event limit, limits, the period of ticks. The body stays as it is; the force
     /// goes on from where it is, the counts as well.
     ///
     /// # Errors

@@ -139,6 +139,7 @@ pub(crate) const NO_HAND: Hand<f32> = Hand {
     },
     depth: 0.0,
     held: false,
+    tilted: false,
 };
 
 /// The solver of a scene.

@@ -8,8 +8,6 @@ use stiction_core::{Description, Evolution, MAX_EVENT_LIMIT, Model, Real, Solver
 pub struct Settings {
     /// How a frame is evolved.
     pub evolution: Evolution,
-    /// See [`Solver::with_tolerance`]; 0 is exact.
-    pub tolerance: f32,
     /// See [`Solver::with_event_limit`]; 0 is taken as 1.
     pub event_limit: u8,
     /// What may go to the hand.
@@ -22,7 +20,6 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             evolution: Evolution::default(),
-            tolerance: 0.0,
             event_limit: MAX_EVENT_LIMIT,
             limits: Limits::DEFAULT,
             passivity: None,
@@ -56,7 +53,6 @@ impl Settings {
     ) -> Solver<R, V, S, M> {
         solver
             .with_evolution(self.evolution)
-            .with_tolerance(self.tolerance)
             .with_event_limit(self.event_limit)
     }
 }

@@ -1,35 +1,18 @@
 //! The scene of a job: to bytes on the host, from bytes to the scene of any number type on the board.
 
 use heapless::Vec;
-use stiction_core::{Description, Evolution, Real, Scene, SceneError, SiFloat, SurfaceDescription};
+use stiction_core::{
+    Description, Evolution, Model, Real, Scene, SceneError, SiFloat, SurfaceDescription,
+};
 
 use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
 
 /// The bytes of a job before its vertices.
-pub(crate) const HEAD_BYTES: usize = 96;
+pub(crate) const HEAD_BYTES: usize = 88;
 const VERTEX_BYTES: usize = 16;
-const SURFACE_BYTES: usize = 40;
+const SURFACE_BYTES: usize = 48;
 const MARK: [u8; 4] = *b"stjb";
-
-/// How the solver of a job is set.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
-    /// The evolution within a frame.
-    pub evolution: Evolution,
-    /// The tolerance of its searches (rad), see [`stiction_core::Solver::with_tolerance`]; 0 exact.
-    pub tolerance: f64,
-}
-
-impl Setting {
-    /// Without a tolerance.
-    pub const fn exact(evolution: Evolution) -> Self {
-        Self {
-            evolution,
-            tolerance: 0.0,
-        }
-    }
-}
 
 /// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many. The scene has at most 255 vertices
 /// and 255 surfaces.
@@ -38,14 +21,14 @@ impl Setting {
 /// The first error of `sink`.
 pub fn write_scene<E>(
     scene: &Description<'_, f64>,
-    setting: Setting,
+    evolution: Evolution,
     samples: u32,
     mut sink: impl FnMut(&[u8]) -> Result<(), E>,
 ) -> Result<(), E> {
     let count = |n: usize| u8::try_from(n).unwrap_or(u8::MAX);
     let mut head = Record::<HEAD_BYTES>::new();
     head.put(MARK).u8(VERSION);
-    head.u8(match setting.evolution {
+    head.u8(match evolution {
         Evolution::Path => 0,
         Evolution::Frame => 1,
     });
@@ -58,8 +41,7 @@ pub fn write_scene<E>(
     let [x, y] = scene.holding_point.unwrap_or_default();
     head.f64(x).f64(y).f64(scene.reach);
     head.f64(scene.stiffness_translation)
-        .f64(scene.stiffness_rotation)
-        .f64(setting.tolerance);
+        .f64(scene.stiffness_rotation);
     sink(&head.bytes())?;
     for &[x, y] in scene.vertices {
         sink(&Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes())?;
@@ -70,7 +52,8 @@ pub fn write_scene<E>(
         record.f64(x).f64(y).f64(surface.offset);
         record
             .f64(surface.friction_static)
-            .f64(surface.friction_dynamic);
+            .f64(surface.friction_dynamic)
+            .f64(surface.memory.unwrap_or(f64::NAN));
         sink(&record.bytes())?;
     }
     Ok(())
@@ -79,8 +62,8 @@ pub fn write_scene<E>(
 /// The head of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Head {
-    /// How the solver is set.
-    pub(crate) setting: Setting,
+    /// The evolution within a frame.
+    pub(crate) evolution: Evolution,
     /// How many hand samples follow.
     pub(crate) samples: u32,
     vertices: u8,
@@ -113,13 +96,9 @@ impl Head {
         let start = [fields.f64(), fields.f64(), fields.f64()];
         let weight = fields.f64();
         let holding_point = [fields.f64(), fields.f64()];
-        let [reach, stiffness_translation, stiffness_rotation, tolerance] =
-            [(); 4].map(|()| fields.f64());
+        let [reach, stiffness_translation, stiffness_rotation] = [(); 3].map(|()| fields.f64());
         Ok(Self {
-            setting: Setting {
-                evolution,
-                tolerance,
-            },
+            evolution,
             samples,
             vertices,
             surfaces,
@@ -136,10 +115,10 @@ impl Head {
     ///
     /// # Errors
     /// `source` fails, or the numbers do not make a scene of these capacities.
-    pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, E>(
+    pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model, E>(
         &self,
         mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
-    ) -> Result<Scene<R, V, S>, E>
+    ) -> Result<Scene<R, V, S, M>, E>
     where
         E: From<SceneError<R::Si>> + From<FormatError>,
     {
@@ -174,11 +153,14 @@ impl Head {
 
 fn surface<F: SiFloat>(bytes: &[u8; SURFACE_BYTES]) -> SurfaceDescription<F> {
     let mut fields = Fields::new(bytes);
-    let mut next = || F::narrow(fields.f64());
+    let mut next = || fields.f64();
     SurfaceDescription {
-        normal: [next(), next()],
-        offset: next(),
-        friction_static: next(),
-        friction_dynamic: next(),
+        normal: [next(), next()].map(F::narrow),
+        offset: F::narrow(next()),
+        friction_static: F::narrow(next()),
+        friction_dynamic: F::narrow(next()),
+        memory: Some(next())
+            .filter(|length| !length.is_nan())
+            .map(F::narrow),
     }
 }

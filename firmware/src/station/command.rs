@@ -25,6 +25,7 @@ const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
     offset: 0.0,
     friction_static: 0.0,
     friction_dynamic: 0.0,
+    memory: None,
 };
 
 impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {

@@ -203,6 +203,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             stiffest: passivity.map_or([f32::INFINITY; 2], |passivity| passivity.bounds()),
             stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
             friction_now: surface.map_or([0.0; 2], |s| [s.friction_static, s.friction_dynamic]),
+            memory_now: surface.and_then(|s| s.memory),
             mode: self.mode,
             name: Text::new(self.setup.name),
         };

@@ -45,12 +45,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V
 
 /// The fewest ticks with which silence is found in time (Hz).
 const SLOWEST_TICK: u16 = 100;
-/// The largest tolerance (rad).
-const LARGEST_TOLERANCE: f32 = 0.01;
 /// On the wire: a sample of the hand, a pose, the forces of two contacts, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
-const POSE: u32 = wire_bytes(19) as u32;
-const FORCES: u32 = wire_bytes(29 + 2 * 18) as u32;
+const POSE: u32 = wire_bytes(20) as u32;
+const FORCES: u32 = wire_bytes(29 + 2 * 19) as u32;
 const HEALTH: u32 = wire_bytes(61) as u32;
 
 impl Setup {
@@ -73,20 +71,6 @@ impl Setup {
                 value: f32::from(rate),
                 limit: f32::from(self.fastest_tick),
                 allowed: "what the board has the time for",
-            });
-        }
-        let tolerance = mode.tolerance;
-        if !(0.0..=LARGEST_TOLERANCE).contains(&tolerance) {
-            return Err(Trouble {
-                reason: Reason::Number,
-                subject: Subject::Tolerance,
-                value: tolerance,
-                limit: if tolerance < 0.0 {
-                    0.0
-                } else {
-                    LARGEST_TOLERANCE
-                },
-                allowed: "0 to 0.01",
             });
         }
         let events = mode.event_limit;
@@ -142,7 +126,6 @@ impl Setup {
             .unwrap_or(u32::MAX);
         Settings {
             evolution: mode.evolution,
-            tolerance: mode.tolerance,
             event_limit: mode.event_limit,
             limits: Limits {
                 period_us,

@@ -7,6 +7,7 @@ pub(crate) const FLOOR: SurfaceDescription<f32> = SurfaceDescription {
     offset: 0.0,
     friction_static: 0.5,
     friction_dynamic: 0.3,
+    memory: None,
 };
 
 /// 0.10 m by 0.06 m.

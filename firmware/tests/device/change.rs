@@ -21,6 +21,7 @@ fn same_parameters_change_nothing<R: Real<Si = f32>>(hands: &[Hand<f32>]) {
         stiffness_rotation: 0.5,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     let unchanged = bench.controller.clone();
     let changed = bench.controller.set_parameters(&same).unwrap().unwrap();
@@ -105,6 +106,7 @@ fn less_friction_lets_a_body_slip_that_stuck() {
         stiffness_rotation: 0.5,
         friction_static: 0.2,
         friction_dynamic: 0.1,
+        memory: None,
     };
     let output = bench.controller.set_parameters(&ice).unwrap().unwrap();
     assert_eq!(output.slips, 1);
@@ -126,6 +128,7 @@ fn a_softer_spring_keeps_the_contact() {
         stiffness_rotation: 0.1,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     let output = bench.controller.set_parameters(&soft).unwrap().unwrap();
     assert_eq!(output.state, StateKind::Edge);
@@ -213,10 +216,10 @@ fn a_scene_that_would_be_inside_the_body_is_refused() {
     assert!(bench.sample(deep()).output.is_some());
 }
 
-fn set_mode(bench: &mut Bench<f32>, evolution: Evolution, tolerance: f32) -> Result<(), Refusal> {
+fn set_mode(bench: &mut Bench<f32>, evolution: Evolution, event_limit: u8) -> Result<(), Refusal> {
     bench.controller.set_settings(&Settings {
         evolution,
-        tolerance,
+        event_limit,
         ..Settings::default()
     })
 }
@@ -226,7 +229,7 @@ fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
     let mut bench = Bench::<f32>::new();
     let first = bench.sample(deep());
     bench.pressed(Hand::new(0.05, 0.045, 0.2));
-    assert_eq!(set_mode(&mut bench, Evolution::Frame, 1e-4), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Frame, 8), Ok(()));
     let before = bench.tick(None);
     assert_eq!(bench.sample(Hand::new(0.05, 0.045, 0.2)).pose, before.pose);
     bench.controller.reset();
@@ -235,7 +238,7 @@ fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
         (idle.force, idle.pose.position, idle.pose.held),
         (Wrench::default(), [0.0, 0.03], false)
     );
-    assert_eq!(set_mode(&mut bench, Evolution::Path, 0.0), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Path, 128), Ok(()));
     let again = bench.sample(deep());
     assert_eq!(again.output, first.output);
     assert!(size(&again.force) <= 0.1 + 1e-5);

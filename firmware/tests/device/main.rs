@@ -274,6 +274,7 @@ fn limits_and_stiffness_beyond_the_device_are_refused() {
         stiffness_rotation: 0.5,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     let refused = bench.controller.set_parameters(&stiff).unwrap_err();
     assert_eq!(
@@ -347,6 +348,7 @@ fn a_released_body_gives_no_force_and_keeps_its_pose() {
         stiffness_rotation: 0.5,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     bench.controller.set_parameters(&same).unwrap();
     let taken = bench.sample(Hand::new(0.03, 0.04, 1.0));

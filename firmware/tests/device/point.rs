@@ -17,6 +17,7 @@ const SAME: Parameters = Parameters {
     stiffness_rotation: 0.4,
     friction_static: 0.5,
     friction_dynamic: 0.3,
+    memory: None,
 };
 
 /// Pressed onto the floor and pulled along it, and what the device says then.

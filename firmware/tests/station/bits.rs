@@ -197,5 +197,5 @@ fn a_pose_for_which_there_is_no_room_keeps_its_events_for_the_next() {
     let Said::Pose(pose) = &heard[0].said else {
         panic!("{heard:?}")
     };
-    assert!(pose.saw(Event::Land), "{pose:?}");
+    assert!(pose.events.contains(Event::Land), "{pose:?}");
 }

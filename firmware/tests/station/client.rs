@@ -66,6 +66,7 @@ pub(crate) struct Known {
     pub(crate) stiffest: [f32; 2],
     pub(crate) stiffness: [f32; 2],
     pub(crate) friction: [f32; 2],
+    pub(crate) memory: Option<f32>,
     pub(crate) mode: Mode,
     pub(crate) name: String,
 }
@@ -122,6 +123,7 @@ fn known(info: &Info<'_>) -> Known {
         stiffest: info.stiffest,
         stiffness: info.stiffness,
         friction: info.friction_now,
+        memory: info.memory_now,
         mode: info.mode,
         name: info.name.to_string(),
     }

@@ -16,6 +16,7 @@ pub(crate) const PARAMETERS: Parameters = Parameters {
     stiffness_rotation: 0.3,
     friction_static: 0.8,
     friction_dynamic: 0.2,
+    memory: None,
 };
 
 const DEEP: [f32; 3] = [0.001, 0.045, 0.0];
@@ -55,12 +56,13 @@ fn hello_is_answered_by_info() {
         number: NumberType::F32,
         room: [8, 4],
         has: [true, true, false],
-        // 11 + 39 + 8·8 + 20·4.
-        longest_frame: 194,
+        // 11 + 39 + 8·8 + 25·4.
+        longest_frame: 214,
         fastest_tick: 5_000,
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
         friction: [0.5, 0.3],
+        memory: None,
         mode: Mode::DEFAULT,
         name: "bench".to_owned(),
     };
@@ -122,6 +124,7 @@ fn parameters_in_mid_contact_leave_the_body_where_it_is() {
     rig.done(Command::Parameters(PARAMETERS));
     let info = rig.info();
     assert_eq!((info.stiffness, info.friction), ([400.0, 0.3], [0.8, 0.2]));
+    assert_eq!(info.memory, None);
     rig.tick();
     let after = rig.pose();
     assert!(after.held && after.status == Status::Ok);
@@ -152,6 +155,29 @@ fn parameters_before_the_first_sample_are_those_of_the_start() {
 }
 
 #[test]
+fn a_memory_length_is_told_and_taken_back() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 30);
+    for memory in [Some(1e-3), Some(0.0), None] {
+        rig.done(Command::Parameters(Parameters {
+            memory,
+            ..PARAMETERS
+        }));
+        assert_eq!(rig.info().memory, memory);
+    }
+    for wrong in [-1e-6, f32::NAN, f32::INFINITY] {
+        let command = Command::Parameters(Parameters {
+            memory: Some(wrong),
+            ..PARAMETERS
+        });
+        let subject = Subject::Scene(Parameter::Memory(0));
+        let expected = (Reason::Number, subject, wrong, f32::NAN);
+        refused(&mut rig, command, expected);
+        assert_eq!(rig.info().memory, None);
+    }
+}
+
+#[test]
 fn parameters_that_are_no_numbers_for_them_are_refused() {
     use Parameter as P;
     let nan = f32::NAN;
@@ -177,6 +203,7 @@ fn parameters_that_are_no_numbers_for_them_are_refused() {
             stiffness_rotation: k_theta,
             friction_static: mu_s,
             friction_dynamic: mu_d,
+            memory: None,
         });
         refused(
             &mut rig,

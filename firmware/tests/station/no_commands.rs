@@ -2,7 +2,7 @@
 
 use crate::client::Said;
 use crate::rig::Rig;
-use stiction_core::frame::Reason;
+use stiction_core::frame::{Reason, VERSION};
 
 #[test]
 fn undamaged_frames_that_are_no_commands_are_answered() {
@@ -14,12 +14,12 @@ fn undamaged_frames_that_are_no_commands_are_answered() {
         cobs_of(&frame)
     };
     let cases: [(&[u8], Reason); 6] = [
-        (&[2, 7, 40, 0, 0, 0, 0], Reason::Version),
-        (&[1, 0x55, 41, 0, 0, 0, 0], Reason::UnknownType),
-        (&[1, 0x80, 42, 0, 0, 0, 0], Reason::UnknownType),
-        (&[1, 7, 43, 0, 0, 0, 0, 9], Reason::Length),
-        (&[1, 8, 44, 0, 0, 0, 0], Reason::Length),
-        (&[1, 8, 45, 0, 0, 0, 0, 2], Reason::Code),
+        (&[VERSION - 1, 7, 40, 0, 0, 0, 0], Reason::Version),
+        (&[VERSION, 0x55, 41, 0, 0, 0, 0], Reason::UnknownType),
+        (&[VERSION, 0x80, 42, 0, 0, 0, 0], Reason::UnknownType),
+        (&[VERSION, 7, 43, 0, 0, 0, 0, 9], Reason::Length),
+        (&[VERSION, 8, 44, 0, 0, 0, 0], Reason::Length),
+        (&[VERSION, 8, 45, 0, 0, 0, 0, 2], Reason::Code),
     ];
     for (bytes, reason) in cases {
         rig.line.to_board.extend(frame(bytes));
@@ -39,7 +39,7 @@ fn undamaged_frames_that_are_no_commands_are_answered() {
     assert_eq!(rig.health().lost_frames, 0);
     assert_eq!(rig.health().faults.total(), 6);
     // A damaged one is not answered.
-    let mut damaged = frame(&[1, 7, 46, 0, 0, 0, 0]);
+    let mut damaged = frame(&[VERSION, 7, 46, 0, 0, 0, 0]);
     damaged[3] ^= 0x10;
     rig.line.to_board.extend(damaged);
     rig.tick();

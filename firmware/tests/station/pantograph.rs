@@ -210,6 +210,7 @@ fn a_stiffness_that_is_not_passive_is_refused_with_its_bound() {
             stiffness_rotation: k_theta,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         })
     };
     for (k_h, k_theta, limit) in [(1_000.0, 0.5, 1_000.0), (500.0, 1.01, most_rotation)] {

@@ -14,6 +14,7 @@ const DEEP: Hand<f32> = Hand {
     },
     depth: 0.25,
     held: true,
+    tilted: false,
 };
 
 fn size(wrench: &Wrench<f32>) -> f32 {

@@ -68,6 +68,7 @@ fn half_plane<F: Narrow>(normal: [f64; 2], offset: f64) -> SurfaceDescription<F>
         offset: F::narrow(offset),
         friction_static: F::narrow(0.5),
         friction_dynamic: F::narrow(0.3),
+        memory: None,
     }
 }
 

@@ -3,7 +3,8 @@
 
 use crate::frame::Contact;
 use crate::model::{Grip, Model, Wrench};
-use crate::vector::{Vec2, add, cross, dot, length, scaled, sub};
+use crate::slip::Onset;
+use crate::vector::{Vec2, Vec3, add, cross, cross3, dot, dot3, length, length3, scaled, sub};
 
 /// A body with two contacts, in a pose.
 #[derive(Clone, Copy)]
@@ -12,19 +13,6 @@ pub(crate) struct Brace<'a> {
     pub(crate) grip: &'a Grip,
     pub(crate) pose: [f64; 3],
     pub(crate) contacts: [&'a Contact; 2],
-}
-
-type Vec3 = [f64; 3];
-
-fn cross3(a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn dot3(a: Vec3, b: Vec3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 impl Brace<'_> {
@@ -43,9 +31,9 @@ impl Brace<'_> {
         self.model.load(self.pose, hand, self.grip)
     }
 
-    /// By how much (N) the reactions leave their static cones at least, of all that bear the load (E5); negative where some
+    /// By how much (N) the reactions leave the cones of a friction at least, of all that bear the load (E5); negative where some
     /// lie inside. Minus infinity where the body is jammed.
-    pub(crate) fn static_excess(&self, hand: [f64; 3]) -> f64 {
+    pub(crate) fn excess(&self, hand: [f64; 3], friction: Onset) -> f64 {
         let Wrench { force, moment } = self.load(hand);
         let [first, second] = self.feet();
         let [lever, _] = self.levers();
@@ -64,7 +52,7 @@ impl Brace<'_> {
         let mut lines = Vec::with_capacity(4);
         for ((contact, rest), sign) in self.contacts.iter().zip(rest).zip([1.0, -1.0]) {
             let surface = self.model.surface(contact);
-            let mu = surface.friction_static;
+            let mu = friction(surface);
             for side in [1.0, -1.0] {
                 let edge = sub(scaled(surface.tangent(), side), scaled(surface.normal, mu));
                 let edge = scaled(edge, 1.0 / mu.hypot(1.0));
@@ -99,7 +87,7 @@ impl Brace<'_> {
             wrench(edge, levers[i])
         });
         let normal = cross3(edges[0], edges[1]);
-        let sizes = edges.map(|edge| dot3(edge, edge).sqrt());
+        let sizes = edges.map(length3);
         dot3([force[0], force[1], moment / size], normal) / (sizes[0] * sizes[1])
     }
 }

@@ -40,6 +40,20 @@ pub mod law {
     pub const SLIP_ENDS: &str = "a slip ends at mu_d N";
     /// After several slips: somewhere on the hand's way of this frame |T| = mu_d N at the places where the contacts are now.
     pub const SLIP_LAST: &str = "the last slip of a frame ends at mu_d N";
+    /// T = -s mu_d N of a contact that slides along s t.
+    pub const SLIDES: &str = "a slide is at mu_d N against its motion";
+    /// The contacts that slide do so with the signs of one motion of the body, and all of them do.
+    pub const ONE_MOTION: &str = "contacts slide as one motion can";
+    /// A contact that slides along s t, as long as nothing else happens, does not go back.
+    pub const FORWARD: &str = "a slide goes forward";
+    /// A slide begins and ends with the events `slide` and `stop`, or with another one that explains it.
+    pub const SLIDE_TOLD: &str = "slide and stop are told";
+    /// A slide sticks where N rises to N* = k_h D_c / (mu_s - mu_d).
+    pub const SLIDE_STOPS: &str = "a slide stops where N reaches N*";
+    /// A body whose contacts bear the load at both ends of the hand's way, and so all along it, stays where it is.
+    pub const HOLDS: &str = "what the contacts bear is not let go";
+    /// A body is `jammed` where the load needs reactions beyond 64 k_h L, and only there.
+    pub const JAMMED: &str = "jammed is what 64 k_h L cannot hold";
     /// Nowhere between the two places |T| <= mu_d N, nor is balance lost.
     pub const SLIP_FIRST: &str = "a slip ends at the first place it can";
 }

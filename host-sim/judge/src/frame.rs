@@ -70,6 +70,10 @@ named! {
         Grasp = "grasp",
         /// The hand let go of the body.
         Release = "release",
+        /// A contact begins to slide with the hand.
+        Slide = "slide",
+        /// It sticks again.
+        Stop = "stop",
     }
 }
 
@@ -88,6 +92,12 @@ named! {
         Saturated = "saturated",
         /// The hand's sample was not finite; the last pose is held.
         HeldLast = "held-last",
+        /// The load asks for reactions beyond 64 k_h L: the body stays.
+        Jammed = "jammed",
+        /// A budget ended before the hand's way did: the body has followed a part of it.
+        Behind = "behind",
+        /// The hand's swing leaves its rotation about the plane's normal ill-defined.
+        Twist = "twist",
     }
 }
 
@@ -104,12 +114,20 @@ pub struct Contact {
     pub normal: f64,
     /// T (N), on the body along the tangent (n_y, -n_x).
     pub friction: f64,
+    /// Where it slides with the hand, along (1) or against (-1) the tangent; 0 where it sticks. `None` in an older trace, in
+    /// which contacts do nothing but stick and slip.
+    pub sliding: Option<i8>,
 }
 
 impl Contact {
     /// Which vertex on which surface.
     pub(crate) const fn pair(&self) -> (usize, usize) {
         (self.vertex, self.surface)
+    }
+
+    /// It sticks, or the trace knows nothing else.
+    pub(crate) fn rests(&self) -> bool {
+        self.sliding.unwrap_or(0) == 0
     }
 }
 
@@ -147,6 +165,16 @@ impl Frame {
     pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
         self.contacts.len() == other.contacts.len()
             && (self.contacts.iter()).all(|contact| other.contact(contact.pair()).is_some())
+    }
+
+    /// It has contacts, and tells of each whether it slides.
+    pub(crate) fn tells_slides(&self) -> bool {
+        !self.contacts.is_empty() && (self.contacts.iter()).all(|contact| contact.sliding.is_some())
+    }
+
+    /// A contact slides.
+    pub(crate) fn slides(&self) -> bool {
+        !self.contacts.iter().all(Contact::rests)
     }
 
     /// The contact of a vertex and a surface.

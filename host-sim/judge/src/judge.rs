@@ -1,12 +1,14 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Event, Evolution, Frame, Status};
+use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
+use crate::hold;
 use crate::model::{Grip, Model};
 use crate::scene::Scene;
+use crate::slide;
 use crate::slip::{self, Step};
 use crate::still;
-use crate::vector::{Vec2, distance};
+use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Judges the frames of one trace, in their order.
 #[derive(Clone, Debug)]
@@ -18,8 +20,17 @@ pub struct Judge {
     /// The last one left the body out of balance, and said so.
     unbalanced: bool,
     hold: Hold,
-    /// Vertex, surface and the place where the contact came to, of contacts that stick.
-    anchors: Vec<((usize, usize), Vec2)>,
+    anchors: Vec<Anchor>,
+}
+
+/// A contact, and the place that it may not leave, or not fall behind.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    /// Vertex and surface.
+    pair: (usize, usize),
+    sliding: Option<i8>,
+    /// Where it came to (m); of one that slides, the farthest place.
+    place: Vec2,
 }
 
 /// What is known of the hand's hold.
@@ -63,8 +74,8 @@ impl Judge {
         findings.push(told);
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
-        findings.extend(self.sticks(&frame));
-        if let (Some(last), Some(grip), false) = (&self.last, &grip, self.unbalanced) {
+        findings.extend(self.keeps(&frame));
+        if let (Some(last), Some(grip)) = (&self.last, &grip) {
             let step = Step {
                 model: &self.model,
                 bounds: &self.bounds,
@@ -73,7 +84,12 @@ impl Judge {
                 last,
                 next: &frame,
             };
-            findings.extend(slip::findings(&step));
+            // A slip begins in balance.
+            if !self.unbalanced {
+                findings.extend(slip::findings(&step));
+            }
+            findings.extend(slide::findings(&step));
+            findings.extend(hold::findings(&step));
         }
         self.unbalanced = self.leaves_unbalanced(&frame);
         self.last = Some(frame);
@@ -86,16 +102,23 @@ impl Judge {
         findings.extend(still::geometry(&self.model, &self.bounds, frame));
         match grip {
             _ if self.leaves_unbalanced(frame) => {}
-            Some(grip) => findings.extend(still::statics(&self.model, &self.bounds, grip, frame)),
+            Some(grip) => {
+                findings.extend(still::statics(&self.model, &self.bounds, grip, frame));
+                findings.extend(slide::alone(&self.model, &self.bounds, grip, frame));
+            }
             None => findings.push(still::idle(frame)),
         }
         findings
     }
 
-    /// The body is out of balance and says so (STATICS 9, rule 8), or stays as it was when it last said so.
+    /// The body is out of balance and says so (STATICS 9, rule 8), or has followed a part of the hand's way that is not told; or
+    /// stays as it was when it last did.
     fn leaves_unbalanced(&self, frame: &Frame) -> bool {
-        let repeats = matches!(frame.status, Status::Saturated | Status::HeldLast);
-        frame.status == Status::Ambiguous || (repeats && self.unbalanced)
+        match frame.status {
+            Status::Ambiguous | Status::Jammed | Status::Behind => true,
+            Status::Saturated | Status::HeldLast => self.unbalanced,
+            _ => false,
+        }
     }
 
     /// Follows the hold: the scene's holding point at first, where it gives one; otherwise where the hand is when it takes
@@ -162,7 +185,7 @@ impl Judge {
     fn rests(&self, frame: &Frame) -> Option<Finding> {
         let stays = match frame.status {
             Status::Saturated | Status::HeldLast => true,
-            Status::Ambiguous => frame.events.is_empty(),
+            Status::Ambiguous | Status::Jammed => frame.events.is_empty(),
             _ => false,
         };
         let before = match &self.last {
@@ -171,35 +194,77 @@ impl Judge {
             None if !frame.held && frame.contacts.is_empty() => self.model.scene.start,
             _ => return None,
         };
-        let moved = distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
-            .max(self.model.size * (frame.pose[2] - before[2]).abs());
+        let moved = match frame.contacts.first() {
+            // About a jammed corner the body is free to turn.
+            Some(corner) if frame.status == Status::Jammed && frame.state == State::Corner => {
+                let [was, is] = [before, frame.pose].map(|pose| self.model.vertex(pose, corner));
+                distance(was, is)
+            }
+            _ => distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
+                .max(self.model.size * (frame.pose[2] - before[2]).abs()),
+        };
         let scale = self.model.length_scale(frame, &self.bounds);
         Some(Finding::new(law::RESTS, moved / scale, self.bounds.gap))
     }
 
-    /// Contacts stay where they came to, as long as nothing happens that could move them (mu_s > mu_d).
-    fn sticks(&mut self, frame: &Frame) -> Option<Finding> {
+    /// Contacts stay where they came to, as long as nothing happens that could move them; and those that slide go on.
+    fn keeps(&mut self, frame: &Frame) -> Vec<Finding> {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
         let is_quiet = !frame.events.iter().any(moves)
             && !matches!(frame.status, Status::EventLimit | Status::IterationLimit);
         let scale = self.model.length_scale(frame, &self.bounds);
-        let mut farthest: Option<f64> = None;
+        let [mut strayed, mut receded]: [Option<f64>; 2] = [None; 2];
         let mut anchors = Vec::with_capacity(frame.contacts.len());
         for contact in &frame.contacts {
-            let known = (self.anchors.iter()).find(|(pair, _)| *pair == contact.pair());
-            let jumps = self.model.surface(contact).jumps();
-            let anchor = match known {
-                Some((_, anchor)) if is_quiet && jumps => {
-                    let moved = distance(*anchor, contact.point);
-                    farthest = Some(farthest.unwrap_or(0.0).max(moved));
-                    *anchor
-                }
-                _ => contact.point,
+            let mut anchor = Anchor {
+                pair: contact.pair(),
+                sliding: contact.sliding,
+                place: contact.point,
             };
-            anchors.push((contact.pair(), anchor));
+            let known = (self.anchors.iter())
+                .find(|known| known.pair == anchor.pair && known.sliding == anchor.sliding);
+            if let (Some(known), true) = (known, is_quiet && self.grips(frame, contact)) {
+                let way = sub(contact.point, known.place);
+                match contact.sliding {
+                    Some(sign @ (-1 | 1)) if frame.events.is_empty() => {
+                        let along = dot(way, self.model.surface(contact).tangent());
+                        let back = -f64::from(sign) * along;
+                        receded = Some(receded.unwrap_or(0.0).max(back));
+                        if back > 0.0 {
+                            anchor.place = known.place;
+                        }
+                    }
+                    Some(-1 | 1) => {}
+                    _ => {
+                        strayed = Some(strayed.unwrap_or(0.0).max(length(way)));
+                        anchor.place = known.place;
+                    }
+                }
+            }
+            anchors.push(anchor);
         }
         self.anchors = anchors;
-        farthest.map(|moved| Finding::new(law::STICKS, moved / scale, 2.0 * self.bounds.gap))
+        let allowed = 2.0 * self.bounds.gap;
+        let finding = |law, way: f64| Finding::new(law, way / scale, allowed);
+        (strayed.map(|way| finding(law::STICKS, way)).into_iter())
+            .chain(receded.map(|way| finding(law::FORWARD, way)))
+            .collect()
+    }
+
+    /// A contact that sticks stays, and one that slides goes one way: not without friction, nor without force, where the body
+    /// turns out of the way; nor, in an older trace, where it slides without saying so.
+    fn grips(&self, frame: &Frame, contact: &Contact) -> bool {
+        let surface = self.model.surface(contact);
+        if contact.sliding.is_none() {
+            return surface.jumps();
+        }
+        let idle = |frame: &Frame| {
+            let known = frame.contact(contact.pair()).zip(self.hold.grip);
+            known.is_some_and(|(contact, grip)| {
+                slide::is_idle(&self.model, &self.bounds, &grip, frame, contact)
+            })
+        };
+        surface.friction_static > 0.0 && !idle(frame) && !self.last.as_ref().is_some_and(idle)
     }
 }
 

@@ -5,39 +5,82 @@
 //! scene.toml ── scene ─────────────────┐
 //! trace.jsonl ─ trace ─ frame by frame ┴───────┬ still (geometry, balance) ────────────┐
 //! trace.csv                                     ├ judge (hold, rest, stick)             ├ findings ─ survey
-//!                                               └ slip ─ onset, pin, brace (STATICS 3-5)┘
+//!                                               ├ slip ─ onset, pin, brace (STATICS 3-5)┤
+//!                                               ├ slide (contacts that slide)           │
+//!                                               └ hold ─ bearing (what could hold, jams)┘
 //! ```
 //!
 //! [`law`] has the name and the statement of every law, [`Bounds`] what is allowed. STATICS is `core/STATICS.md`.
 //!
 //! What a frame that is not `ok` promises is what it is judged by: `event-limit` is in balance all the same; `ambiguous` is out of
-//! balance, and nothing moves; `saturated` and `held-last` repeat the pose of the frame before. `iteration-limit` promises no
+//! balance, and nothing moves; nor does it where a body is `jammed`, but that it may turn about a corner; `saturated` and `held-last` repeat the pose of the frame
+//! before; `twist` is in balance with the hand that is told; `behind` with one that is not. `iteration-limit` promises no
 //! balance, but is judged as if it did: what a search left undone is to be seen.
+//!
+//! # Slides
+//!
+//! A trace may tell of its contacts whether they slide with the hand (`sliding`: -1, 0, 1). Then, and only then,
+//!
+//! * T = -s mu_d N of a contact that slides along s t, as exactly as at the end of a slip. So its foot is where the law of the slide
+//!   puts it, and it goes forward: from its farthest place it goes back by no more than a contact that sticks may move. Where the
+//!   hand's way would lead it back it has stopped.
+//! * Contacts that slide together do so with the signs of one motion of the body: both vertices of an edge the same way, two on two
+//!   surfaces as the twist has it that keeps both there. A velocity that rounding may have turned fits any sign. A vertex in a
+//!   corner does not slide, nor do contacts that leave the body no motion.
+//! * `slide` and `stop` are told, or something else that explains why a slide began or ended. The last of them fits the end of the
+//!   frame, and a `stop` that comes first the frame before.
+//! * On one surface a slide does not pass N* = k_h D_c / (mu_s - mu_d) from below: it sticks there (path evolution).
+//! * Contacts stick where they say so, with mu_s = mu_d, too; but for those without friction, or without force, whose body turns
+//!   out of the way.
+//! * Sticking is bounded by mu_s. Whether a body has stiction, or sticks up to mu_d alone, a trace does not tell.
+//!
+//! # What could have held
+//!
+//! Two vertices that stick keep the body where it is as long as reactions within friction bear the load. All loads that they bear are
+//! a convex cone, and the hand goes straight: if the load is in it where the hand was, and where it is, then so it is between, and
+//! the body stays. It is unlawful if it does not, unless the hand alone opens all gaps on its way (STATICS 5). Loads count as borne
+//! only with reactions of at most 128 k_h L, twice of what is borne without a word, and together with all that differ from them by
+//! 64 roundings of these reactions and by the part of their size that the bound on slips allows. The friction is mu_s, but mu_d in a
+//! trace that tells slides, as there may be no stiction; and there is if no reactions within mu_d bear the load of the frame before.
+//!
+//! A body is `jammed` if the load asks for N beyond 64 k_h L: it is not if reactions of half of that within mu_d bear the load. In a
+//! trace that tells slides it is not `ok` if every sum within mu_s asks for more than 17/16 of it, which a twist proves.
 //!
 //! # What is not judged
 //!
 //! * Where a frame goes between two balances: a wrong branch of the angle in balance passes, but for a single slip of a vertex,
 //!   which must continue the branch of the frame before.
-//! * When a contact should have given way, opened or come to be: that a contact is in its cone, and no vertex inside a
-//!   surface, is all that is asked.
-//! * Where slips of contacts with mu_s = mu_d are: they slide continuously, and nothing marks their ends.
+//! * When a contact should have given way or come to be: that a contact is in its cone, and no vertex inside a surface, is all that
+//!   is asked. When it should have opened, of a single vertex, a corner, or contacts that slide; nor where a slip would explain it.
+//! * Where slips of contacts with mu_s = mu_d are, in a trace that does not tell slides: they slide continuously, and nothing marks
+//!   their ends.
 //! * Of a frame with a single slip and nothing else: a slip of more than two contacts, one that is no longer than rounding, and
-//!   of two vertices on two surfaces, whether its end is the first one on the way, and whether both press there.
+//!   of two vertices on two surfaces, whether its end is the first one on the way, and whether both press there. In a trace that
+//!   tells slides it may begin at mu_d N instead, but for one of an edge, or one of a vertex that slides on. Where contacts slide
+//!   on from it, its end.
 //! * Of a frame with more slips, or slips among other events: all but the last one; that one too where the state is not a
 //!   vertex or an edge, where it is not the last event, or where a contact opened before it (the slip may then end out of
 //!   balance, and the body turns after it); and which way it went.
+//! * Whether a slip should have ended in a slide, and a slide have begun where it did: that asks for the body's stiction. Slides of
+//!   two contacts that should have stuck by the length of the slip that is due. D_c of a point, unless the scene gives it.
+//! * `slide` and `stop` in frames that are not `ok`, or have a contact without friction or force; one foot of two that turns back.
+//! * Of a `jammed` body: its reactions, and its wrench. Of one that is `behind`: all that depends on the hand, in that frame and
+//!   the next one, and how far it is.
 //! * A body that no hand holds has no balance: it is asked to stay.
 //! * Rows of CSV that say that there were more than four contacts: springs, geometry and the contacts that are there.
 
+mod bearing;
 mod brace;
 mod error;
 mod finding;
 mod frame;
+mod hold;
 mod judge;
 mod model;
 mod onset;
 mod pin;
 mod scene;
+mod slide;
 mod slip;
 mod still;
 mod survey;

@@ -53,6 +53,13 @@ pub(crate) struct Scale {
     pub(crate) moment: f64,
 }
 
+/// The memory length of a surface that gives none, and the one that 0 stands for, in units of L.
+const MEMORY: f64 = 1.0 / 4096.0;
+const SHORTEST: f64 = 1.0 / 524_288.0;
+
+/// The largest reaction that is borne as it is, in units of k_h L; beyond it a body is jammed.
+pub(crate) const LIMIT: f64 = 64.0;
+
 impl Model {
     pub(crate) fn new(scene: Scene) -> Self {
         let offsets = scene.surfaces.iter().map(|surface| surface.offset.abs());
@@ -86,6 +93,30 @@ impl Model {
     /// The weight (N).
     pub(crate) fn weight(&self) -> Vec2 {
         [0.0, -self.scene.weight]
+    }
+
+    /// k_h L (N)
+    pub(crate) fn unit_force(&self) -> f64 {
+        self.scene.stiffness_translation * self.size
+    }
+
+    /// D_c (m) of a surface; of a point, whose size says nothing, only where the scene gives it.
+    fn memory(&self, surface: &Surface) -> Option<f64> {
+        let is_point = self.scene.vertices.len() == 1;
+        match surface.memory {
+            Some(given) if given > 0.0 => Some(given),
+            _ if is_point => None,
+            Some(_) => Some(SHORTEST * self.size),
+            None => Some(MEMORY * self.size),
+        }
+    }
+
+    /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own; infinite for mu_s = mu_d,
+    /// `None` where it is not known.
+    pub(crate) fn threshold(&self, surface: &Surface) -> Option<f64> {
+        let memory = self.memory(surface)?;
+        let drop = surface.friction_static - surface.friction_dynamic;
+        Some(self.scene.stiffness_translation * memory / drop.max(0.0))
     }
 
     /// What the hand's springs give.

@@ -3,7 +3,7 @@
 
 use crate::model::{Grip, Model, borne};
 use crate::scene::Surface;
-use crate::vector::{Vec2, add, cross, dot, scaled, sub, turned};
+use crate::vector::{Vec2, add, cross, dot, length, scaled, sub, turned};
 
 /// The largest turn (rad) that is taken in one step.
 const STEP: f64 = 0.05;
@@ -17,6 +17,8 @@ pub(crate) struct Foot<'a> {
     pub(crate) grip: &'a Grip,
     pub(crate) vertex: usize,
     pub(crate) surface: &'a Surface,
+    /// Levers up to this length are not told from none (m).
+    pub(crate) shortest: f64,
 }
 
 /// A foot at a place, with the hand at a pose.
@@ -71,8 +73,20 @@ impl Pin<'_> {
         borne(add(spring, model.weight()), self.foot.surface)
     }
 
+    /// Nothing holds the angle or turns it.
+    fn is_neutral(&self) -> bool {
+        let scene = &self.foot.model.scene;
+        let (lever, _) = self.levers(0.0);
+        scene.stiffness_rotation == 0.0
+            && scene.weight == 0.0
+            && length(lever) <= self.foot.shortest
+    }
+
     /// The balance next to an angle, on the same stable branch.
     fn near(&self, theta: f64) -> Option<f64> {
+        if self.is_neutral() {
+            return Some(theta);
+        }
         let mut at = theta;
         for _ in 0..12 {
             let (moment, stiffness) = self.moment(at);
@@ -91,32 +105,10 @@ impl Pin<'_> {
         (self.moment(at).1 > 0.0).then_some(at)
     }
 
-    /// The first balance in the direction of the moment, searched in small steps.
-    pub(crate) fn downhill(&self, theta: f64) -> f64 {
-        if let Some(balance) = self.near(theta) {
-            return balance;
-        }
-        let direction = self.moment(theta).0.signum();
-        let (mut from, mut to) = (theta, theta);
-        // Over two turns there is a balance, or there is none.
-        while direction * self.moment(to).0 > 0.0 && (to - theta).abs() < 14.0 {
-            from = to;
-            to += direction * STEP / 16.0;
-        }
-        for _ in 0..60 {
-            let middle = f64::midpoint(from, to);
-            if direction * self.moment(middle).0 > 0.0 {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        to
-    }
-
     /// Two angles are on one stable branch.
     pub(crate) fn on_one_branch(&self, a: f64, b: f64) -> bool {
-        (b - a).abs() <= STEP * STEP
+        self.is_neutral()
+            || (b - a).abs() <= STEP * STEP
             || (0..=16).all(|i| self.moment(a + (b - a) * f64::from(i) / 16.0).1 > 0.0)
     }
 }

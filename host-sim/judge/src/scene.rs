@@ -42,6 +42,8 @@ pub struct Surface {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
+    /// D_c (m), as given: 0 for the shortest length that is told apart, `None` for the default.
+    pub memory: Option<f64>,
 }
 
 impl Surface {
@@ -92,6 +94,7 @@ struct Friction {
     #[serde(rename = "static")]
     stick: Option<Spanned<f64>>,
     dynamic: Option<Spanned<f64>>,
+    memory: Option<Spanned<f64>>,
 }
 
 #[derive(Deserialize)]
@@ -102,6 +105,7 @@ struct SurfaceEntry {
     #[serde(rename = "static")]
     stick: Option<f64>,
     dynamic: Option<f64>,
+    memory: Option<Spanned<f64>>,
 }
 
 /// The text of a scene, for messages with its lines.
@@ -198,12 +202,18 @@ impl Text<'_> {
                 }
             }
         };
+        let memory = match (&surface.memory, &default.memory) {
+            (Some(own), _) => Some(self.number(&key("memory"), own, 0.0)?),
+            (None, Some(given)) => Some(self.number("friction.memory", given, 0.0)?),
+            (None, None) => None,
+        };
         Ok(Surface {
             name: surface.name.clone().unwrap_or_else(|| i.to_string()),
             normal: normal.map(|x| x / size),
             offset: self.number(&key("offset"), &surface.offset, f64::NEG_INFINITY)?,
             friction_static: friction("static", surface.stick, &default.stick)?,
             friction_dynamic: friction("dynamic", surface.dynamic, &default.dynamic)?,
+            memory,
         })
     }
 }

@@ -16,13 +16,17 @@ use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, follow};
+use crate::scene::Surface;
 use crate::vector::{Vec2, between, dot, sub};
 use vertex::Slide;
 
 mod vertex;
 
 /// A solver that lists no more events than this may have left out what came after the last one.
-const EVENTS: usize = 16;
+pub(crate) const EVENTS: usize = 16;
+
+/// The friction of a surface at which a slip begins.
+pub(crate) type Onset = fn(&Surface) -> f64;
 
 /// A frame and the one before.
 #[derive(Clone, Copy)]
@@ -38,7 +42,10 @@ pub(crate) struct Step<'a> {
 /// The laws of slips on a frame; none where they do not apply.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     if step.is_single() {
-        return step.single();
+        return step.single(|_| true);
+    }
+    if step.goes_on() {
+        return step.single(|finding| finding.law == law::SLIP_BEGINS);
     }
     step.last_of_several().into_iter().collect()
 }
@@ -47,12 +54,27 @@ impl<'a> Step<'a> {
     /// A single slip of contacts that were there, and are there still, and nothing else.
     fn is_single(&self) -> bool {
         let (last, next) = (self.last, self.next);
-        next.events == [Event::Slip]
-            && next.slips == 1
+        next.events == [Event::Slip] && !next.slides() && self.slips_once(last)
+    }
+
+    /// The same, but that the contacts did not stick where the slip ended: they slid on with the hand.
+    fn goes_on(&self) -> bool {
+        let is_slip = matches!(
+            self.next.events.as_slice(),
+            [Event::Slip] | [Event::Slip, Event::Slide]
+        );
+        is_slip && self.next.slides() && self.slips_once(self.last)
+    }
+
+    /// A slip of contacts that stuck before and are there still.
+    fn slips_once(&self, last: &Frame) -> bool {
+        let next = self.next;
+        next.slips == 1
             && next.status == Status::Ok
             && next.complete
             && last.held
             && next.held
+            && !last.slides()
             && next.has_contacts_of(last)
             && (next.contacts.iter()).all(|contact| self.model.surface(contact).jumps())
     }
@@ -62,7 +84,7 @@ impl<'a> Step<'a> {
     }
 
     /// A force relative to the largest in both frames, and what is allowed.
-    fn finding(&self, law: &'static str, force: f64, is_braced: bool) -> Finding {
+    pub(crate) fn finding(&self, law: &'static str, force: f64, is_braced: bool) -> Finding {
         let Bounds { slip, rounding, .. } = *self.bounds;
         let scale = |frame| {
             let scale = self.model.scale(frame, self.grip, slip, rounding);
@@ -71,13 +93,32 @@ impl<'a> Step<'a> {
         Finding::new(law, force / scale(self.last).max(scale(self.next)), slip)
     }
 
-    fn single(&self) -> Vec<Finding> {
-        match (self.next.state, self.next.contacts.as_slice()) {
-            (State::SingleVertex, [contact]) => self.vertex(contact),
-            (State::Edge, [contact, _]) => self.edge(contact),
-            (State::TwoVertex, [first, second]) => self.two_vertex([first, second]),
-            _ => Vec::new(),
+    /// What is found of a slip that began at mu_s N; or else at mu_d N, where the body may have had no stiction, as sliding
+    /// contacts leave it (a trace does not tell), and no slide led away. On one surface one does, as a rule: a slip that begins
+    /// so and goes on as a slide is none, nor is one of an edge.
+    fn single(&self, counts: impl Fn(&Finding) -> bool) -> Vec<Finding> {
+        let from = |onset: Onset| {
+            let mut findings = match (self.next.state, self.next.contacts.as_slice()) {
+                (State::SingleVertex, [contact]) => self.vertex(contact, onset),
+                (State::Edge, [contact, _]) => self.edge(contact, onset),
+                (State::TwoVertex, [first, second]) => self.two_vertex([first, second], onset),
+                _ => Vec::new(),
+            };
+            findings.retain(&counts);
+            findings
+        };
+        let findings = from(|surface| surface.friction_static);
+        let holds = |findings: &[Finding]| findings.iter().all(Finding::holds);
+        let may_lack = match self.next.state {
+            State::TwoVertex => true,
+            State::SingleVertex => !self.next.slides(),
+            _ => false,
+        };
+        if !may_lack || !self.last.tells_slides() || holds(&findings) {
+            return findings;
         }
+        let without = from(|surface| surface.friction_dynamic);
+        if holds(&without) { without } else { findings }
     }
 
     /// The direction along t in which a contact has gone, if it has: farther than rounding.
@@ -89,7 +130,7 @@ impl<'a> Step<'a> {
     }
 
     /// A vertex that turns in balance of moments (E1) while it sticks and while it slips.
-    fn vertex(&self, contact: &Contact) -> Vec<Finding> {
+    fn vertex(&self, contact: &Contact, onset: Onset) -> Vec<Finding> {
         let before = self.last.contact(contact.pair());
         let (Some(before), Some(sign)) = (before, self.direction(contact)) else {
             return Vec::new();
@@ -100,6 +141,7 @@ impl<'a> Step<'a> {
             from: before.point,
             to: contact.point,
             sign,
+            onset: onset(self.model.surface(contact)),
         };
         let (fixed, sliding) = (|part| slide.fixed(part), |part| slide.sliding(part));
         let (mut findings, tau) = self.ends(Way(&fixed), Way(&sliding), false);
@@ -116,11 +158,12 @@ impl<'a> Step<'a> {
             grip: self.grip,
             vertex: contact.vertex,
             surface: self.model.surface(contact),
+            shortest: self.model.carried(self.next, self.bounds),
         }
     }
 
     /// An edge, whose frictions act along one line: the sums of both count (E4).
-    fn edge(&self, contact: &Contact) -> Vec<Finding> {
+    fn edge(&self, contact: &Contact, onset: Onset) -> Vec<Finding> {
         let Some(sign) = self.direction(contact) else {
             return Vec::new();
         };
@@ -131,7 +174,7 @@ impl<'a> Step<'a> {
         };
         let fixed = |part| {
             let reaction = reaction(self.last.pose, part);
-            Some(static_excess(reaction, surface.friction_static))
+            Some(static_excess(reaction, onset(surface)))
         };
         let sliding = |part| {
             let reaction = reaction(self.next.pose, part);
@@ -141,7 +184,7 @@ impl<'a> Step<'a> {
     }
 
     /// Two vertices on two surfaces: the interval of (E5), and (E6).
-    fn two_vertex(&self, contacts: [&'a Contact; 2]) -> Vec<Finding> {
+    fn two_vertex(&self, contacts: [&'a Contact; 2], onset: Onset) -> Vec<Finding> {
         if contacts
             .iter()
             .all(|contact| self.direction(contact).is_none())
@@ -158,7 +201,7 @@ impl<'a> Step<'a> {
         let holding = |frame: &Frame| self.model.holding_point(frame.pose, self.grip);
         let way: Vec2 = sub(holding(self.next), holding(self.last));
         let motion = (way, self.next.pose[2] - self.last.pose[2]);
-        let fixed = |part| Some(old.static_excess(self.hand(part)));
+        let fixed = |part| Some(old.excess(self.hand(part), onset));
         let sliding = |part| Some(new.drive(self.hand(part), motion));
         self.ends(Way(&fixed), Way(&sliding), true).0
     }
@@ -172,18 +215,39 @@ impl<'a> Step<'a> {
         is_braced: bool,
     ) -> (Vec<Finding>, Option<f64>) {
         let allowed = self.allowed(is_braced);
-        let window = match self.evolution {
-            Evolution::Frame if fixed.at(1.0) >= -allowed => Ok([1.0; 3]),
-            Evolution::Frame => Err(fixed.at(1.0)),
-            Evolution::Path => fixed.reaches(-allowed, 0.0).map(|first| {
-                let at_limit = fixed.reaches(0.0, first).unwrap_or(1.0);
-                [
-                    first,
-                    at_limit,
-                    fixed.reaches(allowed, at_limit).unwrap_or(1.0),
-                ]
-            }),
+        let on_the_way = fixed.reaches(-allowed, 0.0).map(|first| {
+            let at_limit = fixed.reaches(0.0, first).unwrap_or(1.0);
+            [
+                first,
+                at_limit,
+                fixed.reaches(allowed, at_limit).unwrap_or(1.0),
+            ]
+        });
+        let found = self.ends_in(on_the_way, sliding, is_braced);
+        if self.evolution == Evolution::Path || found.0.iter().all(Finding::holds) {
+            return found;
+        }
+        // After the first event of a frame the hand jumps, and the slip may be the end of that.
+        let at_the_end = match fixed.at(1.0) {
+            end if end >= -allowed => Ok([1.0; 3]),
+            end => Err(end),
         };
+        let last = self.ends_in(at_the_end, sliding, is_braced);
+        if last.0.iter().all(Finding::holds) {
+            last
+        } else {
+            found
+        }
+    }
+
+    /// The same where the slip begins within three parts of the hand's way, or with the highest that static friction fell short.
+    fn ends_in(
+        &self,
+        window: Result<[f64; 3], f64>,
+        sliding: Way<'_>,
+        is_braced: bool,
+    ) -> (Vec<Finding>, Option<f64>) {
+        let allowed = self.allowed(is_braced);
         let begins = |short: f64| self.finding(law::SLIP_BEGINS, short, is_braced);
         let [first, at_limit, last] = match window {
             Ok(window) => window,
@@ -225,7 +289,7 @@ impl<'a> Step<'a> {
         if !is_last || next.events.iter().any(opens) {
             return None;
         }
-        if next.status != Status::Ok || !next.held || !surface.jumps() {
+        if next.status != Status::Ok || !next.held || next.slides() || !surface.jumps() {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {
@@ -240,12 +304,11 @@ impl<'a> Step<'a> {
             let pin = |back: f64| foot.pinned(contact.point, self.hand(1.0 - back));
             Some(pin(back).reaction(follow(pin, next.pose[2], back)?))
         };
-        // A hand that jumps, or takes hold, does all of it at its end; but the first touch is on its way.
-        let jumps = self.evolution == Evolution::Frame && !last.contacts.is_empty();
+        // A hand that takes hold does all of it at its end.
         let left = [1.0, -1.0].map(|sign| {
             let excess = |back| Some(drive(reaction(back)?, surface.friction_dynamic, sign));
             let end = Way(&excess).at(0.0);
-            if jumps || !last.held {
+            if !last.held {
                 return end.abs();
             }
             let towards_zero = |back| excess(back).map(|excess| -end.signum() * excess);
@@ -262,6 +325,6 @@ fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
 }
 
 /// By how much (N) a contact that slides along `sign`·t is driven on: -sign T - mu_d N.
-fn drive((normal, friction): (f64, f64), mu: f64, sign: f64) -> f64 {
+pub(crate) fn drive((normal, friction): (f64, f64), mu: f64, sign: f64) -> f64 {
     (-sign * friction - mu * normal) / mu.hypot(1.0)
 }

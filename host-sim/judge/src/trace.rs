@@ -123,6 +123,16 @@ fn event(name: &str) -> Result<Event, String> {
     Event::named(name).ok_or_else(|| unknown("one of `events`", name, Event::NAMES))
 }
 
+/// The sign of the slide of a contact.
+fn sliding(contact: usize, sign: i64) -> Result<i8, String> {
+    match sign {
+        -1..=1 => Ok(sign as i8),
+        _ => Err(format!(
+            "`sliding` of contact {contact} is {sign}, allowed: -1, 0, 1"
+        )),
+    }
+}
+
 fn status(name: &str) -> Result<Status, String> {
     Status::named(name).ok_or_else(|| unknown("`status`", name, Status::NAMES))
 }

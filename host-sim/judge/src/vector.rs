@@ -1,6 +1,8 @@
-//! Vectors of the plane, as pairs.
+//! Vectors of the plane, as pairs; wrenches and twists, as threes.
 
 pub(crate) type Vec2 = [f64; 2];
+/// Force and moment / L, or velocity and turn × L.
+pub(crate) type Vec3 = [f64; 3];
 
 pub(crate) fn add(a: Vec2, b: Vec2) -> Vec2 {
     [a[0] + b[0], a[1] + b[1]]
@@ -40,4 +42,19 @@ pub(crate) fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
 /// The point at a part of the straight way from one pose (x, y, angle) to another.
 pub(crate) fn between(from: [f64; 3], to: [f64; 3], part: f64) -> [f64; 3] {
     std::array::from_fn(|k| from[k] + (to[k] - from[k]) * part)
+}
+
+pub(crate) fn cross3(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+pub(crate) fn dot3(a: Vec3, b: Vec3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn length3(a: Vec3) -> f64 {
+    dot3(a, a).sqrt()
 }

@@ -80,7 +80,8 @@ fn surface(d: &SurfaceDescription<f32>) -> String {
             offset: {:?},
             friction_static: {:?},
             friction_dynamic: {:?},
+            memory: {:?},
         }},",
-        d.normal, d.offset, d.friction_static, d.friction_dynamic
+        d.normal, d.offset, d.friction_static, d.friction_dynamic, d.memory
     )
 }

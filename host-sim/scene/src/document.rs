@@ -59,6 +59,7 @@ pub(crate) struct Friction {
     pub(crate) stick: Option<Number>,
     #[serde(rename = "dynamic")]
     pub(crate) slip: Option<Number>,
+    pub(crate) memory: Option<Number>,
 }
 
 /// `[[surface]]`
@@ -72,6 +73,7 @@ pub(crate) struct Surface {
     pub(crate) stick: Option<Number>,
     #[serde(rename = "dynamic")]
     pub(crate) slip: Option<Number>,
+    pub(crate) memory: Option<Number>,
 }
 
 /// `[hand]`

@@ -161,6 +161,7 @@ fn between(from: &Hand<f64>, to: &Hand<f64>, part: f64) -> Hand<f64> {
         angle: turned(from.angle, turn),
         depth: lerp(from.depth, to.depth),
         held: from.held,
+        tilted: from.tilted,
     }
 }
 

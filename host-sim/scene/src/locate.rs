@@ -76,6 +76,7 @@ impl WrittenScene {
             Parameter::Offset(i) => self.surface_place(i, "offset"),
             Parameter::FrictionStatic(i) => self.surface_place(i, "static"),
             Parameter::FrictionDynamic(i) => self.surface_place(i, "dynamic"),
+            Parameter::Memory(i) => self.surface_place(i, "memory"),
         }
     }
 
@@ -88,6 +89,7 @@ impl WrittenScene {
             "normal" => return Some(place(key, &surface.normal)),
             "offset" => return Some(place(key, &surface.offset)),
             "static" => (&surface.stick, &default.stick),
+            "memory" => (&surface.memory, &default.memory),
             _ => (&surface.slip, &default.slip),
         };
         let default = default

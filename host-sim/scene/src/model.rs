@@ -155,6 +155,8 @@ mod tests {
             ("point-stick-slip", "V = 1, S = 1, Weightless"),
             ("point-frictionless", "V = 1, S = 1, Bare"),
             ("rod-on-floor", "V = 2, S = 1, Full"),
+            ("slide", "V = 4, S = 1, Weightless"),
+            ("burst", "V = 4, S = 1, Weightless"),
         ] {
             let model = SceneModel::smallest(&bundled(name));
             assert_eq!(model.to_string(), expected, "{name}");

@@ -1,4 +1,4 @@
-//! `[[surface]]` and `[friction]`, checked: half-planes with a name, a unit normal and both coefficients.
+//! `[[surface]]` and `[friction]`, checked: half-planes with a name, a unit normal, both coefficients and the memory length.
 
 use toml::Spanned;
 
@@ -22,6 +22,8 @@ pub struct SurfaceInfo {
     pub friction_static: f64,
     /// mu_d
     pub friction_dynamic: f64,
+    /// Memory length (m); `None` where the file gives none.
+    pub memory: Option<f64>,
 }
 
 /// The surfaces of a file.
@@ -33,6 +35,7 @@ pub(crate) fn surfaces(
     let fallback = Friction {
         stick: coefficient(check, "friction.static", default.stick.as_ref())?,
         slip: coefficient(check, "friction.dynamic", default.slip.as_ref())?,
+        memory: coefficient(check, "friction.memory", default.memory.as_ref())?,
     };
     if let (Some(stick), Some(slip), Some(given)) = (fallback.stick, fallback.slip, &default.stick)
         && stick < slip
@@ -59,13 +62,15 @@ pub(crate) fn surfaces(
     Ok(checked)
 }
 
-/// mu_s and mu_d, as far as they are given.
+/// mu_s, mu_d and the memory length, as far as they are given.
 #[derive(Clone, Copy)]
 struct Friction {
     stick: Option<f64>,
     slip: Option<f64>,
+    memory: Option<f64>,
 }
 
+/// A number of 0 or more.
 fn coefficient(
     check: Check<'_>,
     key: &str,
@@ -113,6 +118,7 @@ fn surface(
         offset: check.number(&key("offset"), &surface.offset)?,
         friction_static: friction("static", &surface.stick, fallback.stick)?,
         friction_dynamic: friction("dynamic", &surface.slip, fallback.slip)?,
+        memory: coefficient(check, &key("memory"), surface.memory.as_ref())?.or(fallback.memory),
     })
 }
 

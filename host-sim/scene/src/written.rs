@@ -100,6 +100,7 @@ impl WrittenScene {
             offset: narrow(s.offset),
             friction_static: narrow(s.friction_static),
             friction_dynamic: narrow(s.friction_dynamic),
+            memory: s.memory.map(narrow),
         };
         let surfaces: Vec<_> = self.surfaces.iter().map(surface).collect();
         take(&Description {

@@ -93,6 +93,22 @@ fn numbers_are_those_that_the_solver_of_a_computer_gets() {
 }
 
 #[test]
+fn a_memory_length_is_that_of_the_file_or_none() {
+    let dynamic = "dynamic = 0.3\n";
+    for (to, expected) in [
+        (dynamic, "memory: None"),
+        ("dynamic = 0.3\nmemory = 3e-5\n", "memory: Some(3e-5)"),
+        (
+            "dynamic = 0.3\n[friction]\nmemory = 0.0\n",
+            "memory: Some(0.0)",
+        ),
+    ] {
+        let code = code_with(dynamic, to);
+        assert!(code.contains(expected), "{expected}: {code}");
+    }
+}
+
+#[test]
 fn what_cannot_be_used_is_told_with_file_line_and_key() {
     for (from, to, expected) in [
         (
@@ -105,6 +121,11 @@ fn what_cannot_be_used_is_told_with_file_line_and_key() {
             "500.0",
             "1e300",
             ", line 7: `spring.translation` is 1e300, allowed: finite numbers up to 3.40e38",
+        ),
+        (
+            "dynamic = 0.3",
+            "memory = -1e-5\ndynamic = 0.3",
+            ", line 15: `surface[0].memory` is -1e-5, allowed: 0 or more\n    15 | memory = -1e-5",
         ),
         (
             "0.5, 0.0]",

@@ -82,6 +82,7 @@ pub(super) struct About {
     pub(super) stiffest: [f32; 2],
     pub(super) stiffness: [f32; 2],
     pub(super) friction_now: [f32; 2],
+    pub(super) memory_now: Option<f32>,
     pub(super) mode: Mode,
 }
 
@@ -136,6 +137,7 @@ impl From<Info<'_>> for About {
             stiffest: info.stiffest,
             stiffness: info.stiffness,
             friction_now: info.friction_now,
+            memory_now: info.memory_now,
             mode: info.mode,
         }
     }

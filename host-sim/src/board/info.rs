@@ -41,8 +41,13 @@ pub(super) fn about(about: &About) -> String {
         (
             "friction now",
             format!(
-                "mu_s {}, mu_d {}",
-                about.friction_now[0], about.friction_now[1]
+                "mu_s {}, mu_d {}, memory length {}",
+                about.friction_now[0],
+                about.friction_now[1],
+                match about.memory_now {
+                    Some(length) => format!("{length} m"),
+                    None => "L / 4096".to_owned(),
+                }
             ),
         ),
     ];
@@ -64,10 +69,6 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
         Evolution::Path => format!("path, at most {} events in a step", mode.event_limit),
         Evolution::Frame => "frame".to_owned(),
     };
-    let tolerance = match mode.tolerance {
-        0.0 => "exact".to_owned(),
-        radians => format!("tolerance {radians} rad"),
-    };
     let every = |count: u16, unit: &str| match count {
         0 => "none".to_owned(),
         1 => format!("every {unit}"),
@@ -76,7 +77,7 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
     let events = if mode.events { "yes" } else { "no" };
     let [x, y] = mode.plane.map(axis);
     [
-        ("evolution", format!("{evolution}, {tolerance}")),
+        ("evolution", evolution),
         ("stepping", mode.stepping.name().to_owned()),
         ("tracker's plane", format!("{x}{y}")),
         (

@@ -45,6 +45,7 @@ impl Recorder {
                     point: contact.point.map(f64::from),
                     normal: f64::from(contact.normal),
                     friction: f64::from(contact.friction),
+                    sliding: contact.sliding,
                 })
                 .collect(),
             wrench: placed(forces.wrench.force, forces.wrench.moment),

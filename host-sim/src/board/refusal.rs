@@ -56,7 +56,6 @@ fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
         Subject::Command => return None,
         Subject::TickRate => return Some("the tick rate".to_owned()),
         Subject::LineRate => return Some("the load of the line".to_owned()),
-        Subject::Tolerance => return Some("the tolerance".to_owned()),
         Subject::EventLimit => return Some("the event limit".to_owned()),
         Subject::Scene(parameter) => parameter,
     };
@@ -65,6 +64,7 @@ fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
         | Parameter::Offset(i)
         | Parameter::FrictionStatic(i)
         | Parameter::FrictionDynamic(i)
+        | Parameter::Memory(i)
         | Parameter::Penetration { surface: i, .. } => surfaces.get(i),
         _ => None,
     };
@@ -79,7 +79,6 @@ const fn unit(subject: Subject) -> &'static str {
         Subject::Command => "",
         Subject::TickRate => " Hz",
         Subject::LineRate => " bytes per second",
-        Subject::Tolerance => " rad",
         Subject::EventLimit => " events",
         Subject::Scene(parameter) => match parameter {
             Parameter::Weight => " N",
@@ -87,6 +86,7 @@ const fn unit(subject: Subject) -> &'static str {
             | Parameter::Offset(_)
             | Parameter::HoldingPoint
             | Parameter::Vertex(_)
+            | Parameter::Memory(_)
             | Parameter::Penetration { .. } => " m",
             Parameter::StiffnessTranslation => " N/m",
             Parameter::StiffnessRotation => " N·m/rad",

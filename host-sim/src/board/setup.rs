@@ -14,8 +14,9 @@ use super::heard::{About, Answer};
 use super::refusal::explain;
 use super::session::{Mail, Session};
 
-/// The board tells so often how it fares (ms).
-const HEALTH_EVERY: u16 = 250;
+/// The board tells so often how it fares (ms): as often as leaves a line of 115200 baud room for 100 whole steps a second, the
+/// fewest that a board makes.
+const HEALTH_EVERY: u16 = 350;
 
 /// A mode that is too much for the line is made less so often.
 const ATTEMPTS: usize = 8;
@@ -25,8 +26,6 @@ const ATTEMPTS: usize = 8;
 pub(super) struct Setup {
     pub(super) scene: Arc<SceneFile>,
     pub(super) evolution: Evolution,
-    /// Of the solver (rad).
-    pub(super) tolerance: f32,
     /// Events of a step, instead of those that the board has.
     pub(super) events: Option<u8>,
     /// Ticks per second (Hz), instead of those that the board has.
@@ -80,27 +79,33 @@ impl Setup {
         [scene.stiffness_translation, scene.stiffness_rotation]
     }
 
-    /// mu_s and mu_d of every surface.
-    fn frictions(&self) -> Vec<[f64; 2]> {
+    /// mu_s, mu_d and memory length of every surface.
+    fn frictions(&self) -> Vec<([f64; 2], Option<f64>)> {
         let surfaces = self.scene.surfaces.iter();
-        let friction = |surface: &SurfaceInfo| [surface.friction_static, surface.friction_dynamic];
+        let friction = |surface: &SurfaceInfo| {
+            let coefficients = [surface.friction_static, surface.friction_dynamic];
+            (coefficients, surface.memory)
+        };
         surfaces.map(friction).collect()
     }
 
-    /// The four parameters, which a board has for all surfaces together.
+    /// The parameters, which a board has for all surfaces together.
     fn parameters(&self) -> Result<Parameters, BoardError> {
         let frictions = self.frictions();
-        let [mu_s, mu_d] = frictions.first().copied().unwrap_or_default();
-        if frictions.iter().any(|&friction| friction != [mu_s, mu_d]) {
-            let allowed = "the surfaces have frictions of their own, allowed on a board: the same static and the same dynamic one for all";
+        let first = frictions.first().copied().unwrap_or_default();
+        if frictions.iter().any(|&friction| friction != first) {
+            let allowed = "the surfaces have frictions of their own, allowed on a board: the same static and dynamic one and the \
+                           same memory length for all";
             return Err(BoardError::Refused(allowed.to_owned()));
         }
+        let ([mu_s, mu_d], memory) = first;
         let [k_h, k_theta] = self.stiffness();
         Ok(Parameters {
             stiffness_translation: k_h as f32,
             stiffness_rotation: k_theta as f32,
             friction_static: mu_s as f32,
             friction_dynamic: mu_d as f32,
+            memory: memory.map(|length| length as f32),
         })
     }
 
@@ -146,7 +151,6 @@ impl Setup {
             pose_every: 1,
             forces_every: 1,
             health_every: HEALTH_EVERY,
-            tolerance: self.tolerance,
             event_limit: self.events.unwrap_or(about.mode.event_limit),
         }
     }

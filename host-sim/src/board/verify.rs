@@ -67,9 +67,8 @@ where
 fn host<R: Real<Si = f32> + Send + 'static, M: Model + Send>(
     (scene, mode): Setting<'_>,
 ) -> Result<Box<dyn Twin>, InputError> {
-    let solver = Solver::new(scene.scene_in::<R, M>()?, mode.evolution)
-        .with_tolerance(mode.tolerance)
-        .with_event_limit(mode.event_limit);
+    let solver =
+        Solver::new(scene.scene_in::<R, M>()?, mode.evolution).with_event_limit(mode.event_limit);
     Ok(Box::new(Running::new(solver)))
 }
 
@@ -170,6 +169,11 @@ fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
         ] {
             same_bits(&format!("{what} of contact {i}"), board, host)?;
         }
+        same(
+            &format!("sliding of contact {i}"),
+            board.sliding,
+            host.sliding,
+        )?;
     }
     Ok(())
 }

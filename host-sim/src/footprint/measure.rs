@@ -1,7 +1,6 @@
 //! One model of a scene on one chip: images built for flash and for speed, the hand's path run in QEMU.
 
 use stiction_core::{Evolution, Hand};
-use stiction_firmware::job::Setting;
 use stiction_scene::{SceneFile, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
 
@@ -41,10 +40,10 @@ pub(super) fn measure(
 ) -> Result<Measured, EmulatorError> {
     let (board, number) = (chip.board(), chip.number());
     let code = rust_source(scene, model, number, evolution);
-    let job = job(scene, Setting::exact(evolution), hands);
+    let job = job(scene, evolution, hands);
     Ok(Measured {
         flash_small: footprint(board, Profile::DeviceSmall, &code)?,
         flash_fast: footprint(board, Profile::Device, &code)?,
-        counted: Counter::of_scene(board, Profile::Device, &code)?.count(&job)?,
+        counted: Counter::of_model(board, Profile::Device, &code)?.count(&job)?,
     })
 }

@@ -11,7 +11,7 @@ const ROW: f64 = 13.0;
 const MOST_ROWS: usize = 3;
 const SPACE: f64 = 4.0;
 
-/// What happened in a frame, but for slips; and the status where it turns from ok.
+/// What happened in a frame, but for slips and slides, which have marks of their own; and the status where it turns from ok.
 pub(super) struct Note {
     /// When [s].
     pub(super) t: f64,
@@ -38,7 +38,8 @@ impl Notes {
             let before = std::mem::replace(&mut status, frame.status);
             let limited =
                 (frame.status != before && frame.status != Status::Ok).then(|| frame.status.name());
-            let events = frame.events.iter().filter(|&&event| event != Event::Slip);
+            let marked = [Event::Slip, Event::Slide, Event::Stop];
+            let events = frame.events.iter().filter(|event| !marked.contains(event));
             let names = tally(events.map(|event| event.name()).chain(limited));
             let (x, width) = (place(frame.t), text_width(&names, SMALL));
             let fits = x + SPACE + width <= end;

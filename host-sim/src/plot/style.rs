@@ -23,6 +23,7 @@ pub(super) const FRICTION: RGBColor = RGBColor(213, 94, 0);
 pub(super) const HAND_FORCE: RGBColor = RGBColor(230, 159, 0);
 pub(super) const HAND_FORCE_Y: RGBColor = RGBColor(86, 180, 233);
 pub(super) const SLIP: RGBColor = RGBColor(204, 121, 167);
+pub(super) const SLIDE: RGBColor = RGBColor(148, 62, 108);
 pub(super) const STATIC_LIMIT: RGBColor = RGBColor(122, 50, 0);
 pub(super) const DYNAMIC_LIMIT: RGBColor = RGBColor(165, 80, 10);
 

@@ -11,6 +11,8 @@ use resvg::usvg::roxmltree::Document;
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_scene::SurfaceInfo;
 
+mod slides;
+
 /// A size that an SVG stays below [bytes].
 const LARGEST_SVG: u64 = 1_000_000;
 
@@ -21,6 +23,7 @@ fn surface(name: &str, normal: [f64; 2], offset: f64) -> SurfaceInfo {
         offset,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     }
 }
 
@@ -38,6 +41,7 @@ fn drag(count: usize) -> Run {
             point: [x, 0.0],
             normal: 0.5 * normal,
             friction: 0.5 * friction,
+            sliding: 0,
         };
         Frame {
             t,

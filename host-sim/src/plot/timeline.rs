@@ -1,9 +1,11 @@
-//! Pictures over time: panels stacked above one time axis, below them the slips, the events and the state as a colored band.
+//! Pictures over time: panels stacked above one time axis, below them the slips, the slides as bars, the events and the state as a
+//! colored band.
 
 use super::legend::{self, Entry, Heading, Mark};
 use super::notes::Notes;
 use super::series::{envelope, outline};
 use super::sheet::{self, Area, Drawn, Plane, part, px, stroke};
+use super::slides::Slides;
 use super::states;
 use super::style::*;
 use crate::record::{Frame, Run};
@@ -68,6 +70,8 @@ impl Timeline<'_> {
         let slips = Slips::of(self.run, &times);
         self.legend.extend(slips.legend());
         let time = span(&times);
+        let slides = Slides::of(&self.run.frames, time.end);
+        self.legend.extend(slides.legend());
         let place = |t| LEFT + INNER * (t - time.start) / (time.end - time.start);
         let notes = Notes::new(&self.run.frames, place, WIDTH - 4.0);
         let states = states::legend();
@@ -78,20 +82,22 @@ impl Timeline<'_> {
         };
         let top = heading.height();
         let panels: f64 = self.panels.iter().map(|panel| panel.height + GAP).sum();
-        let bottom = top + panels + slips.height() + notes.height() + BAND + AXIS + GAP;
+        let marks = slips.height() + slides.height() + notes.height();
+        let bottom = top + panels + marks + BAND + AXIS + GAP;
         let height = bottom + legend::height(&states, INNER) + 6.0;
         sheet::svg((WIDTH, height), |area| {
             heading.draw(area)?;
             let mut column = Column {
                 area,
                 times: &times,
-                time,
+                time: time.clone(),
                 top,
             };
             for panel in &self.panels {
                 column.panel(panel, &notes)?;
             }
             column.slips(&slips)?;
+            slides.draw(&column.block(slides.height(), 0.0), place)?;
             notes.draw(&column.block(notes.height(), 0.0))?;
             column.band(&self.run.frames)?;
             legend::draw(

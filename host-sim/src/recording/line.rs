@@ -17,6 +17,9 @@ pub(super) struct Written {
     rest: Option<f64>,
     depth: Option<f64>,
     held: bool,
+    /// Hands that are not, as almost all are, leave it out.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    tilted: bool,
 }
 
 impl Written {
@@ -30,6 +33,7 @@ impl Written {
             rest: finite(hand.angle.rest),
             depth: finite(hand.depth),
             held: hand.held,
+            tilted: hand.tilted,
         }
     }
 
@@ -45,6 +49,7 @@ impl Written {
                 },
                 depth: value(self.depth),
                 held: self.held,
+                tilted: self.tilted,
             },
         }
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use crate::options::{parse_events, parse_evolution, parse_number, parse_rate, parse_tolerance};
+use crate::options::{parse_events, parse_evolution, parse_number, parse_rate};
 use crate::settings::Settings;
 
 /// What a key takes.
@@ -17,7 +17,7 @@ enum Kind {
 }
 
 /// Keys of a scene file; those of a surface stand behind `surface.NAME.`.
-const SCENE: [(&str, Kind); 15] = [
+const SCENE: [(&str, Kind); 16] = [
     ("body.vertices", Kind::Numbers),
     ("body.rectangle", Kind::Numbers),
     ("body.start", Kind::Numbers),
@@ -28,24 +28,25 @@ const SCENE: [(&str, Kind); 15] = [
     ("spring.rotation", Kind::Number),
     ("friction.static", Kind::Number),
     ("friction.dynamic", Kind::Number),
+    ("friction.memory", Kind::Number),
     ("hand.rate", Kind::Number),
     ("hand.keyframes", Kind::Numbers),
     ("hand.plane", Kind::Text),
     ("hand.scale", Kind::Number),
     ("hand.origin", Kind::Numbers),
 ];
-const SURFACE: [(&str, Kind); 4] = [
+const SURFACE: [(&str, Kind); 5] = [
     ("normal", Kind::Numbers),
     ("offset", Kind::Number),
     ("static", Kind::Number),
     ("dynamic", Kind::Number),
+    ("memory", Kind::Number),
 ];
-const RUN: [(&str, Dial); 6] = [
+const RUN: [(&str, Dial); 5] = [
     ("run.hand", Dial::Hand),
     ("run.number", Dial::Number),
     ("run.evolution", Dial::Evolution),
     ("run.rate", Dial::Rate),
-    ("run.tolerance", Dial::Tolerance),
     ("run.events", Dial::Events),
 ];
 
@@ -56,7 +57,6 @@ enum Dial {
     Number,
     Evolution,
     Rate,
-    Tolerance,
     Events,
 }
 
@@ -133,7 +133,7 @@ impl Key {
     /// Whether the values are numbers, of which there is one between any two.
     pub(super) fn is_continuous(&self) -> bool {
         match self.place {
-            Place::Run(dial) => matches!(dial, Dial::Rate | Dial::Tolerance),
+            Place::Run(dial) => matches!(dial, Dial::Rate),
             Place::Scene(_, kind) => kind == Kind::Number,
         }
     }
@@ -270,7 +270,6 @@ fn set_dial(
             settings.evolution = parse_evolution(&text).map_err(bare)?;
         }
         Dial::Rate => settings.rate = Some(parse_rate(&text).map_err(bare)?),
-        Dial::Tolerance => settings.tolerance = parse_tolerance(&text).map_err(bare)?,
         Dial::Events => settings.events = parse_events(&text).map_err(bare)?,
     }
     Ok(())

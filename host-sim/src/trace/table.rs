@@ -4,7 +4,9 @@ use super::{ContactEntry, Record, Value};
 
 /// Contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
-const CONTACT_COLUMNS: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
+const CONTACT_COLUMNS: [&str; 7] = [
+    "vertex", "surface", "x", "y", "normal", "friction", "sliding",
+];
 const COLUMNS: [&str; 17] = [
     "t",
     "hand_x",
@@ -66,6 +68,7 @@ fn contact_columns(contact: &ContactEntry<'_>) -> [String; CONTACT_COLUMNS.len()
         digits(y),
         digits(contact.normal),
         digits(contact.friction),
+        contact.sliding.to_string(),
     ]
 }
 

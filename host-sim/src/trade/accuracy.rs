@@ -1,4 +1,4 @@
-//! How far the frames of a setting are from the reference: from poses, states and slips to medians, percentiles and counts.
+//! How far the frames of a setting are from the reference: from poses, states and slips of whole runs to percentiles and counts.
 
 use stiction_core::Status;
 
@@ -6,14 +6,16 @@ use super::reference::Truth;
 use crate::balance::Imbalance;
 use crate::record::Frame;
 
-/// Median, 99th percentile and maximum.
+/// What so many of the frames stay within.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Spread {
-    /// Half of the frames are within.
-    pub(super) median: f64,
-    /// 99 % of the frames are within.
-    pub(super) most: f64,
-    /// All frames are within.
+    /// Half of them.
+    pub(super) p50: f64,
+    /// 90 %.
+    pub(super) p90: f64,
+    /// 99 %.
+    pub(super) p99: f64,
+    /// All.
     pub(super) max: f64,
 }
 
@@ -28,10 +30,21 @@ impl Spread {
             f64::from(*value)
         };
         Self {
-            median: at(0.5),
-            most: at(0.99),
+            p50: at(0.5),
+            p90: at(0.9),
+            p99: at(0.99),
             max: at(1.0),
         }
+    }
+
+    /// Each with its name in files.
+    pub(super) const fn parts(&self) -> [(&'static str, f64); 4] {
+        [
+            ("p50", self.p50),
+            ("p90", self.p90),
+            ("p99", self.p99),
+            ("max", self.max),
+        ]
     }
 }
 
@@ -44,12 +57,6 @@ pub(super) struct Accuracy {
     pub(super) position: Spread,
     /// Angle between the body and that of the reference (mrad).
     pub(super) angle: Spread,
-    /// Frames in step: with the contact state of the reference, and in all frames so far as many slips.
-    pub(super) in_step: usize,
-    /// Distance in these frames (µm).
-    pub(super) position_in_step: Spread,
-    /// Angle in these frames (mrad).
-    pub(super) angle_in_step: Spread,
     /// The largest unbalanced force of a scene / its largest force, or moment / (that force · L).
     pub(super) residual: f64,
     /// Frames in a different contact state.
@@ -78,33 +85,22 @@ pub(super) struct Errors {
     positions: Vec<f32>,
     /// mrad
     angles: Vec<f32>,
-    /// The same of the frames in step.
-    positions_in_step: Vec<f32>,
-    angles_in_step: Vec<f32>,
-    /// The slips of this scene were not always as many as those of the reference.
-    has_strayed: bool,
     counts: Accuracy,
 }
 
 impl Errors {
-    /// Adds a frame, at whose end there were so many slips in all.
-    pub(super) fn add(&mut self, frame: &Frame, slips: u64, truth: &Truth) {
+    /// Adds a frame.
+    pub(super) fn add(&mut self, frame: &Frame, truth: &Truth) {
         let [dx, dy, turn] = [0, 1, 2].map(|k| frame.pose[k] - truth.pose[k]);
         let (position, angle) = ((1e6 * dx.hypot(dy)) as f32, (1e3 * turn.abs()) as f32);
         self.positions.push(position);
         self.angles.push(angle);
-        self.has_strayed |= slips != truth.slips;
-        if !self.has_strayed && frame.state == truth.state {
-            self.positions_in_step.push(position);
-            self.angles_in_step.push(angle);
-        }
         self.counts.other_state += usize::from(frame.state != truth.state);
         self.counts.not_ok += usize::from(frame.status != Status::Ok);
     }
 
     /// Adds what is known at the end of a scene.
     pub(super) fn end_scene(&mut self, slips: u64, reference: u64, residual: Imbalance) {
-        self.has_strayed = false;
         let counts = &mut self.counts;
         counts.reference_slips += reference;
         counts.slips_too_many += slips.saturating_sub(reference);
@@ -116,8 +112,6 @@ impl Errors {
     pub(super) fn merge(&mut self, other: &Self) {
         self.positions.extend(&other.positions);
         self.angles.extend(&other.angles);
-        self.positions_in_step.extend(&other.positions_in_step);
-        self.angles_in_step.extend(&other.angles_in_step);
         let (sum, more) = (&mut self.counts, &other.counts);
         sum.other_state += more.other_state;
         sum.reference_slips += more.reference_slips;
@@ -133,9 +127,6 @@ impl Errors {
             frames: self.positions.len(),
             position: Spread::of(&mut self.positions),
             angle: Spread::of(&mut self.angles),
-            in_step: self.positions_in_step.len(),
-            position_in_step: Spread::of(&mut self.positions_in_step),
-            angle_in_step: Spread::of(&mut self.angles_in_step),
             ..self.counts
         }
     }
@@ -149,8 +140,9 @@ mod tests {
     fn a_spread_is_that_of_the_sorted_values() {
         let mut values: Vec<f32> = (0..=1000_u16).rev().map(f32::from).collect();
         let spread = Spread {
-            median: 500.0,
-            most: 990.0,
+            p50: 500.0,
+            p90: 900.0,
+            p99: 990.0,
             max: 1000.0,
         };
         assert_eq!(Spread::of(&mut values), spread);

@@ -1,14 +1,13 @@
 //! What settings cost on emulated chips: the bundled scenes of the suite through every setting that makes sense on the chip.
-//! From scenes to the instructions of a frame, the stack, the state, and the flash.
+//! From scenes to the instructions of a frame, the stack, the state, and the flash, all of one and the same solver.
 
 use stiction_core::{Evolution, Hand};
-use stiction_firmware::job;
 use stiction_scene::{NumberType, SceneModel, rust_source};
 use stiction_tools::process::EmulatorError;
 
 use super::cost::Emulated;
 use super::measure::Row;
-use super::setting::{RATES, Setting};
+use super::setting::{Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::emulator::{Chip, Counter, Profile, footprint, job};
 use crate::number::Number;
@@ -63,33 +62,51 @@ const BUILDS: [Build; 3] = [
 impl Build {
     fn settings(&self) -> impl Iterator<Item = Setting> {
         let number = Number::from(self.number);
-        Setting::all().filter(move |setting| setting.number == number)
+        let counted =
+            move |setting: &Setting| setting.number == number && setting.memory != Memory::NONE;
+        Setting::all().filter(counted)
     }
 
-    /// The flash of the solver of a scene (bytes), by evolution.
-    fn flash(&self, case: &Case, evolution: Evolution) -> Result<u64, EmulatorError> {
-        let model = SceneModel::smallest(&case.scene);
-        let code = rust_source(&case.scene, model, self.number, evolution);
-        footprint(self.chip.board(), PROFILE, &code)
+    /// The solver for all scenes with an evolution: what counts, and the flash that it takes (bytes).
+    fn solver(&self, cases: &[&Case], evolution: Evolution) -> Result<Built, EmulatorError> {
+        let models = cases.iter().map(|case| SceneModel::smallest(&case.scene));
+        let (Some(model), Some(first)) = (models.reduce(SceneModel::with), cases.first()) else {
+            return Err(EmulatorError::Output("no scene to count".to_owned()));
+        };
+        let code = rust_source(&first.scene, model, self.number, evolution);
+        Ok(Built {
+            counter: Counter::of_model(self.chip.board(), PROFILE, &code)?,
+            flash: footprint(self.chip.board(), PROFILE, &code)?,
+        })
     }
+}
 
+/// A solver on a chip.
+struct Built {
+    counter: Counter,
+    /// What it adds to an image (bytes).
+    flash: u64,
+}
+
+impl Built {
     /// Scenes through a setting at a rate.
     fn count(
         &self,
-        counter: &Counter,
         cases: &[&Case],
         (setting, rate): (Setting, f64),
     ) -> Result<Emulated, EmulatorError> {
-        let mut cost = Emulated::default();
+        let mut cost = Emulated {
+            flash: self.flash,
+            ..Emulated::default()
+        };
         let (mut sum, mut steps) = (0, 0);
         for case in cases {
             let samples = case.path.frames(Some(rate));
             let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
-            let setting = job::Setting {
-                evolution: setting.evolution,
-                tolerance: setting.dial.tolerance,
-            };
-            let counted = counter.count(&job(&case.scene, setting, &hands))?;
+            let scene = setting.memory.of(&case.scene);
+            let counted = self
+                .counter
+                .count(&job(&scene, setting.evolution, &hands))?;
             for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;
@@ -109,7 +126,8 @@ pub(super) fn extent() -> usize {
     settings.count() * RATES.len()
 }
 
-/// Counts on all chips; `done` hears of every setting at a rate. Flash is that of the first scene's solver.
+/// Counts on all chips; `done` hears of every setting at a rate. All figures of a setting are those of one solver, which has what
+/// all scenes need.
 ///
 /// # Errors
 /// The emulator or a target is missing, or an image cannot be built or run.
@@ -124,31 +142,21 @@ pub(super) fn count(
     let cases: Vec<&Case> = bundled.collect();
     let mut counts = Vec::new();
     for build in &BUILDS {
-        let counter = Counter::new(build.chip.board(), build.number, PROFILE)?;
-        for setting in build.settings() {
-            for rate in RATES {
-                let cost = build.count(&counter, &cases, (setting, rate))?;
-                done(build.chip.name());
-                counts.push(Count {
-                    chip: build.chip,
-                    setting,
-                    rate,
-                    cost,
-                });
-            }
-        }
-    }
-    // After all counting: every scene's footprint is built anew, and so are the images after it.
-    for build in &BUILDS {
         for evolution in Evolution::ALL {
-            let Some(case) = cases.first() else { continue };
-            let flash = build.flash(case, evolution)?;
-            let its_own = counts.iter_mut().filter(|count| {
-                let setting = &count.setting;
-                (count.chip, setting.number, setting.evolution)
-                    == (build.chip, Number::from(build.number), evolution)
-            });
-            its_own.for_each(|count| count.cost.flash = flash);
+            let solver = build.solver(&cases, evolution)?;
+            let settings = build.settings();
+            for setting in settings.filter(|setting| setting.evolution == evolution) {
+                for rate in RATES {
+                    let cost = solver.count(&cases, (setting, rate))?;
+                    done(build.chip.name());
+                    counts.push(Count {
+                        chip: build.chip,
+                        setting,
+                        rate,
+                        cost,
+                    });
+                }
+            }
         }
     }
     Ok(counts)

@@ -22,9 +22,9 @@ fn floor(rows: &[Row]) -> f64 {
     }
 }
 
-/// What a front is made of: the error (µm) that 99 % of the frames in step stay within.
+/// What a front is made of: the error (µm) that 99 % of all frames stay within.
 pub(super) fn error(row: &Row) -> f64 {
-    row.accuracy.position_in_step.most
+    row.accuracy.position.p99
 }
 
 /// For each of some (cost, error): no other one has less of one and not more of the other.
@@ -56,7 +56,7 @@ pub(super) fn picture(place: Place, rows: &[Row], machine: &str) -> Fronts {
             .map(|number| (number_color(number), number.name()))
             .collect(),
         marks: Evolution::ALL.map(Evolution::name),
-        error: "position error, 99 % of the frames in step [µm]".to_owned(),
+        error: "position error, 99 % of all frames [µm]".to_owned(),
         floor: floor(&rows),
         panels: vec![
             panel(place, &rows, format!("{unit} per frame, mean"), |_| 1.0),
@@ -85,7 +85,7 @@ fn panel(place: Place, rows: &[Row], label: String, factor: impl Fn(&Row) -> f64
             y: error(row),
             color: number_color(row.setting.number),
             filled: row.setting.evolution == Evolution::Path,
-            label: format!("{} Hz, {}", row.rate, row.setting.dial.name),
+            label: format!("{} Hz, {}", row.rate, row.setting.memory.name),
             best,
         });
     Panel {

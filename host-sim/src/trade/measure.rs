@@ -3,13 +3,13 @@
 use std::time::Duration;
 
 use serde_json::Value;
-use stiction_core::{Fixed, Hand, Real, SiFloat, narrow_hand};
+use stiction_core::{Fixed, Hand, Real, SiFloat, Solver, narrow_hand};
 use stiction_scene::InputError;
 
 use super::accuracy::{Accuracy, Errors};
 use super::cost::{self, Cost};
 use super::reference::{Reference, Truth};
-use super::setting::{FINEST, RATES, Setting};
+use super::setting::{FINEST, Memory, RATES, Setting};
 use super::suite::{Case, Group, Suite};
 use crate::balance::Residual;
 use crate::emulator::Chip;
@@ -33,9 +33,10 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// Whether it is what all others are measured against.
+    /// Whether it is what all others of its memory length are measured against.
     pub(super) fn is_reference(&self) -> bool {
-        (self.setting, self.rate) == (Setting::REFERENCE, FINEST)
+        let reference = Setting::reference(self.setting.memory);
+        (self.setting, self.rate) == (reference, FINEST)
     }
 
     /// Name and value of every column, in the order of the files.
@@ -45,7 +46,7 @@ impl Row {
         let mut columns: Vec<(String, Value)> = [
             ("number", setting.number.name().into()),
             ("evolution", setting.evolution.name().into()),
-            ("dial", setting.dial.name.into()),
+            ("memory", setting.memory.name.into()),
             ("rate_hz", self.rate.into()),
             ("scenes", self.group.map_or("all", Group::name).into()),
         ]
@@ -64,20 +65,9 @@ impl Row {
             ("position", "um", accuracy.position),
             ("angle", "mrad", accuracy.angle),
         ] {
-            add(&format!("{name}_median_{unit}"), spread.median.into());
-            add(&format!("{name}_p99_{unit}"), spread.most.into());
-            add(&format!("{name}_max_{unit}"), spread.max.into());
-        }
-        add("in_step", accuracy.in_step.into());
-        for (name, unit, spread) in [
-            ("position", "um", accuracy.position_in_step),
-            ("angle", "mrad", accuracy.angle_in_step),
-        ] {
-            add(
-                &format!("{name}_in_step_median_{unit}"),
-                spread.median.into(),
-            );
-            add(&format!("{name}_in_step_p99_{unit}"), spread.most.into());
+            for (part, value) in spread.parts() {
+                add(&format!("{name}_{part}_{unit}"), value.into());
+            }
         }
         add("worst_residual", accuracy.residual.into());
         add("other_state", accuracy.other_state.into());
@@ -158,18 +148,24 @@ pub(super) fn measure(suite: &Suite, mut done: impl FnMut(&Case)) -> Result<Vec<
         .collect();
     let mut tallies = vec![[(); Group::ALL.len()].map(|()| Tally::default()); combinations.len()];
     for case in &suite.cases {
-        let reference = Reference::new(case)?;
-        let truths = RATES.map(|rate| reference.at(case.path.frames(Some(rate))));
-        for (tallies, (setting, rate)) in tallies.iter_mut().zip(&combinations) {
-            let ride = Ride {
-                case,
-                setting: *setting,
-                rate: *rate,
-                truths: (RATES.iter().position(|known| known == rate))
-                    .map_or(&[][..], |k| &truths[k]),
-                slips: reference.slips(),
-            };
-            ride.measure(&mut tallies[case.group as usize])?;
+        for memory in Memory::ALL {
+            let case = &case.with(memory);
+            let reference = Reference::new(case)?;
+            let truths = RATES.map(|rate| reference.at(case.path.frames(Some(rate))));
+            let measured = tallies.iter_mut().zip(&combinations);
+            for (tallies, &(setting, rate)) in
+                measured.filter(|(_, (setting, _))| setting.memory == memory)
+            {
+                let ride = Ride {
+                    case,
+                    setting,
+                    rate,
+                    truths: (RATES.iter().position(|known| *known == rate))
+                        .map_or(&[][..], |k| &truths[k]),
+                    slips: reference.slips(),
+                };
+                ride.measure(&mut tallies[case.group as usize])?;
+            }
         }
         done(case);
     }
@@ -207,7 +203,8 @@ impl Ride<'_> {
     }
 
     fn run<R: Real<Si: SiFloat>>(&self, tally: &mut Tally) -> Result<(), InputError> {
-        let solver = self.setting.solver::<R>(self.case.scene.scene()?);
+        let scene = self.case.scene.scene::<R>()?;
+        let solver = Solver::new(scene, self.setting.evolution);
         let frames = || self.case.path.frames(Some(self.rate));
         let hands: Vec<Hand<R::Si>> = frames().map(|sample| narrow_hand(&sample.hand)).collect();
         tally.spent += cost::time(&solver, &hands);
@@ -223,7 +220,7 @@ impl Ride<'_> {
             residual.add(&frame);
             slips += u64::from(frame.slips);
             if let Some(truth) = truths.next() {
-                tally.errors.add(&frame, slips, truth);
+                tally.errors.add(&frame, truth);
             }
             Ok::<_, InputError>(())
         })?;

@@ -1,10 +1,10 @@
-//! What every setting is measured against: f64 with path evolution at the finest rate, and its answer at any instant
-//! between two of its frames.
+//! What every setting of a memory length is measured against: f64 with path evolution at the finest rate, and its answer at any
+//! instant between two of its frames.
 
-use stiction_core::{Output, State, StateKind, narrow_hand};
+use stiction_core::{Evolution, Output, Solver, State, StateKind, narrow_hand};
 use stiction_scene::{HostSolver, InputError, Sample};
 
-use super::setting::{FINEST, Setting};
+use super::setting::FINEST;
 use super::suite::Case;
 
 /// Where the body is at an instant.
@@ -40,7 +40,7 @@ impl Reference {
     const INSTANT: f64 = 1e-6 / FINEST;
 
     pub(super) fn new(case: &Case) -> Result<Self, InputError> {
-        let solver = Setting::REFERENCE.solver(case.scene.scene()?);
+        let solver = Solver::new(case.scene.scene()?, Evolution::Path);
         let mut frames: Vec<(f64, State<f64>, Truth)> = Vec::with_capacity(case.frame_count());
         for sample in case.path.frames(Some(FINEST)) {
             let hand = narrow_hand(&sample.hand);

@@ -63,28 +63,24 @@ impl Report {
 
     /// What stands above the table.
     fn caption(&self) -> String {
-        let slips = self
-            .overall()
-            .first()
-            .map_or(0, |row| row.accuracy.reference_slips);
         let emulated = match Place::of(&self.rows).len() {
             ..2 => "",
             _ => {
-                " Emulated: the bundled scenes only; instructions of a frame, mean and worst, the start not counted; flash: what \
-                 the solver of the first one adds to an image, at any dial; stack: the deepest below the caller."
+                " Emulated: the bundled scenes only; one solver for all of them, with the room and the parts that they need, \
+                 built for speed, of which all figures of a row are. Instructions: of a frame, mean and worst of all frames, the \
+                 start not counted; flash: what the solver adds to an image; stack: the deepest below the caller."
             }
         };
         format!(
-            "Measured on {}. Scenes: {}. Dial: the tolerance of the searches (rad). Errors: median / 99 % / largest distance of \
-             the body's origin, and angle, from f64 with path evolution at {FINEST} Hz, over all frames of all scenes, in SI \
-             units as the scenes are; a frame that falls between two of the reference is compared with one step more of it. A \
-             slip that comes earlier or later is an error of its whole length until the other one follows. In step: frames \
-             with the contact state of the reference, up to the first one with more or fewer slips in all, and their errors, \
-             median / 99 %; there the dial shows. Worst residual: the largest unbalanced force of a scene / its largest force, or moment / (that force · L); \
-             the force is taken as at least 1e-3 k_h L. Other state: frames in another contact state than the reference. Slips \
-             +/−: sum over the scenes that slip more often than the reference / less often; it slips {} times. Time: mean of a \
-             frame on this computer, best of {REPEATS} runs.{emulated}",
-            self.machine, self.scenes, slips
+            "Measured on {}. Scenes: {}. Memory: the memory length of every surface, in parts of the body's largest vertex \
+             distance L; 2^-12 is the one of a scene that gives none, 0 the shortest that the solver takes; a point keeps its own. \
+             Errors: 50 / 90 / 99 % of all frames of whole runs are within this distance of the body's origin, and this angle, from \
+             f64 with path evolution at {FINEST} Hz and the same memory length, in SI units as the scenes are; a frame that falls \
+             between two of the reference is compared with one step more of it. Worst residual: the largest unbalanced force of a \
+             scene / its largest force, or moment / (that force · L); the force is taken as at least 1e-3 k_h L. Other state: \
+             frames in another contact state than the reference. Slips: of the reference; +/−: sum over the scenes that slip more \
+             often than it / less often. Time: mean of a frame on this computer, best of {REPEATS} runs.{emulated}",
+            self.machine, self.scenes
         )
     }
 
@@ -103,9 +99,8 @@ impl Report {
     /// A few rows, for a README.
     pub(super) fn short(&self) -> String {
         format!(
-            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions, not cycles. Error: median / 99 % of the \
-             distance from where the reference (f64, path) has the body, until the first slip that comes earlier or \
-             later.\n\n{}",
+            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions, not cycles. Error: 50 / 90 / 99 % of all \
+             frames of whole runs are within this distance of where the reference (f64, path) has the body.\n\n{}",
             self.machine,
             Table::short(&self.overall()).markdown()
         )

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use stiction_scene::{HandPath, InputError, Motion, SceneFile, Source};
 
-use super::setting::FINEST;
+use super::setting::{FINEST, Memory};
 use super::{hand, random};
 use crate::number::Number;
 use crate::scenes;
@@ -60,6 +60,14 @@ impl Case {
         }
     }
 
+    /// The same with a memory length on all surfaces.
+    pub(super) fn with(&self, memory: Memory) -> Self {
+        Self {
+            scene: memory.of(&self.scene),
+            ..self.clone()
+        }
+    }
+
     /// Frames at the finest rate.
     pub fn frame_count(&self) -> usize {
         self.path.frame_count(Some(FINEST))
@@ -75,20 +83,21 @@ pub struct Suite {
     hand: String,
 }
 
-/// How many bundled scenes, how many random ones, how long the hand moves (s).
+/// Which bundled scenes, how many random ones, how long the hand moves (s).
 struct Extent {
-    bundled: usize,
+    bundled: fn(&str) -> bool,
     random: usize,
     seconds: f64,
 }
 
 const WHOLE: Extent = Extent {
-    bundled: scenes::ALL.len(),
+    bundled: |_| true,
     random: 200,
     seconds: 30.0,
 };
 const QUICK: Extent = Extent {
-    bundled: 2,
+    // Slips of one length, and slips as short as the memory length lets them be.
+    bundled: |name| matches!(name, "vertex-stick-slip" | "burst"),
     random: 4,
     seconds: 2.0,
 };
@@ -101,7 +110,10 @@ impl Suite {
     pub fn new(recorded: Option<&Path>, quick: bool) -> Result<Self, InputError> {
         let extent = if quick { QUICK } else { WHOLE };
         let mut cases = Vec::new();
-        for (name, text) in scenes::ALL.iter().take(extent.bundled) {
+        for (name, text) in scenes::ALL
+            .iter()
+            .filter(|(name, _)| (extent.bundled)(name))
+        {
             cases.push(Case::new(Group::Bundled, format!("{name}.toml"), text)?);
         }
         let mut random = random::Random::new(1);

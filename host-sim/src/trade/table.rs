@@ -4,7 +4,7 @@ use stiction_tools::table::aligned;
 
 use super::accuracy::Spread;
 use super::measure::Row;
-use super::setting::{Dial, FINEST};
+use super::setting::{FINEST, Memory};
 use crate::emulator::Chip;
 
 /// A table.
@@ -23,16 +23,14 @@ impl Table {
         let header = [
             "number",
             "evolution",
-            "dial",
+            "memory (L)",
             "Hz",
             "error (µm)",
             "error (mrad)",
-            "in step (%)",
-            "in step (µm)",
-            "in step (mrad)",
             "worst residual",
             "other state (%)",
-            "slips +/−",
+            "slips",
+            "+/−",
             "ns per frame",
         ];
         let cells = |row: &Row| {
@@ -42,11 +40,9 @@ impl Table {
             cells.extend([
                 spread(accuracy.position),
                 spread(accuracy.angle),
-                percent(accuracy.in_step),
-                middle(accuracy.position_in_step),
-                middle(accuracy.angle_in_step),
                 format!("{:.1e}", accuracy.residual),
                 percent(accuracy.other_state),
+                accuracy.reference_slips.to_string(),
                 format!("{} / {}", accuracy.slips_too_many, accuracy.slips_too_few),
                 format!("{:.0}", row.cost.host),
             ]);
@@ -63,7 +59,7 @@ impl Table {
         let header = [
             "number",
             "evolution",
-            "dial",
+            "memory (L)",
             "Hz",
             "instructions per frame",
             "worst frame",
@@ -90,7 +86,7 @@ impl Table {
         })
     }
 
-    /// What each number type and evolution costs without a tolerance, at the rate of the reference.
+    /// What each number type and evolution costs with the default memory length, at the rate of the reference.
     pub(super) fn short(rows: &[Row]) -> Self {
         let header = [
             "number",
@@ -113,14 +109,14 @@ impl Table {
                 ),
                 None => Default::default(),
             };
-            let error = middle(row.accuracy.position_in_step);
+            let error = spread(row.accuracy.position);
             let time = format!("{:.0}", row.cost.host);
             [number, evolution, chip, error, time, instructions, memory].to_vec()
         };
-        let exact = |row: &&Row| row.rate == FINEST && row.setting.dial == Dial::EXACT;
+        let usual = |row: &&Row| row.rate == FINEST && row.setting.memory == Memory::DEFAULT;
         Self {
             header: header.map(str::to_owned).to_vec(),
-            rows: rows.iter().filter(exact).map(cells).collect(),
+            rows: rows.iter().filter(usual).map(cells).collect(),
         }
     }
 
@@ -148,20 +144,14 @@ fn names(row: &Row) -> [String; 4] {
     [
         setting.number.name().to_owned(),
         setting.evolution.name().to_owned(),
-        setting.dial.name.to_owned(),
+        setting.memory.name.to_owned(),
         row.rate.to_string(),
     ]
 }
 
+/// What 50, 90 and 99 % of the frames stay within.
 fn spread(spread: Spread) -> String {
-    [spread.median, spread.most, spread.max]
-        .map(figure)
-        .join(" / ")
-}
-
-/// Without the largest one.
-fn middle(spread: Spread) -> String {
-    [spread.median, spread.most].map(figure).join(" / ")
+    [spread.p50, spread.p90, spread.p99].map(figure).join(" / ")
 }
 
 /// A number to two significant digits.

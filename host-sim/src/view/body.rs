@@ -150,6 +150,7 @@ where
             },
             depth: hand.depth.widen(),
             held: hand.held,
+            tilted: hand.tilted,
         };
         let own_turns = angle.turns.saturating_sub(self.turns);
         Present {

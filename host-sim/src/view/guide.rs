@@ -36,6 +36,7 @@ impl HandPose {
             angle: Angle::from_radians(phi),
             depth: self.depth,
             held: self.held,
+            tilted: false,
         }
     }
 }

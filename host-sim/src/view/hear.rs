@@ -104,6 +104,14 @@ pub(super) struct Parameters {
     pub(super) friction_static: Option<f64>,
     #[serde(rename = "dynamic")]
     pub(super) friction_dynamic: Option<f64>,
+    /// Null stands for the length of a scene that gives none.
+    #[serde(default, deserialize_with = "given")]
+    pub(super) memory: Option<Option<f64>>,
+}
+
+/// What is there, null as well.
+fn given<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<f64>>, D::Error> {
+    Option::deserialize(value).map(Some)
 }
 
 /// A path that can be replayed.
@@ -169,7 +177,7 @@ fn within(message: Message) -> Result<Message, String> {
         Message::Seek { seconds } => check("seconds", *seconds, 0.0, f64::MAX)?,
         Message::Set { parameters } if *parameters == Parameters::default() => {
             return Err(
-                "`parameters` is empty, allowed: stiffness_translation, stiffness_rotation, static, dynamic".to_owned(),
+                "`parameters` is empty, allowed: stiffness_translation, stiffness_rotation, static, dynamic, memory".to_owned(),
             );
         }
         _ => {}
@@ -193,6 +201,8 @@ mod tests {
             r#"{"type": "let-go"}"#,
             r#"{"type": "scene", "name": "ladder"}"#,
             r#"{"type": "set", "parameters": {"static": 0.5, "dynamic": 0.3}}"#,
+            r#"{"type": "set", "parameters": {"memory": 1e-5}}"#,
+            r#"{"type": "set", "parameters": {"memory": null}}"#,
             r#"{"type": "number", "value": "fixed"}"#,
             r#"{"type": "evolution", "value": "frame"}"#,
             r#"{"type": "pause", "value": true}"#,

@@ -27,6 +27,7 @@ impl Mirror {
                 angle: Angle::from_radians(phi),
                 depth: frame.depth,
                 held: frame.held,
+                tilted: false,
             },
             hold: before.hold.after(&frame.events, frame.held),
             stiffness: [

@@ -231,6 +231,7 @@ impl Engine {
         for surface in &mut written.surfaces {
             put(&mut surface.friction_static, parameters.friction_static);
             put(&mut surface.friction_dynamic, parameters.friction_dynamic);
+            surface.memory = parameters.memory.unwrap_or(surface.memory);
         }
         Change::Setting(setting)
     }

@@ -125,6 +125,7 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
             y,
             float(contact.normal),
             float(contact.friction),
+            OscType::Int(contact.sliding.into()),
         ];
         content.push(message("contact", args));
     }

@@ -115,6 +115,7 @@ pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String
             "stiffness_rotation": scene.stiffness_rotation,
             "static": first.map(|surface| surface.friction_static),
             "dynamic": first.map(|surface| surface.friction_dynamic),
+            "memory": first.and_then(|surface| surface.memory),
         }),
         number: setting.number.name(),
         evolution: setting.evolution.name(),
@@ -131,6 +132,7 @@ fn described(stage: &Stage, scene: &SceneFile) -> serde_json::Value {
             "offset": surface.offset,
             "static": surface.friction_static,
             "dynamic": surface.friction_dynamic,
+            "memory": surface.memory,
         })
     };
     let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();

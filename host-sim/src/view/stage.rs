@@ -62,6 +62,7 @@ fn at_start(scene: &SceneFile) -> Hand<f64> {
         angle: Angle::from_radians(theta),
         depth: 0.0,
         held: true,
+        tilted: false,
     }
 }
 
@@ -91,6 +92,9 @@ pub(super) fn written(scene: &SceneFile) -> String {
             surface.friction_static,
             surface.friction_dynamic
         );
+        if let Some(memory) = surface.memory {
+            text += &format!("memory = {memory:?}\n");
+        }
     }
     text
 }
@@ -110,4 +114,25 @@ pub(super) fn reread(scene: &SceneFile, number: Number) -> Result<(SceneFile, St
     let name = format!("{}.toml", scene.title);
     let scene = SceneFile::parse(Source::new(name, text.clone()), number.limit())?;
     Ok((scene, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_written_scene_keeps_the_memory_lengths_of_its_surfaces() {
+        let text = "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 1.0, 0.0]\n[spring]\ntranslation = 1.0\nrotation = 0.0\n\
+                    [friction]\nstatic = 0.5\ndynamic = 0.3\n[[surface]]\nname = \"a\"\nnormal = [0.0, 1.0]\noffset = 0.0\n\
+                    memory = 3e-5\n[[surface]]\nname = \"b\"\nnormal = [1.0, 0.0]\noffset = -1.0\n";
+        let scene = SceneFile::parse(Source::new("point.toml", text), 1e9).expect("a scene");
+        let (again, _) = reread(&scene, Number::F64).expect("the same scene");
+        let lengths: Vec<_> = again
+            .surfaces
+            .iter()
+            .map(|surface| surface.memory)
+            .collect();
+        assert_eq!(lengths, [Some(3e-5), None]);
+        assert_eq!(again.surfaces, scene.surfaces);
+    }
 }

@@ -53,6 +53,7 @@ pub(crate) enum Part {
     Theta,
     Wrench,
     Friction,
+    Sliding,
 }
 
 /// What a board saw.
@@ -275,6 +276,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
             offset: 0.0,
             friction_static: 0.0,
             friction_dynamic: 0.0,
+            memory: None,
         };
         let (mut vertices, mut surfaces) = ([[0.0; 2]; VERTICES], [nothing; SURFACES]);
         let description = scene.description(&mut vertices, &mut surfaces)?;
@@ -312,7 +314,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         self.seen.samples += 1;
         let mode = self.seen.mode;
         let scene = self.scene.clone().expect("a scene");
-        let solver = Solver::new(scene, mode.evolution).with_tolerance(mode.tolerance);
+        let solver = Solver::new(scene, mode.evolution).with_event_limit(mode.event_limit);
         let output = match &mut self.state {
             Some(state) => solver.step(state, hand),
             None => {
@@ -337,6 +339,9 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         flip(Part::Wrench, &mut wrench.moment);
         if let Some(contact) = contacts.last_mut() {
             flip(Part::Friction, &mut contact.friction);
+            if self.tricks.flip == Some((index, Part::Sliding)) {
+                contact.sliding = i8::from(contact.sliding == 0);
+            }
         }
         // A millisecond a step, whatever the clock says: parts of a step are known by their time.
         let time = 1000 * (index as u32 + 1);

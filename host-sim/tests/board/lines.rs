@@ -59,7 +59,8 @@ fn info_is_a_table_over_a_socket() {
         "16 vertices, 8 surfaces",
         "1000 Hz, at most 5000 Hz",
         "none",
-        "path, at most 128 events in a step, exact",
+        "path, at most 128 events in a step",
+        "mu_s 0.5, mu_d 0.3, memory length L / 4096",
         "timed",
         "xy",
         "every 50 ms",
@@ -137,13 +138,13 @@ fn an_echo_is_told_from_a_board() {
 fn another_version_is_an_error() {
     let (folder, socket) = place(DRAGGED);
     let tricks = Tricks {
-        version: Some(2),
+        version: Some(1),
         ..Tricks::default()
     };
     let _fake = behind_socket::<f32>(&socket, 1, tricks);
     assert_error(
         &board(&folder, &[]),
-        &["another version of the wire format, allowed: 1"],
+        &["another version of the wire format, allowed: 2"],
     );
 }
 

@@ -24,6 +24,7 @@ pub(crate) fn info<R: Real>(mode: Mode) -> Info<'static> {
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
         friction_now: [0.5, 0.3],
+        memory_now: None,
         mode,
         name: Text::new("a thread"),
     }

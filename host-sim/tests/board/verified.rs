@@ -54,8 +54,8 @@ fn equal_answers_are_equal_and_leave_the_trace_of_the_host() {
 }
 
 #[test]
-fn a_tolerance_is_that_of_both() {
-    let (said, status) = verdict::<f32>(Tricks::default(), &["--tolerance", "0.001"]);
+fn an_event_limit_is_that_of_both() {
+    let (said, status) = verdict::<f32>(Tricks::default(), &["--events", "1"]);
     assert_eq!(
         (said.as_str(), status),
         ("301 of 301 frames equal", Some(0))
@@ -69,6 +69,7 @@ fn one_flipped_bit_is_found_in_its_frame() {
         (0, Part::Theta, "pose theta"),
         (300, Part::Wrench, "wrench moment"),
         (60, Part::Friction, "T of contact"),
+        (60, Part::Sliding, "sliding of contact"),
     ] {
         let tricks = Tricks {
             flip: Some((frame, part)),

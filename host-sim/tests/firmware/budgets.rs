@@ -83,6 +83,7 @@ fn commands(board: &mut Board) -> u32 {
             stiffness_rotation: 0.5,
             friction_static: mu_s,
             friction_dynamic: 0.3,
+            memory: None,
         }));
     }
     board.done(scene(&BOX));

@@ -77,7 +77,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
             &beside.step(hand(i)),
             &format!("{} {i}", chip.name()),
         );
-        slips += u32::from(pose.saw(Event::Slip));
+        slips += u32::from(pose.events.contains(Event::Slip));
         if i > 100 {
             assert_eq!(pose.state, StateKind::SingleVertex, "{i}");
         }

@@ -31,7 +31,7 @@ scenes = ["scene.toml"]
 "run.number" = ["f64", "f32", "fixed"]
 "run.evolution" = ["path", "frame"]
 "run.rate" = [31, 300]
-"run.tolerance" = [0.0, 1e-3]
+"surface.floor.memory" = [1e-5, 1e-3]
 "run.events" = [1, 128]
 "surface.floor.static" = [0.45, 0.7]
 "#;
@@ -41,9 +41,12 @@ scenes = ["scene.toml"]
     assert_eq!(rows.len(), 96);
     let (mut slips_seen, mut limited) = (0, [0.0; 2]);
     for row in rows {
-        let floor = format!("name = \"floor\"\nstatic = {}", row["surface.floor.static"]);
+        let floor = format!(
+            "name = \"floor\"\nstatic = {}\nmemory = {}",
+            row["surface.floor.static"], row["surface.floor.memory"]
+        );
         folder.write("scene.toml", dragged().replace("name = \"floor\"", &floor));
-        let dials = ["number", "evolution", "rate", "tolerance", "events"];
+        let dials = ["number", "evolution", "rate", "events"];
         let options: Vec<String> = dials
             .iter()
             .map(|dial| format!("--{dial}={}", row[&format!("run.{dial}")]))

@@ -126,6 +126,11 @@ fn what_a_board_refuses_changes_nothing() {
         json!({"type": "set", "parameters": {"static": 0.1, "dynamic": 0.3}}),
         "allowed",
     );
+    refused(
+        &mut client,
+        json!({"type": "set", "parameters": {"memory": -1e-5}}),
+        "memory of surface 0",
+    );
     let frame = client.frame(|_| true);
     assert_eq!(frame["board"]["connected"], true);
     client.done(json!({"type": "set", "parameters": {"static": 0.6}}));
@@ -155,13 +160,13 @@ fn a_board_has_one_friction_for_all_surfaces() {
     let mut client = view.client();
     let error = client.ask(json!({"type": "set", "parameters": {"stiffness_rotation": 1.0}}));
     assert!(error.is_err_and(|error| error.contains("frictions of their own")));
-    let all = json!({"static": 0.6, "dynamic": 0.2, "stiffness_rotation": 1.0});
+    let all = json!({"static": 0.6, "dynamic": 0.2, "memory": 5e-5, "stiffness_rotation": 1.0});
     client.done(json!({"type": "set", "parameters": all}));
     let state = client.state(|state| state["parameters"]["stiffness_rotation"] == 1.0);
     for surface in state["scene"]["surfaces"].as_array().expect("surfaces") {
         assert_eq!(
-            (&surface["static"], &surface["dynamic"]),
-            (&json!(0.6), &json!(0.2))
+            [&surface["static"], &surface["dynamic"], &surface["memory"]],
+            [&json!(0.6), &json!(0.2), &json!(5e-5)]
         );
     }
 }

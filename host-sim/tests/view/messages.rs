@@ -125,6 +125,9 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
     let before = pose(&mut client);
     for change in [
         json!({"type": "set", "parameters": {"stiffness_translation": 800.0, "static": 0.9, "dynamic": 0.4}}),
+        json!({"type": "set", "parameters": {"memory": 1e-4}}),
+        json!({"type": "set", "parameters": {"memory": null}}),
+        json!({"type": "set", "parameters": {"memory": 2e-5}}),
         json!({"type": "number", "value": "fixed"}),
         json!({"type": "evolution", "value": "frame"}),
         json!({"type": "number", "value": "f64"}),
@@ -139,7 +142,7 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
     let state = client.state(|state| state["evolution"] == "frame" && state["number"] == "f32");
     assert_eq!(
         state["parameters"],
-        json!({"stiffness_translation": 800.0, "stiffness_rotation": 0.5, "static": 0.9, "dynamic": 0.4})
+        json!({"stiffness_translation": 800.0, "stiffness_rotation": 0.5, "static": 0.9, "dynamic": 0.4, "memory": 2e-5})
     );
     let loaded = client.frame(|frame| frame["frame"]["state"] == "edge");
     let normal: f64 = loaded["frame"]["contacts"]
@@ -201,6 +204,8 @@ fn scenes_are_changed() {
         "parallel-walls",
         "point-frictionless",
         "rod-on-floor",
+        "slide",
+        "burst",
     ] {
         client.done(json!({"type": "scene", "name": name}));
         client.state(|state| state["scene"]["title"] == name);

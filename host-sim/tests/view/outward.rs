@@ -101,6 +101,7 @@ fn osc_carries_pose_forces_contacts_and_events() {
     );
     assert_eq!(depth, [0.0]);
     assert_eq!(rest["/stiction/contact"][0][1], "floor");
+    assert_eq!(rest["/stiction/contact"][0][6], 0, "it sticks");
     let (left, right) = (
         &rest["/stiction/contact"][0][2],
         &rest["/stiction/contact"][1][2],

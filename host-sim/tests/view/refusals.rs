@@ -53,7 +53,7 @@ fn malformed_messages_are_answered_and_dropped() {
     let state = other.state(|_| true);
     assert_eq!(
         state["parameters"],
-        json!({"stiffness_translation": 500.0, "stiffness_rotation": 0.5, "static": 0.5, "dynamic": 0.3})
+        json!({"stiffness_translation": 500.0, "stiffness_rotation": 0.5, "static": 0.5, "dynamic": 0.3, "memory": null})
     );
     client.done(json!({"type": "reset"}));
 }

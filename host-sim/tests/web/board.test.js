@@ -56,7 +56,7 @@ function plugIn(page) {
               vertices: 16,
               surfaces: 8,
               has: 3,
-              longest_frame: 338,
+              longest_frame: 378,
               fastest_tick: 5000,
               stiffest_k_h: stiffest,
               stiffest_k_theta: Infinity,
@@ -64,6 +64,8 @@ function plugIn(page) {
               k_theta: 0.5,
               mu_s: 0.5,
               mu_d: 0.3,
+              has_memory: 0,
+              memory: 0,
               evolution: 0,
               stepping: 0,
               axis_x: 0,
@@ -73,7 +75,6 @@ function plugIn(page) {
               pose_every: 1,
               forces_every: 0,
               health_every: 1000,
-              tolerance: 0,
               event_limit: 8,
               name: "the-board",
             });
@@ -117,8 +118,8 @@ function plugIn(page) {
           const contact =
             normal > 0
               ? [
-                  [0, 0, x - 0.05, 0, normal / 2, 0],
-                  [1, 0, x + 0.05, 0, normal / 2, 0],
+                  [0, 0, x - 0.05, 0, normal / 2, 0, 0],
+                  [1, 0, x + 0.05, 0, normal / 2, 0, 0],
                 ]
               : [];
           say({
@@ -269,8 +270,10 @@ test("an answer counts for its own command alone, and commands go one after anot
 });
 
 test("frictions of surfaces are set together, and are those of the scene then", async () => {
-  const surface = (name, friction) => ({ name, normal: [0, 1], offset: 0, static: friction, dynamic: friction / 2 });
-  const parameters = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.25 };
+  const surface = (name, friction) => ({
+    name, normal: [0, 1], offset: 0, static: friction, dynamic: friction / 2, memory: null,
+  });
+  const parameters = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.25, memory: null };
   const scene = { body: [[0, 0]], surfaces: [surface("floor", 0.5), surface("wall", 0.25)], home: [0, 0, 0] };
   const { board, told, answer, untilTold } = wired({ scene, parameters });
   for (const change of [{ stiffness_translation: 600 }, { static: 0.6 }, { dynamic: 0.1 }]) {
@@ -291,4 +294,22 @@ test("frictions of surfaces are set together, and are those of the scene then", 
   assert.deepEqual([told[1].mu_s, told[1].mu_d], [0.75, 0.25]);
   answer(told[1]);
   await next;
+  for (const memory of [0.5, null]) {
+    const before = told.length;
+    const done = board.request({ type: "set", parameters: { memory } });
+    await untilTold(before + 1);
+    const last = told[before];
+    assert.deepEqual([last.has_memory, last.memory, last.mu_d], [memory === null ? 0 : 1, memory ?? 0, 0.25]);
+    answer(last);
+    await done;
+    assert.deepEqual(board.model.state().scene.surfaces.map((surface) => surface.memory), [memory, memory]);
+  }
+});
+
+test("a scene tells the memory length of every surface, or that it has none", () => {
+  const surface = (memory) => ({ name: "wall", normal: [0, 1], offset: 0, static: 0.5, dynamic: 0.25, memory });
+  const scene = { body: [[0, 0]], surfaces: [surface(0.25), surface(null)], start: [0, 0, 0], home: [0, 0, 0] };
+  const parameters = { stiffness_translation: 500, stiffness_rotation: 0.5, static: 0.5, dynamic: 0.25, memory: 0.25 };
+  const { board } = wired({ scene, parameters });
+  assert.deepEqual(board.model.sceneMessage().surface.map((one) => one.slice(5)), [[1, 0.25], [0, 0]]);
 });

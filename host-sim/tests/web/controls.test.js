@@ -11,9 +11,11 @@ const PARAMETERS = /** @type {const} */ (["stiffness_translation", "stiffness_ro
 /** A number of the page has at least so many digits. */
 const DIGITS = 3;
 
-/** Waits until a parameter is another one; its value. @param {Live} live @param {string} name @param {number} old */
+/** Waits until a parameter is another one; its value. @param {Live} live @param {string} name @param {number | null} old */
 async function changed(live, name, old) {
-  await live.until(([key, value]) => window.stiction.state?.parameters[key] !== value, [name, old]);
+  await live.until(([key, value]) => window.stiction.state?.parameters[key] !== value, /** @type {[string, number | null]} */ (
+    [name, old]
+  ));
   return (await live.state()).parameters[name];
 }
 
@@ -81,6 +83,25 @@ for (const name of PARAMETERS) {
   });
 }
 
+liveTest("the slider and the field of the memory length", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  const field = () => page.inputValue("#type-memory");
+  assert.equal((await live.state()).parameters.memory, null);
+  assert.equal(await field(), "");
+  await page.focus("#slide-memory");
+  await page.keyboard.press("End");
+  assert.equal(await changed(live, "memory", null), 0.01);
+  assert.equal(await field(), "10000");
+  await type(live, "memory", "25,5");
+  assert.equal(await changed(live, "memory", 0.01), 25.5e-6);
+  await type(live, "memory", "-1");
+  await live.reads("#note", /allowed/);
+  assert.equal((await live.state()).parameters.memory, 25.5e-6);
+  await type(live, "memory", "");
+  assert.equal(await changed(live, "memory", 25.5e-6), null);
+});
+
 /** The sum of a component over contacts. @param {Contact[]} contacts @param {"normal" | "friction"} component */
 const sum = (contacts, component) => contacts.reduce((total, contact) => total + contact[component], 0);
 
@@ -107,10 +128,12 @@ liveTest("the spring and the friction that are set are those that act; the hand 
     assert.ok(Math.abs(normal - stiffness * (touching - hand[1])) < 1e-4 * normal, `${normal} N at ${stiffness} N/m`);
     assert.ok(Math.abs(Math.abs(wrench[1]) - normal) < 1e-4 * normal);
   }
-  // Less friction than holds: it slips, and is within the cone again.
+  // Less friction than holds, one coefficient of it: it slides, and is within the cone again.
   await type(live, "static", "0.2");
   await live.until(
-    () => window.stiction.state?.parameters.static === 0.2 && (window.stiction.frame?.counts.slips ?? 0) > 0,
+    () =>
+      window.stiction.state?.parameters.static === 0.2 &&
+      window.stiction.frame?.frame.contacts.some((contact) => contact.sliding !== 0),
   );
   assert.equal((await live.state()).parameters.dynamic, 0.2);
   await live.fresh();

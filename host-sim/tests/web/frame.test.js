@@ -1,10 +1,10 @@
-// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against bytes captured from
-// the emulated board, with what examples/board_client.py says that they are.
+// The page's decoder and encoder of the wire against every example of core/FRAME.md, and against what the
+// emulated board said, as examples/board_client.py has it in bytes.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { crc32, decode, Decoder, encode, Fault, stuff, unstuff } from "../../web/frame.js";
+import { crc32, decode, Decoder, encode, Fault, statusName, stuff, unstuff } from "../../web/frame.js";
 
 const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
 const examples = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) =>
@@ -67,7 +67,7 @@ for (const { bytes, message } of examples) {
   });
 }
 
-test("bytes captured from the emulated board", () => {
+test("bytes of what the emulated board said", () => {
   for (const { bytes, message } of captured) {
     const wanted = collect(Object.entries(message).map(([name, value]) => [name, number(value)]));
     const said = decode(Uint8Array.from(Buffer.from(bytes, "hex")));
@@ -89,6 +89,10 @@ test("a stream in pieces, with noise before it, is every message of it", () => {
     );
     assert.deepEqual(decoder.faults, { cobs: 1 });
   }
+});
+
+test("a status that is not known may be out of balance", () => {
+  assert.deepEqual([0, 5, 6, 7, 8, 15].map(statusName), ["ok", "held-last", "jammed", "twist", "ambiguous", "ambiguous"]);
 });
 
 test("the checksum of 123456789", () => {
@@ -128,12 +132,18 @@ test("faults are told in their order", () => {
     }
     return "none";
   };
-  const head = (type) => [1, type, 0, 0, 0, 0, 0];
-  assert.equal(why([2, ...head(0x06).slice(1)]), "version");
+  const head = (type) => [2, type, 0, 0, 0, 0, 0];
+  assert.equal(why([1, ...head(0x06).slice(1)]), "version");
   assert.equal(why(head(0x33)), "unknown-type");
   assert.equal(why([...head(0x06), 1]), "length");
   assert.equal(why([...head(0x08), 2]), "value");
   assert.equal(why(head(0x06)), "none");
+  const forces = (sliding) => [...head(0x90), ...Array(28).fill(0), 1, ...Array(18).fill(0), sliding];
+  assert.deepEqual([0, 1, 255, 2, 254].map((sliding) => why(forces(sliding))), ["none", "none", "none", "value", "value"]);
+  const scene = (flag) => [...head(0x04), 0, 1, ...Array(57).fill(0), flag, 0, 0, 0, 0];
+  assert.deepEqual([0, 1, 2].map((flag) => why(scene(flag))), ["none", "none", "value"]);
+  const pose = (flags, events) => [...head(0x81), ...Array(16).fill(0), flags, 0, events, 0];
+  assert.deepEqual([why(pose(0x3f, 0xe7)), why(pose(0x40, 0)), why(pose(0, 0x08))], ["none", "value", "value"]);
   assert.throws(() => decode(Uint8Array.of(9, 1)), { why: "cobs" });
   assert.throws(() => decode(new Uint8Array(2000).fill(1)), { why: "too-long" });
 });

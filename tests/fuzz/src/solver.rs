@@ -29,9 +29,7 @@ fn follow<R: Number>(case: &Case) {
     let Ok(scene) = case.setup.scene::<R>() else {
         return;
     };
-    let solver = Solver::new(scene, case.evolution)
-        .with_tolerance(R::si(case.tolerance))
-        .with_event_limit(case.event_limit);
+    let solver = Solver::new(scene, case.evolution).with_event_limit(case.event_limit);
     let frame = |state: &State<R>, output| Frame::new(&solver, state, &output);
     let (mut state, output) = solver.start(hand::<R>(case.home));
     let mut judge = judge_within::<R>(&case.setup, case.evolution, bounds::<R>());
@@ -89,9 +87,6 @@ const SLIPS: [&str; 4] = [
     law::SLIP_FIRST,
 ];
 
-/// The laws that hold to the tolerance of the dial only, which is one of angles and of the ends of slips.
-const DIALLED: [&str; 4] = [law::FORCES, law::MOMENTS, law::CONE, law::PUSH];
-
 /// Every law that the frame has to obey holds.
 fn holds<R: Number>(
     case: &Case,
@@ -100,8 +95,7 @@ fn holds<R: Number>(
     is_clamped: bool,
 ) {
     for finding in findings {
-        let dialled = case.tolerance > 0.0 && DIALLED.contains(&finding.law);
-        let waived = dialled || SLIPS.contains(&finding.law);
+        let waived = SLIPS.contains(&finding.law);
         assert!(
             finding.holds() || waived || is_clamped,
             "{}: {finding:?}\nbefore: {last:?}\nframe: {next:?}\ncase: {case:?}",

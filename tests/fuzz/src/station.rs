@@ -37,6 +37,7 @@ const fn board(number: NumberType) -> Setup {
                 offset: 0.0,
                 friction_static: 0.5,
                 friction_dynamic: 0.3,
+                memory: None,
             }],
         },
     }

@@ -2,10 +2,9 @@
 //! the first touch.
 
 use super::scene::{Pose, Touch, add, scale, sub};
-use super::search::{bisect, dip};
-use super::statics::sign;
+use super::search::{bisect, descend};
 use super::walk::End;
-use super::{CLEARANCE, Reference, TURN};
+use super::{CLEARANCE, Reference};
 
 /// Looks at the gaps on the way.
 const LOOKS: u32 = 2000;
@@ -24,18 +23,7 @@ impl Reference {
             });
         }
         let moment = |angle| scene.applied_moment(&at(angle), hand, grip);
-        let way = sign(moment(self.pose.angle));
-        let mut angle = self.pose.angle;
-        if way == 0.0 {
-            return at(angle);
-        }
-        loop {
-            let next = dip(angle, angle + way * TURN, |x| way * moment(x));
-            if way * moment(next) <= 0.0 {
-                return at(bisect(angle, next, |x| way * moment(x) <= 0.0).1);
-            }
-            angle = next;
-        }
+        at(descend(self.pose.angle, f64::INFINITY, moment).unwrap_or(self.pose.angle))
     }
 
     /// Moves straight, holding point and orientation, to the free pose, or to the first touch if that pose is blocked. The

@@ -18,6 +18,9 @@ pub struct Surface {
     pub mu_s: f64,
     /// Dynamic friction coefficient, >= 0.
     pub mu_d: f64,
+    /// Memory length of the contact, m: stick and slip are told from a slide where slips are longer. Below 2^-19 body sizes it
+    /// counts as that.
+    pub memory: f64,
 }
 
 impl Surface {

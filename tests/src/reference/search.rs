@@ -1,4 +1,24 @@
-//! Where a function of one number changes: its lowest point, and the place where it crosses.
+//! Where a function of one number changes: its lowest point, the place where it crosses, and the angle at which a moment vanishes.
+
+use super::TURN;
+
+/// The first angle from `angle` on, in the direction of the moment, at which it vanishes; `None` if that is farther than `limit`.
+pub(super) fn descend(angle: f64, limit: f64, moment: impl Fn(f64) -> f64) -> Option<f64> {
+    let way = moment(angle);
+    if way == 0.0 {
+        return Some(angle);
+    }
+    let height = |x| way.signum() * moment(x);
+    let mut here = angle;
+    while (here - angle).abs() <= limit {
+        let next = dip(here, here + way.signum() * TURN, height);
+        if height(next) <= 0.0 {
+            return Some(bisect(here, next, |x| height(x) <= 0.0).1);
+        }
+        here = next;
+    }
+    None
+}
 
 /// The lowest point between `from` and `to` if `height` falls at the one and rises at the other and is not positive there;
 /// `to` otherwise.

@@ -1,18 +1,20 @@
-//! Forces at the contacts of a resting or sliding body: which loads the friction cones can carry, and how they carry them.
+//! Which loads the friction cones of the contacts can carry, and what two contacts that slide together bear.
 
+use super::Reference;
 use super::cone::{inner, nearest, norm, normal_to, times};
-use super::scene::{Pose, Screw, Touch, Vector, add, cross, dot, scale, sub};
-use super::{ContactForce, Reference};
+use super::scene::{Pose, Screw, Surface, Touch, Vector, add, cross, dot, scale, sub};
 
 /// Two contacts that slide together along the one motion they leave free.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sliding {
     /// Reactions along the two normals, N.
     pub normals: [f64; 2],
-    /// Viscous drag along the motion that would balance the load: positive if the load drives the motion.
+    /// How much of the braking wrench would balance the load: positive if the load drives the motion.
     pub drive: f64,
     /// The numerator of `drive`: changes sign only where the sliding body is balanced.
     pub excess: f64,
+    /// The denominator of `drive`.
+    pub whole: f64,
 }
 
 impl Reference {
@@ -54,24 +56,44 @@ impl Reference {
         [-dot(surface.normal, force), -dot(surface.tangent(), force)]
     }
 
-    /// Whether forces inside the static cones of `contacts` balance the load.
+    /// Whether forces inside the cones of friction at rest of `contacts` balance the load.
     pub(super) fn admissible(&self, pose: &Pose, contacts: &[Touch], hand: [f64; 3]) -> bool {
+        self.borne(pose, contacts, hand, |surface| self.grip(surface))
+    }
+
+    /// The same with dynamic friction.
+    pub(super) fn admissible_in_slip(
+        &self,
+        pose: &Pose,
+        contacts: &[Touch],
+        hand: [f64; 3],
+    ) -> bool {
+        self.borne(pose, contacts, hand, |surface| surface.mu_d)
+    }
+
+    fn borne(
+        &self,
+        pose: &Pose,
+        contacts: &[Touch],
+        hand: [f64; 3],
+        friction: impl Fn(&Surface) -> f64,
+    ) -> bool {
         let load = times(-1.0, self.load(pose, hand));
-        nearest(&self.cone_edges(pose, contacts), load).distance <= self.force_tolerance(pose, hand)
+        let edges = self.cone_edges(pose, contacts, friction);
+        nearest(&edges, load).distance <= self.force_tolerance(pose, hand)
     }
 
     /// Two edges per contact: leaning to +t, leaning to -t.
-    fn cone_edges(&self, pose: &Pose, contacts: &[Touch]) -> Vec<Screw> {
+    pub(super) fn cone_edges(
+        &self,
+        pose: &Pose,
+        contacts: &[Touch],
+        friction: impl Fn(&Surface) -> f64,
+    ) -> Vec<Screw> {
         let lean = |touch: Touch, sign: f64| {
             let surface = &self.scene.surfaces[touch.surface];
-            self.line(
-                pose,
-                touch,
-                add(
-                    surface.normal,
-                    scale(sign * surface.mu_s, surface.tangent()),
-                ),
-            )
+            let tilt = scale(sign * friction(surface), surface.tangent());
+            self.line(pose, touch, add(surface.normal, tilt))
         };
         contacts
             .iter()
@@ -79,7 +101,34 @@ impl Reference {
             .collect()
     }
 
-    /// The state of two contacts that slide at `mu_d` along `twist`; `None` where no drag could balance them.
+    /// The cone edges of friction at rest that bear a load at the limit: for each contact the weights of its edge that leans to
+    /// +t and of its edge that leans to -t.
+    pub(super) fn bound_edges(
+        &self,
+        pose: &Pose,
+        contacts: &[Touch],
+        hand: [f64; 3],
+    ) -> Vec<[f64; 2]> {
+        let load = times(-1.0, self.load(pose, hand));
+        let edges = self.cone_edges(pose, contacts, |surface| self.grip(surface));
+        let weights = nearest(&edges, load).weights;
+        let least = 1e-9 * weights.iter().fold(0.0, |most: f64, &w| most.max(w));
+        let counted = |w: f64| if w > least { w } else { 0.0 };
+        weights
+            .chunks(2)
+            .map(|w| [counted(w[0]), counted(w[1])])
+            .collect()
+    }
+
+    /// How fast the contacts of a pair go along their tangents in a motion.
+    pub(super) fn speeds(&self, pose: &Pose, pair: [Touch; 2], twist: Screw) -> [f64; 2] {
+        pair.map(|touch| {
+            let tangent = self.scene.surfaces[touch.surface].tangent();
+            inner(self.line(pose, touch, tangent), twist)
+        })
+    }
+
+    /// The state of two contacts that slip at `mu_d` along `twist`; `None` where no drag could balance them.
     pub(super) fn sliding(
         &self,
         pose: &Pose,
@@ -87,141 +136,69 @@ impl Reference {
         twist: Screw,
         hand: [f64; 3],
     ) -> Option<Sliding> {
-        let surfaces = pair.map(|touch| &self.scene.surfaces[touch.surface]);
-        let tangents = [0, 1].map(|i| self.line(pose, pair[i], surfaces[i].tangent()));
-        let speeds = tangents.map(|tangent| inner(tangent, twist));
-        let forces = [0, 1].map(|i| {
-            add(
-                surfaces[i].normal,
-                scale(-surfaces[i].mu_d * sign(speeds[i]), surfaces[i].tangent()),
-            )
+        let speeds = self.speeds(pose, pair, twist);
+        let drag = self.drag(pose, pair, speeds);
+        self.balanced(pose, pair, (speeds.map(sign), drag), hand)
+    }
+
+    /// Equal viscous drag at two contacts.
+    pub(super) fn drag(&self, pose: &Pose, pair: [Touch; 2], speeds: [f64; 2]) -> Screw {
+        let tangents =
+            pair.map(|touch| self.line(pose, touch, self.scene.surfaces[touch.surface].tangent()));
+        [0, 1, 2].map(|k| -speeds[0] * tangents[0][k] - speeds[1] * tangents[1][k])
+    }
+
+    /// The state of two contacts that go along `ways` times their tangents, with a wrench along `brake` to balance what they
+    /// do not; `None` where it could not.
+    pub(super) fn balanced(
+        &self,
+        pose: &Pose,
+        pair: [Touch; 2],
+        (ways, brake): ([f64; 2], Screw),
+        hand: [f64; 3],
+    ) -> Option<Sliding> {
+        let lines = [0, 1].map(|i| {
+            let surface = &self.scene.surfaces[pair[i].surface];
+            let lean = scale(-surface.mu_d * ways[i], surface.tangent());
+            self.line(pose, pair[i], add(surface.normal, lean))
         });
-        let lines = [0, 1].map(|i| self.line(pose, pair[i], forces[i]));
-        let drag = [0, 1, 2].map(|k| -speeds[0] * tangents[0][k] - speeds[1] * tangents[1][k]);
         let load = times(-1.0, self.load(pose, hand));
-        let whole = determinant(lines[0], lines[1], drag);
+        let whole = determinant(lines[0], lines[1], brake);
         if whole.abs() < 1e-14 {
             return None;
         }
         let excess = determinant(lines[0], lines[1], load);
         let normals = [
-            determinant(load, lines[1], drag) / whole,
-            determinant(lines[0], load, drag) / whole,
+            determinant(load, lines[1], brake) / whole,
+            determinant(lines[0], load, brake) / whole,
         ];
         Some(Sliding {
             normals,
             drive: excess / whole,
             excess,
+            whole,
         })
     }
 
-    /// The forces at the contacts; where statics leaves them open, the middle of what two cones allow, or one possible set.
-    pub(super) fn contact_forces(&self) -> Vec<ContactForce> {
-        let force = |touch: Touch, [normal, friction]: [f64; 2]| ContactForce {
-            vertex: touch.vertex,
-            surface: touch.surface,
-            normal,
-            friction,
+    /// The drive of two contacts that slide along `ways` under the load that reactions of these normal forces balance, each on the
+    /// edge of its static cone: what falls away when they begin to move.
+    pub(super) fn drive_of_yield(
+        &self,
+        pose: &Pose,
+        pair: [Touch; 2],
+        (ways, brake): ([f64; 2], Screw),
+        normals: [f64; 2],
+    ) -> f64 {
+        let reaction = |i: usize, mu: f64| {
+            let surface = &self.scene.surfaces[pair[i].surface];
+            let lean = scale(-mu * ways[i], surface.tangent());
+            self.line(pose, pair[i], add(surface.normal, lean))
         };
-        match *self.contacts.as_slice() {
-            [only] => vec![force(only, self.reaction(&self.pose, only, self.hand))],
-            [a, b] if a.surface == b.surface => {
-                let forces = self.edge_forces([a, b]);
-                vec![force(a, forces[0]), force(b, forces[1])]
-            }
-            [a, b] if a.vertex != b.vertex => {
-                let forces = self.braced_forces([a, b]);
-                vec![force(a, forces[0]), force(b, forces[1])]
-            }
-            _ => {
-                let load = times(-1.0, self.load(&self.pose, self.hand));
-                let weights = nearest(&self.cone_edges(&self.pose, &self.contacts), load).weights;
-                let split = |(&touch, w): (&Touch, &[f64])| {
-                    force(
-                        touch,
-                        [
-                            w[0] + w[1],
-                            self.scene.surfaces[touch.surface].mu_s * (w[0] - w[1]),
-                        ],
-                    )
-                };
-                self.contacts
-                    .iter()
-                    .zip(weights.chunks(2))
-                    .map(split)
-                    .collect()
-            }
-        }
-    }
-
-    /// Normal forces of an edge from the moments about its ends, friction shared in their proportion.
-    fn edge_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
-        let surface = &self.scene.surfaces[pair[0].surface];
-        let points = pair.map(|touch| self.pose.apply(self.scene.vertices[touch.vertex]));
-        let about = points.map(|point| self.scene.applied_moment(&self.pose, self.hand, point));
-        let reach = cross(sub(points[1], points[0]), surface.normal);
-        let normals = [about[1] / reach, -about[0] / reach];
-        let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
-        normals.map(|normal| {
-            [
-                normal,
-                if total == 0.0 {
-                    0.0
-                } else {
-                    friction * normal / total
-                },
-            ]
-        })
-    }
-
-    /// Forces of two contacts on two surfaces: in the middle of the internal forces along their connection that both static
-    /// cones allow, at the end if the other is infinite.
-    fn braced_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
-        let points = pair.map(|touch| self.pose.apply(self.scene.vertices[touch.vertex]));
-        let along = sub(points[1], points[0]);
-        let squared = dot(along, along);
-        let across = [-along[1], along[0]];
-        let force = self.scene.applied_force(&self.pose, self.hand);
-        let moment = self.scene.applied_moment(&self.pose, self.hand, points[0]);
-        let second = sub(
-            scale(-moment / squared, across),
-            scale(dot(force, along) / squared, along),
-        );
-        let first = sub(scale(-1.0, force), second);
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for (touch, start, direction) in [
-            (pair[0], first, along),
-            (pair[1], second, scale(-1.0, along)),
-        ] {
-            let surface = &self.scene.surfaces[touch.surface];
-            for side in [1.0, -1.0] {
-                let inward = add(
-                    scale(surface.mu_s, surface.normal),
-                    scale(side, surface.tangent()),
-                );
-                let (constant, slope) = (dot(inward, start), dot(inward, direction));
-                if slope > 0.0 {
-                    low = low.max(-constant / slope);
-                } else if slope < 0.0 {
-                    high = high.min(-constant / slope);
-                }
-            }
-        }
-        let internal = match (low.is_finite(), high.is_finite()) {
-            (true, true) => 0.5 * (low + high),
-            (true, false) => low,
-            (false, true) => high,
-            (false, false) => 0.0,
-        };
-        let split = |touch: Touch, total: Vector| {
-            let surface = &self.scene.surfaces[touch.surface];
-            [dot(surface.normal, total), dot(surface.tangent(), total)]
-        };
-        let extra = scale(internal, along);
-        [
-            split(pair[0], add(first, extra)),
-            split(pair[1], sub(second, extra)),
-        ]
+        let of = |i: usize| &self.scene.surfaces[pair[i].surface];
+        let sliding = [0, 1].map(|i| reaction(i, of(i).mu_d));
+        let [first, second] = [0, 1].map(|i| times(normals[i], reaction(i, of(i).mu_s)));
+        let needed = [0, 1, 2].map(|k| first[k] + second[k]);
+        determinant(sliding[0], sliding[1], needed) / determinant(sliding[0], sliding[1], brake)
     }
 }
 

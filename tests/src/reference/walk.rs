@@ -10,7 +10,7 @@ use super::{CLEARANCE, Reference, TURN};
 /// A turn by more than this in one step of something else is a snap, rad.
 pub(super) const SNAP: f64 = 0.03;
 /// Largest step of a slide, in body sizes.
-const SLIDE: f64 = 1e-3;
+pub(super) const SLIDE: f64 = 1e-3;
 /// Smallest step of a slide, in body sizes: below, a snap is not resolved further.
 const SMALLEST: f64 = 1e-13;
 /// Steps after which a slide is given up.
@@ -176,39 +176,46 @@ impl Reference {
         times(1.0 / norm(twist), twist)
     }
 
-    /// Slides two contacts along the motion that keeps both gaps, starting along `way`, until dynamic friction holds them.
-    pub(super) fn slide_pair(&self, pair: [Touch; 2], way: Screw, hand: [f64; 3]) -> (Pose, End) {
+    /// The unit twist that keeps both gaps, in the direction of `way`.
+    pub(super) fn onward(&self, pose: &Pose, pair: [Touch; 2], way: Screw) -> Screw {
+        let twist = self.free_twist(pose, pair);
+        times(sign(inner(twist, way)), twist)
+    }
+
+    /// Slides two contacts along the motion that keeps both gaps, starting along `way`, until dynamic friction holds them; with
+    /// the direction at the end. A contact that no longer presses ends the slide only if it is `watched`.
+    pub(super) fn slide_pair(
+        &self,
+        pair: [Touch; 2],
+        way: Screw,
+        hand: [f64; 3],
+        watched: bool,
+    ) -> (Pose, Screw, End) {
         let (mut pose, mut way) = (self.pose, way);
         let Some(start) = self.sliding(&pose, pair, way, hand) else {
-            return (pose, End::Lost);
+            return (pose, way, End::Lost);
         };
         let at = |pose: &Pose, way: Screw, distance: f64| {
             self.onto(pose.moved(times(distance, way), self.size), &pair)
-        };
-        let ahead = |pose: &Pose, way: Screw| {
-            let twist = self.free_twist(pose, pair);
-            times(sign(inner(twist, way)), twist)
         };
         let end = |pose: &Pose, way: Screw, depth: f64| {
             if self.enters(pose, depth) {
                 return Some(End::Touch);
             }
-            let Some(now) = self.sliding(pose, pair, ahead(pose, way), hand) else {
+            let Some(now) = self.sliding(pose, pair, self.onward(pose, pair, way), hand) else {
                 return Some(End::Rest);
             };
-            if now.excess * start.excess <= 0.0 {
+            if now.excess * start.whole <= 0.0 {
                 return Some(End::Rest);
             }
-            now.normals
-                .iter()
-                .position(|&normal| normal < -self.force_tolerance(pose, hand))
-                .map(End::Lift)
+            let lifts = |&normal: &f64| watched && normal < -self.force_tolerance(pose, hand);
+            now.normals.iter().position(lifts).map(End::Lift)
         };
         let step = SLIDE * self.size;
         for _ in 0..MANY {
             let next = at(&pose, way, step);
             let Some(first) = end(&next, way, CLEARANCE) else {
-                way = ahead(&next, way);
+                way = self.onward(&next, pair, way);
                 pose = next;
                 continue;
             };
@@ -217,12 +224,14 @@ impl Reference {
                 end(&at(&pose, way, distance), way, depth).is_some()
             });
             let last = at(&pose, way, after);
-            return match end(&last, way, depth) {
+            let found = end(&last, way, depth);
+            let (pose, end) = match found {
                 Some(End::Touch) | None => (at(&pose, way, before), End::Touch),
                 Some(found) => (last, found),
             };
+            return (pose, self.onward(&pose, pair, way), end);
         }
-        (pose, End::Lost)
+        (pose, way, End::Lost)
     }
 
     /// The nearest pose at which all `contacts` have gap zero.

@@ -13,6 +13,7 @@ test_each!(
     cases::body_is_taken_hold_of_again_elsewhere,
     cases::given_holding_point_pulls_from_the_start,
     cases::bad_sample_is_held_and_forgotten,
+    cases::tilted_hand_is_followed_and_says_so,
     cases::start_with_a_bad_sample_is_finite,
     cases::hand_out_of_range_is_held,
     cases::depth_passes_through,
@@ -232,6 +233,35 @@ mod cases {
         }
         let next = [x + 0.03, y - 0.01, phi];
         assert_eq!(run.step(next), undisturbed.step(next));
+    }
+
+    pub(super) fn tilted_hand_is_followed_and_says_so<R: Number>(evolution: Evolution) {
+        let setup = Setup::block(2.0, 1.0).held_at([0.0, 0.5]).floor([0.5, 0.3]);
+        let hand = planar::<R>([0.0, 0.3, 0.0]);
+        let tilted = Hand {
+            tilted: true,
+            ..hand
+        };
+        let [mut plain, mut run] =
+            [hand, tilted].map(|hand| Run::<R>::start_with(&setup, evolution, hand));
+        for x in 0..20 {
+            assert_eq!(
+                (plain.frame.status, run.frame.status),
+                (Status::Ok, Status::Twist)
+            );
+            assert_eq!(
+                (run.frame.pose, run.frame.slips),
+                (plain.frame.pose, plain.frame.slips)
+            );
+            assert_lawful::<R>(&setup, std::slice::from_ref(&run.frame));
+            let next = planar::<R>([0.05 * f64::from(x), 0.3, 0.0]);
+            plain.feed(next);
+            run.feed(Hand {
+                tilted: true,
+                ..next
+            });
+        }
+        assert_eq!(run.feed(planar::<R>([0.0, 0.3, 0.0])).status, Status::Ok);
     }
 
     pub(super) fn start_with_a_bad_sample_is_finite<R: Number>(evolution: Evolution) {

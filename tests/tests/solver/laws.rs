@@ -47,7 +47,7 @@ fn scenes_without_friction_obey_every_law() {
 }
 
 /// A box leans on a wall, a corner just above the floor: the turn of the hand lets that corner touch a little before balance,
-/// and open again, and so the slip along the wall begins a little out of balance. It must not end so.
+/// and slip or open again, and so a slip begins a little out of balance. It must not end so.
 #[test]
 fn slip_that_begins_out_of_balance_ends_in_balance() {
     fn touches_and_slips<R: Number>() {
@@ -59,11 +59,17 @@ fn slip_that_begins_out_of_balance_ends_in_balance() {
         let from = [0.108_934_97, 0.067_706_65, -1.199_382_2];
         let mut touched = 0;
         for i in 0..500 {
-            let hand = [0.108_861_46, 0.067_720_67, -1.199_32 + 8e-7 * f64::from(i)];
+            let hand = [
+                0.108_861_46,
+                0.067_720_67,
+                -1.199_32 + 6.4e-6 * f64::from(i),
+            ];
             let mut run = Run::<R>::start(&setup, Evolution::Frame, from);
             run.step(hand);
             assert_lawful::<R>(&setup, std::slice::from_ref(&run.frame));
-            touched += usize::from(run.frame.events.starts_with(&[Event::Touch, Event::Lift]));
+            let happened = |event| run.frame.events.contains(&event);
+            let goes_on = happened(Event::Lift) || happened(Event::Slip);
+            touched += usize::from(happened(Event::Touch) && goes_on);
         }
         assert!(touched > 100, "{}: {touched}", R::NAME);
     }

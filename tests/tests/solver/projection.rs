@@ -194,3 +194,28 @@ fn plane_needs_two_different_axes() {
         );
     }
 }
+
+/// In every plane, whatever the twist and the length of the quaternion.
+fn says_where_it_is_tilted<R: Number>() {
+    for ([a, b], size) in planes().flat_map(|plane| [1e-15, 1.0, 1e15].map(|size| (plane, size))) {
+        let normal = cross(direction(a), direction(b));
+        for degrees in [0.0, 90.0, 169.9, 170.1, 179.0, 180.0, 189.9, 190.1_f64] {
+            let swing = about(direction(a), degrees.to_radians());
+            let turned = product(swing, about(normal, 0.7)).map(|q| q * size);
+            let mut projection = Projection::new([a, b]).expect("two different axes");
+            let hand = projection.planar(&sample::<R>([0.0; 3], turned));
+            let tilted = hand.expect("a finite sample").tilted;
+            assert_eq!(
+                tilted,
+                (170.0..190.0).contains(&degrees),
+                "{degrees} {size}"
+            );
+        }
+    }
+}
+
+#[test]
+fn sample_far_out_of_the_plane_is_tilted() {
+    says_where_it_is_tilted::<f64>();
+    says_where_it_is_tilted::<f32>();
+}

@@ -198,19 +198,20 @@ fn depth_at_the_start_is_allowed_up_to_its_bound() {
     );
 }
 
-/// A block that rises at 45 degrees slips infinitely often before it lifts. So many slips as fit into a frame are nothing that
-/// limits it, more are (STATICS 7).
+/// A block that rises at 45 degrees slips ever shorter ways; where it is pressed less than its memory asks for, it slides until it
+/// lifts. A hundred slips are nothing that limits a frame, more than the events that are told apart are (STATICS 7).
 #[test]
 fn hundred_slips_of_a_frame_are_no_limit() {
     let (mut few, mut many) = (0, 0);
-    for mu_d in [0.1, 0.2, 0.3, 0.35, 0.4, 0.42, 0.45] {
+    for mu_d in [0.1, 0.3, 0.4, 0.45, 0.495, 0.498] {
         let setup = Setup::block(2.0, 1.0)
             .held_at([0.0, 0.5])
-            .floor([0.5, mu_d]);
+            .floor([0.5, mu_d])
+            .remembering(0.0);
         let mut run = Run::<f64>::start(&setup, Evolution::Path, [0.0, 0.3, 0.0]);
         let frame = run.step([0.4, 0.7, 0.0]);
         assert_eq!(frame.state, StateKind::NonContact);
-        let limited = frame.slips >= 100;
+        let limited = frame.slips > 120;
         let status = if limited {
             Status::EventLimit
         } else {

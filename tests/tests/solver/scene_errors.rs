@@ -1,7 +1,8 @@
 //! A scene that cannot be used is refused, and the error names the parameter, its value and what is allowed.
 
-use stiction_core::{Evolution, Fixed, Parameter, Real};
-use stiction_tests::run::planar;
+use stiction_core::{Evolution, Fixed, Parameter, Real, StateKind};
+use stiction_tests::laws::assert_lawful;
+use stiction_tests::run::{planar, polyline, run};
 use stiction_tests::setup::{SURFACES, VERTICES};
 use stiction_tests::{Number, Run, Setup};
 
@@ -85,7 +86,7 @@ fn vertex() {
 /// In a side or in the opposite one: three vertices touch no surface together.
 #[test]
 fn vertex_hardly_out_of_line() {
-    for out in [-1e-3, 0.0, 1e-9, 1e-7, 1e-6, 1.4e-5] {
+    for out in [-1e-3, 0.0, 1e-9, 1e-7, 1e-6, 3e-6] {
         refused_by_all(Parameter::Vertex(2), 1.0, |s| {
             s.vertices = vec![[-1.0, 0.0], [0.1, -2.0 * out], [1.0, 0.0], [0.0, 1.0]];
         });
@@ -361,4 +362,40 @@ fn gap_at_the_start() {
     starts::<f64>();
     starts::<f32>();
     starts::<Fixed>();
+}
+
+/// A plate as thin as 1 : 100 000 is a body in `f64`. Set onto the floor a little too deep, where all its vertices are as near to it
+/// as counts as a touch, it stands on two of them, and obeys the laws; thinner ones are refused.
+#[test]
+fn thinnest_body_follows_from_the_number_type() {
+    fn thinnest<R: Number>() -> Option<f64> {
+        let thin = |thickness: f64| {
+            Setup::block(1.0, thickness)
+                .held_at([0.5, 0.0])
+                .at([0.0, -0.9e-5, 0.0])
+                .floor([0.5, 0.3])
+        };
+        let is_body = |thickness: &f64| thin(*thickness).scene::<R>().is_ok();
+        let thicknesses = [1e-6, 3e-6, 1e-5, 2e-5, 4e-5];
+        let thinnest = thicknesses.into_iter().find(is_body)?;
+        let setup = thin(thinnest);
+        for evolution in Evolution::ALL {
+            let [x, y] = setup.grip();
+            let hands = [
+                [x, y - 0.1, 0.0],
+                [x + 0.3, y - 0.1, -0.1],
+                [x, y + 0.1, 0.2],
+            ];
+            let frames = run::<R>(&setup, evolution, &polyline(&hands, 100));
+            assert_lawful::<R>(&setup, &frames);
+            let at_first = frames
+                .first()
+                .map(|frame| (frame.state, frame.contacts.len()));
+            assert_eq!(at_first, Some((StateKind::Edge, 2)));
+        }
+        Some(thinnest)
+    }
+    assert_eq!(thinnest::<f64>(), Some(1e-5));
+    assert_eq!(thinnest::<f32>(), Some(4e-5));
+    assert_eq!(thinnest::<Fixed>(), Some(2e-5));
 }

@@ -4,6 +4,7 @@ mod examples;
 mod faulty_line;
 mod logitech;
 mod malformed;
+mod meanings;
 mod names;
 #[cfg(not(miri))] // It starts another program.
 mod other_client;

@@ -2,8 +2,9 @@
 
 use crate::random::{Random, Store};
 use crate::{Either, decoded, encoded, sealed, times};
+use stiction_core::Status;
 use stiction_core::frame::{
-    Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report,
+    Command, Decoder, Fault, FaultKind, Faults, Frame, Reason, Reference, Reply, Report, VERSION,
     frame_bytes,
 };
 
@@ -85,7 +86,7 @@ fn unknown_types_and_other_versions_are_told() {
         let is_command = (1..=8).contains(&code);
         let is_report = reports.iter().any(|range| range.contains(&code));
         for (to_board, known) in [(true, is_command), (false, is_report)] {
-            let kind = fault(&[1, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
+            let kind = fault(&[VERSION, code, 5, 0, 0, 0, 0], to_board).map(|f| f.kind);
             if known {
                 assert!(matches!(kind, None | Some(FaultKind::Length)), "{code:#x}");
             } else {
@@ -93,7 +94,7 @@ fn unknown_types_and_other_versions_are_told() {
             }
         }
     }
-    for version in (0..=255).filter(|v| *v != 1) {
+    for version in (0..=255).filter(|v| *v != VERSION) {
         let frame = Some(Reference {
             code: 7,
             sequence: 5,
@@ -113,18 +114,22 @@ fn unknown_types_and_other_versions_are_told() {
 
 #[test]
 fn codes_without_a_meaning_are_told() {
-    let head = |code: u8| vec![1, code, 0, 0, 0, 0, 0];
+    let head = |code: u8| vec![VERSION, code, 0, 0, 0, 0, 0];
     let with = |code: u8, payload: &[u8]| [head(code), payload.to_vec()].concat();
     let set = |mut payload: Vec<u8>, at: usize, byte: u8| {
         payload[at] = byte;
         payload
     };
-    let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
-    let info = [vec![0; 35], mode.clone(), b"name".to_vec()].concat();
+    let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    let scene = [&[0, 1], [0; 62].as_slice()].concat();
+    let contact = [vec![0; 28], vec![1], vec![0; 19]].concat();
+    let info = [vec![0; 40], mode.clone(), b"name".to_vec()].concat();
     let cases = [
         (true, with(0x01, &set(vec![0; 21], 20, 2)), "held"),
         (true, with(0x02, &set(vec![0; 29], 28, 255)), "held"),
+        (true, with(0x03, &set(vec![0; 21], 16, 2)), "has_memory"),
         (true, with(0x04, &set(vec![0; 39], 2, 2)), "has_point"),
+        (true, with(0x04, &set(scene, 59, 2)), "has_memory"),
         (true, with(0x05, &set(mode.clone(), 0, 2)), "evolution"),
         (true, with(0x05, &set(mode.clone(), 1, 2)), "stepping"),
         (true, with(0x05, &set(mode.clone(), 2, 3)), "axis_x"),
@@ -132,19 +137,24 @@ fn codes_without_a_meaning_are_told() {
         (true, with(0x05, &set(mode.clone(), 3, 4)), "the same axis"),
         (true, with(0x05, &set(mode.clone(), 4, 2)), "events"),
         (true, with(0x08, &[2]), "what"),
-        (false, with(0x80, &set(vec![0; 19], 16, 6)), "status"),
+        (false, with(0x80, &set(vec![0; 20], 16, 1 << 6)), "flags"),
+        (false, with(0x80, &set(vec![0; 20], 18, 1 << 3)), "events"),
+        (false, with(0x80, &set(vec![0; 20], 18, 1 << 4)), "events"),
+        (false, with(0x90, &set(contact.clone(), 47, 2)), "sliding"),
+        (false, with(0x90, &set(contact, 47, 0xfe)), "sliding"),
         (
             false,
-            with(0x91, &[0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 9]),
+            with(0x91, &[0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 11]),
             "event",
         ),
         (false, with(0x92, &set(vec![0; 14], 2, 9)), "reason"),
-        (false, with(0x92, &set(vec![0; 14], 3, 15)), "subject"),
+        (false, with(0x92, &set(vec![0; 14], 3, 16)), "subject"),
         (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
         (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
         (false, with(0x93, &set(info.clone(), 6, 8)), "has"),
-        (false, with(0x93, &set(info.clone(), 35, 2)), "mode"),
-        (false, with(0x93, &set(info, 53, 0x7f)), "name"),
+        (false, with(0x93, &set(info.clone(), 35, 2)), "has_memory"),
+        (false, with(0x93, &set(info.clone(), 40, 2)), "mode"),
+        (false, with(0x93, &set(info, 54, 0x7f)), "name"),
         (false, with(0x94, &set(vec![0; 61], 0, 3)), "drive"),
     ];
     for (to_board, bytes, field) in cases {
@@ -213,7 +223,7 @@ fn frame_for_which_there_is_no_room_is_told_and_the_next_one_found() {
         (frame_bytes(0) - 4, None),
         (frame_bytes(0) - 3, Some(FaultKind::TooLong)),
     ] {
-        let bytes = [&[1, 7, 0, 0, 0, 0, 0], vec![1; n - 7].as_slice()].concat();
+        let bytes = [&[VERSION, 7, 0, 0, 0, 0, 0], vec![1; n - 7].as_slice()].concat();
         let mut board = Decoder::<{ frame_bytes(0) }>::new();
         let end = sealed(&bytes)
             .iter()
@@ -246,7 +256,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             0x80 + random.byte() % 0x16
         };
         // Mostly small bytes, so that counts and codes have a meaning often enough.
-        let length = [0, 1, 5, 16, 18, 19, 21, 29, 61, 67, random.below(80)][random.below(11)];
+        let length = [0, 1, 5, 14, 20, 21, 29, 48, 54, 61, random.below(80)][random.below(11)];
         let byte = |random: &mut Random| {
             if random.below(4) == 0 {
                 random.byte()
@@ -255,7 +265,7 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
             }
         };
         let payload: Vec<u8> = (0..length).map(|_| byte(&mut random)).collect();
-        let bytes = [&[1, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
+        let bytes = [&[VERSION, code, 0, 0, 0, 0, 0], payload.as_slice()].concat();
         let wire = sealed(&bytes);
         decoded(&wire, code < 0x80, |received| match received {
             Err(fault) => faults.count(fault.kind),
@@ -267,7 +277,21 @@ fn any_payload_under_a_right_checksum_is_a_message_or_a_fault() {
                     Either::Command(Frame {
                         message: Command::Scene(s),
                         ..
-                    }) => s.holding_point.is_none(),
+                    }) => {
+                        s.holding_point.is_none() || s.surfaces.iter().any(|s| s.memory.is_none())
+                    }
+                    Either::Command(Frame {
+                        message: Command::Parameters(p),
+                        ..
+                    }) => p.memory.is_none(),
+                    Either::Report(Frame {
+                        message: Report::Info(info),
+                        ..
+                    }) => info.memory_now.is_none(),
+                    Either::Report(Frame {
+                        message: Report::Pose(pose),
+                        ..
+                    }) => pose.status == Status::Ambiguous,
                     Either::Report(Frame {
                         message: Report::Reply(_),
                         ..

@@ -61,6 +61,7 @@ const INFO: Info<'_> = Info {
     stiffest: [f32::INFINITY; 2],
     stiffness: [500.0, 0.5],
     friction_now: [0.5, 0.3],
+    memory_now: None,
     mode: Mode {
         evolution: Evolution::Path,
         stepping: Stepping::PerSample,
@@ -70,7 +71,6 @@ const INFO: Info<'_> = Info {
         pose_every: 1,
         forces_every: 0,
         health_every: 0,
-        tolerance: 0.0,
         event_limit: 8,
     },
     name: Text::new("a socket"),

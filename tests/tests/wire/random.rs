@@ -52,6 +52,9 @@ impl Random {
     fn floats<const N: usize>(&mut self) -> [f32; N] {
         std::array::from_fn(|_| self.float())
     }
+    fn option(&mut self) -> Option<f32> {
+        self.flag().then(|| self.float())
+    }
     fn one<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }
@@ -77,7 +80,6 @@ impl Random {
             pose_every: self.half(),
             forces_every: self.half(),
             health_every: self.half(),
-            tolerance: self.float(),
             event_limit: self.byte(),
         }
     }
@@ -87,7 +89,6 @@ impl Random {
             Subject::Command,
             Subject::TickRate,
             Subject::LineRate,
-            Subject::Tolerance,
             Subject::EventLimit,
             Subject::Scene(Parameter::VertexCount),
             Subject::Scene(Parameter::Vertex(i)),
@@ -102,6 +103,7 @@ impl Random {
             Subject::Scene(Parameter::Offset(i)),
             Subject::Scene(Parameter::FrictionStatic(i)),
             Subject::Scene(Parameter::FrictionDynamic(i)),
+            Subject::Scene(Parameter::Memory(i)),
             Subject::Scene(Parameter::Penetration {
                 surface: i,
                 vertex: j,
@@ -132,7 +134,7 @@ impl Store {
         ];
         Self {
             vertices: (0..v).map(|_| random.floats()).collect(),
-            surfaces: (0..s).map(|_| surface(random.floats())).collect(),
+            surfaces: (0..s).map(|_| surface(random)).collect(),
             contacts: (0..c).map(|_| contact(random)).collect(),
             events: (0..e).map(|_| random.one(&Event::ALL)).collect(),
             text: (0..t)
@@ -170,6 +172,7 @@ impl Store {
                 },
                 depth: random.float(),
                 held: random.flag(),
+                tilted: false,
             }),
             1 => Command::Tracker(TrackerSample {
                 position: random.floats(),
@@ -181,6 +184,7 @@ impl Store {
                 stiffness_rotation: random.float(),
                 friction_static: random.float(),
                 friction_dynamic: random.float(),
+                memory: random.option(),
             }),
             3 => Command::Scene(SceneCommand {
                 vertices: List::from(self.vertices.as_slice()),
@@ -234,6 +238,7 @@ impl Store {
                 stiffest: random.floats(),
                 stiffness: random.floats(),
                 friction_now: random.floats(),
+                memory_now: random.option(),
                 mode: random.mode(),
                 name: Text::new(&self.text),
             }),
@@ -286,12 +291,13 @@ fn health(random: &mut Random) -> Health {
     }
 }
 
-fn surface([x, y, offset, friction_static, friction_dynamic]: [f32; 5]) -> SurfaceDescription<f32> {
+fn surface(random: &mut Random) -> SurfaceDescription<f32> {
     SurfaceDescription {
-        normal: [x, y],
-        offset,
-        friction_static,
-        friction_dynamic,
+        normal: random.floats(),
+        offset: random.float(),
+        friction_static: random.float(),
+        friction_dynamic: random.float(),
+        memory: random.option(),
     }
 }
 
@@ -309,5 +315,6 @@ fn contact(random: &mut Random) -> Contact<f32> {
         point: random.floats(),
         normal: random.float(),
         friction: random.float(),
+        sliding: random.one(&[0, 1, -1]),
     }
 }

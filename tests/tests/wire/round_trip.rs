@@ -4,10 +4,10 @@ use crate::random::{Random, Store};
 use crate::said::Said;
 use crate::{Either, decoded, encoded, sampled, times};
 use stiction_core::frame::{
-    Command, EventSet, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text,
-    scene_bytes, wire_bytes,
+    Command, Frame, List, Pose, Reason, Reference, Reply, Report, SceneCommand, Text, scene_bytes,
+    wire_bytes,
 };
-use stiction_core::{Angle, Description, Event, Hand, Scene, SurfaceDescription};
+use stiction_core::{Angle, Description, Hand, Scene, SurfaceDescription};
 
 #[test]
 fn random_messages_arrive_as_they_were_sent() {
@@ -37,7 +37,7 @@ fn random_messages_arrive_as_they_were_sent() {
 }
 
 #[test]
-fn pose_takes_32_bytes_whatever_it_says() {
+fn pose_takes_33_bytes_whatever_it_says() {
     let mut random = Random(2);
     for _ in 0..times(10_000) {
         let message = Report::Pose(crate::random::pose(&mut random));
@@ -46,7 +46,7 @@ fn pose_takes_32_bytes_whatever_it_says() {
             time: random.bits() as u32,
             message,
         };
-        assert_eq!(encoded(&frame).len(), 32);
+        assert_eq!(encoded(&frame).len(), 33);
     }
 }
 
@@ -121,6 +121,7 @@ fn scene_of_64_vertices_goes_through_in_one_frame() {
         offset: -0.1,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     let surfaces = [wall; 16];
     let described = Description {
@@ -180,47 +181,6 @@ fn turns_are_followed_from_pose_to_pose() {
     }
 }
 
-/// FRAME.md 5.1: bit 7 is grasp or release.
-#[test]
-fn every_event_has_a_bit_of_its_own() {
-    const EVENTS: usize = 7 + 17;
-    for (bit, event) in Event::ALL.into_iter().take(8).enumerate() {
-        let events = EventSet::of(&[event]);
-        let message = Report::Pose(Pose {
-            events,
-            ..Pose::default()
-        });
-        let mut bytes = encoded(&Frame {
-            sequence: 0,
-            time: 0,
-            message,
-        });
-        bytes.pop();
-        cobs::decode_in_place(&mut bytes).expect("COBS");
-        assert_eq!(bytes[EVENTS], 1 << bit, "{event:?}");
-        for other in Event::ALL.into_iter().take(8) {
-            assert_eq!(
-                events.contains(other),
-                other == event,
-                "{event:?} {other:?}"
-            );
-        }
-    }
-}
-
-#[test]
-fn union_of_events_has_those_of_both() {
-    let all = &Event::ALL[..8];
-    for split in 0..=8 {
-        for overlap in 0..=split {
-            let (some, rest) = (EventSet::of(&all[..split]), EventSet::of(&all[overlap..]));
-            assert_eq!(some.union(rest), EventSet::of(all));
-            assert_eq!(some.union(EventSet::default()), some);
-            assert_eq!(rest.union(rest), rest);
-        }
-    }
-}
-
 #[test]
 fn reply_says_whether_the_command_was_carried_out() {
     let command = Reference {
@@ -273,24 +233,7 @@ fn text_is_compared_by_its_characters() {
     }
 }
 
-#[test]
-fn grasp_and_release_are_told_by_the_hold() {
-    for (event, other, held) in [
-        (Event::Grasp, Event::Release, true),
-        (Event::Release, Event::Grasp, false),
-    ] {
-        let pose = Pose {
-            held,
-            events: EventSet::of(&[Event::Touch, event]),
-            ..Pose::default()
-        };
-        assert!(
-            pose.saw(event) && pose.saw(Event::Touch) && !pose.saw(other) && !pose.saw(Event::Slip)
-        );
-    }
-}
-
-fn to_board(message: Command<'_>) -> Frame<Command<'_>> {
+pub(crate) fn to_board(message: Command<'_>) -> Frame<Command<'_>> {
     Frame {
         sequence: 0,
         time: 0,
@@ -298,7 +241,7 @@ fn to_board(message: Command<'_>) -> Frame<Command<'_>> {
     }
 }
 
-fn scene(vertices: &[[f32; 2]]) -> SceneCommand<'_> {
+pub(crate) fn scene(vertices: &[[f32; 2]]) -> SceneCommand<'_> {
     SceneCommand {
         vertices: List::from(vertices),
         start: [1.1; 3],

@@ -87,6 +87,11 @@ impl Said {
         }
         self
     }
+    /// A flag and a number that is 0 without it.
+    fn option(&mut self, name: &str, value: Option<f32>) -> &mut Self {
+        self.int(&format!("has_{name}"), value.is_some())
+            .float(name, value.unwrap_or_default())
+    }
     fn text(&mut self, name: &str, value: &str) -> &mut Self {
         self.put(name, Value::Text(value.to_owned()))
     }
@@ -116,6 +121,7 @@ impl Said {
                 self.float("k_theta", p.stiffness_rotation);
                 self.float("mu_s", p.friction_static);
                 self.float("mu_d", p.friction_dynamic);
+                self.option("memory", p.memory);
             }
             Command::Scene(scene) => self.scene(scene),
             Command::Mode(mode) => self.mode(mode),
@@ -136,7 +142,12 @@ impl Said {
         self.float("k_theta", scene.stiffness_rotation);
         let surface = |s: SurfaceDescription<f32>| {
             let [x, y] = s.normal;
-            floats(&[x, y, s.offset, s.friction_static, s.friction_dynamic])
+            let numbers = [x, y, s.offset, s.friction_static, s.friction_dynamic].map(float);
+            let memory = [
+                Value::Int(s.memory.is_some().into()),
+                float(s.memory.unwrap_or_default()),
+            ];
+            Value::List(numbers.into_iter().chain(memory).collect())
         };
         self.list(
             "vertices",
@@ -157,7 +168,6 @@ impl Said {
         self.int("pose_every", mode.pose_every)
             .int("forces_every", mode.forces_every);
         self.int("health_every", mode.health_every)
-            .float("tolerance", mode.tolerance)
             .int("event_limit", mode.event_limit);
     }
 
@@ -214,7 +224,7 @@ impl Said {
         self.int("held", pose.held)
             .int("force_off", pose.force_off)
             .int("turns", pose.turns);
-        let bits = (0..8).filter(|&bit| pose.events.contains(Event::ALL[bit]));
+        let bits = (0..Event::ALL.len()).filter(|&bit| pose.events.contains(Event::ALL[bit]));
         self.int("events", bits.map(|bit| 1 << bit).sum::<i64>())
             .int("sample", pose.sample);
     }
@@ -231,7 +241,8 @@ impl Said {
             let [x, y] = c.point;
             let indices = [c.vertex, c.surface].map(|i| Value::Int(i as i64));
             let numbers = [x, y, c.normal, c.friction].map(float);
-            Value::List(indices.into_iter().chain(numbers).collect())
+            let sliding = [Value::Int(c.sliding.into())];
+            Value::List(indices.into_iter().chain(numbers).chain(sliding).collect())
         };
         self.int("turns", forces.turns).list(
             "contacts",
@@ -271,6 +282,7 @@ impl Said {
         self.floats("stiffest_k_h stiffest_k_theta", &info.stiffest);
         self.floats("k_h k_theta", &info.stiffness)
             .floats("mu_s mu_d", &info.friction_now);
+        self.option("memory", info.memory_now);
         self.mode(&info.mode);
         self.text("name", &info.name.to_string());
     }
@@ -284,6 +296,8 @@ fn status(status: Status) -> i64 {
         "ambiguous",
         "saturated",
         "held-last",
+        "jammed",
+        "twist",
     ];
     names
         .iter()
@@ -296,8 +310,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Subject::Command => return (0, [0; 2]),
         Subject::TickRate => return (32, [0; 2]),
         Subject::LineRate => return (33, [0; 2]),
-        Subject::Tolerance => return (34, [0; 2]),
-        Subject::EventLimit => return (35, [0; 2]),
+        Subject::EventLimit => return (34, [0; 2]),
         Subject::Scene(parameter) => parameter,
     };
     match parameter {
@@ -315,6 +328,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Parameter::FrictionStatic(i) => (12, [i, 0]),
         Parameter::FrictionDynamic(i) => (13, [i, 0]),
         Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
+        Parameter::Memory(i) => (15, [i, 0]),
     }
 }
 

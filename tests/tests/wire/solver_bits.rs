@@ -23,6 +23,7 @@ fn scene<R: Real<Si = f32>>() -> Scene<R, 4, 1> {
             offset: 0.0,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }],
     })
     .expect("a scene")
@@ -115,7 +116,7 @@ fn poses_carry_the_bits<R: Real<Si = f32>>(evolution: Evolution) {
             assert!(
                 Event::ALL
                     .iter()
-                    .all(|e| pose.saw(*e) == expected.events().contains(e))
+                    .all(|e| pose.events.contains(*e) == expected.events().contains(e))
             );
             assert_eq!(pose.sample, number as u8);
         });

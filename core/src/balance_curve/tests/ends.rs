@@ -85,9 +85,12 @@ fn margin_is_used_up_between_neighbouring_turns() {
                 stiffness: 0.0,
                 hold: Vec2::new(pull, 0.0),
                 harmonic: Pinned,
-                tolerance: 0.0,
             };
-            let curve = BalanceCurve::balanced(&moment, Vec2::new(cos, sin), 0.0);
+            let drive = Drive {
+                couple: 0.0,
+                hold: Vec2::new(cos, sin),
+            };
+            let curve = BalanceCurve::balanced(&moment, &drive);
             for (start, along, stops) in [(0.0, -0.1, true), (0.5, -0.7, true), (0.5, -0.3, false)]
             {
                 let margin = margin(start, along);
@@ -101,7 +104,7 @@ fn margin_is_used_up_between_neighbouring_turns() {
     }
 }
 
-/// Where the search for the end gives up, the extent says so, whatever ends it then; it is somewhere before the end.
+/// Where the search for the end gives up, the extent says so, unless something ends it before; it is somewhere before the end.
 #[test]
 fn extent_that_gives_up_says_so() {
     let curve = turning(0.9, 30.0);
@@ -126,9 +129,15 @@ fn extent_that_gives_up_says_so() {
         assert_eq!(stopped.unsure, counts.unsure > 0, "{most}");
         assert!(stopped.end.x <= ended.end.x * (1.0 + 1e-9));
         seen[2 + usize::from(stopped.unsure)] += 1;
-        // What is unsure of the extent stays so.
+        // What comes before the end is sure, and the end of the extent as unsure as it was.
         let mut stopped = extent;
         if curve.stop_at(&turning_margin, &mut stopped) {
+            assert!(!stopped.unsure, "{most}");
+            assert!(
+                (stopped.end.x - ended.end.x).abs() <= 1e-9 * ended.end.x,
+                "{most}"
+            );
+        } else {
             assert_eq!(stopped.unsure, extent.unsure, "{most}");
         }
     }

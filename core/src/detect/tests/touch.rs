@@ -23,7 +23,7 @@ fn first_touch_is_the_first() {
             let (curve, mut extent) = BalanceCurve::<f64, Pinned>::turning(turn);
             let moving = Moving {
                 curve: &curve,
-                shift,
+                path: &PointPath::straight(shift),
                 lasting: &[],
             };
             let found = at.first_touch(&scene, &mut extent, &moving);
@@ -87,7 +87,7 @@ fn first_touch_on_many_turns_is_the_first() {
             let (curve, mut extent) = BalanceCurve::<Fixed, Pinned>::turning(number(turn));
             let moving = Moving {
                 curve: &curve,
-                shift: vec(shift),
+                path: &PointPath::straight(vec(shift)),
                 lasting: &[],
             };
             let found = at.first_touch(&scene, &mut extent, &moving);

@@ -46,7 +46,7 @@ fn certified_edge_presses_beyond_the_rounding() {
         let scene = fixtures::scene::<3, 1>(&vertices, &[0.0]);
         assert_eq!(scene.vertex(1).x, span);
         let pivot = fixtures::pivot(0.0);
-        let edge = Edge { pivot, vertex: 1 };
+        let edge = Edge::new(pivot, 1);
         // Pressed by 1, above one of the vertices but for so many roundings.
         for (begin, side) in [(0.0, 1.0), (span, -1.0)] {
             let pressed = |off: f64| {
@@ -65,7 +65,7 @@ fn certified_edge_presses_beyond_the_rounding() {
                     continue;
                 }
                 let grip = pressed(times * unit);
-                let is_certified = edge.clone().follow(&scene, &grip);
+                let is_certified = edge.clone().follow(&scene, (&grip, &grip));
                 assert_eq!(is_certified, times > 1.0, "{span} {begin} {times}");
                 if begin == 0.0 {
                     let load = pivot.load(&scene, &grip);

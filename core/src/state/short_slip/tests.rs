@@ -35,6 +35,7 @@ impl Case {
             offset: 0.0,
             friction_static: MU_S,
             friction_dynamic: MU_D,
+            memory: None,
         };
         let scene: Scene<f64, 3, 1> = Scene::new(&Description {
             vertices: &VERTICES,

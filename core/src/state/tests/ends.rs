@@ -1,17 +1,14 @@
-//! Where a motion ends: in balance to the digits, though its path is found to within a tolerance only; and what has no spring or no
-//! pressure.
+//! Where a motion ends: in balance to the digits; and what has no spring or no pressure.
 
 use super::*;
 use crate::fixtures::{Random, sampled};
 use crate::geometry::Vec2;
 use crate::model::{Frictionless, Full};
 
-/// The balance at the end of a path is of the third order in the tolerance of the path.
+/// The end of a path is in balance to the digits of its angle.
 #[test]
 fn end_of_a_way_is_in_balance() {
-    const TOLERANCE: f64 = 1.0 / 256.0;
-    let mut point = on_floor::<1, Full>(&[[0.0, 0.0]], (0.3, 2.0), 0.9);
-    point.tolerance = TOLERANCE;
+    let point = on_floor::<1, Full>(&[[0.0, 0.0]], (0.3, 2.0), 0.9);
     let mut count = [0; 2];
     for seed in sampled(0..300, 29) {
         let mut random = Random(seed);
@@ -26,7 +23,8 @@ fn end_of_a_way_is_in_balance() {
                 orientation: Orientation::new(Angle::default()),
             },
         });
-        let vertex = ContactState::SingleVertex(SingleVertex::new(pivot(0.3)));
+        let mut vertex = ContactState::SingleVertex(SingleVertex::new(pivot(0.3)));
+        vertex.set_regime(Regime::Stick { stiction: true });
         for (i, (begin, y)) in [(free, 3.0), (vertex, -1.2)].into_iter().enumerate() {
             let (from, to) = (grip(y), grip(y));
             let mut state = begin;
@@ -47,7 +45,7 @@ fn end_of_a_way_is_in_balance() {
                 },
             };
             let moment = Load::new(&point, placed, &to).moment();
-            assert!(moment.abs() < 1e-6, "{seed}: {moment}");
+            assert!(moment.abs() < 1e-14, "{seed}: {moment}");
             count[i] += 1;
         }
     }
@@ -82,16 +80,12 @@ fn body_without_weight_and_spring_keeps_its_angle() {
 #[test]
 fn tip_that_does_not_press_is_not_certified() {
     let point = on_floor::<1, Frictionless>(&[[0.0, 0.0]], (0.0, 1.0), 0.0);
-    let terms = Terms {
-        jumps: false,
-        tolerance: 0.0,
-    };
     for (press, turn, follows) in [
-        (0.0, 0.0, None),
-        (0.0, 0.01, None),
-        (-0.5, 0.0, None),
-        (0.5, 0.0, Some(Trigger::Balanced)),
-        (0.5, 0.01, Some(Trigger::Balanced)),
+        (0.0, 0.0, false),
+        (0.0, 0.01, false),
+        (-0.5, 0.0, false),
+        (0.5, 0.0, true),
+        (0.5, 0.01, true),
     ] {
         let grip = Grip {
             holding_point: Vec2::ZERO,
@@ -99,10 +93,6 @@ fn tip_that_does_not_press_is_not_certified() {
             angle: Angle::from_radians(turn),
         };
         let mut state = ContactState::SingleVertex(SingleVertex::new(pivot(0.0)));
-        assert_eq!(
-            state.follow(&point, (&grip, &grip), terms),
-            follows,
-            "{press}"
-        );
+        assert_eq!(state.follow(&point, (&grip, &grip)), follows, "{press}");
     }
 }

@@ -127,7 +127,8 @@ fn gliding_vertex_says_so() {
                 panic!("{state:?}");
             };
             let mut balanced = pivot;
-            balanced.glide(&rod, &from.lerp(&to, moved.part));
+            let edge = pivot.surface(&rod).sliding(1.0);
+            balanced.slide(&rod, &from.lerp(&to, moved.part), &edge);
             assert!((balanced.foot - pivot.foot).abs() < 1e-12, "{turn} {most}");
         }
     }

@@ -137,3 +137,47 @@ fn blunt_edges_bear_to_the_rounding() {
     }
     assert!(cfg!(miri) || count > 100, "{count}");
 }
+
+/// Two contacts face each other across a line of length 1. The upper edges of their cones rise above it by a slope: each bears
+/// half of a push of 1 against it by a normal force of 1 over the slope.
+fn wedge_jams_beyond_the_limit<R: Real>()
+where
+    R::Si: From<f32>,
+{
+    let little = R::EPSILON * R::from_int(16);
+    let mut found = [0; 2];
+    for exponent in 0..11 {
+        let slope = libm::ldexp(1.0, -exponent);
+        let number = |value: f64| R::from_si(R::Si::from(value as f32), R::Si::ONE);
+        let (sin, cos) = libm::sincos(libm::atan(0.5 * slope));
+        let mut cone = WrenchCone::<R>::default();
+        for side in [-1.0, 1.0] {
+            cone.add(&Bearing {
+                lever: Vec2::new(number(0.5 * side), R::ZERO),
+                normal: Vec2::new(number(-side), R::ZERO),
+                tangent: Vec2::new(R::ZERO, R::ONE),
+                edges: [(number(cos), number(sin)), (number(cos), R::ZERO)],
+            });
+        }
+        let load = Wrench2 {
+            force: Vec2::new(R::ZERO, -R::ONE),
+            moment: R::ZERO,
+        };
+        let normal = 1.0 / slope;
+        let is_within = cone.bearers(load, little).is_some();
+        assert_eq!(is_within, normal <= 64.0, "{normal}");
+        assert!(cone.jams(load, little), "{normal}");
+        assert_eq!(cone.exceeds_limit(load, little), !is_within, "{normal}");
+        // Nothing holds it against a pull along it.
+        assert!(!cone.jams(load.scaled(-R::ONE), little), "{normal}");
+        found[usize::from(is_within)] += 1;
+    }
+    assert!(found.iter().all(|count| *count > 3), "{found:?}");
+}
+
+#[test]
+fn wedge_jams_beyond_the_limit_in_every_number_type() {
+    wedge_jams_beyond_the_limit::<f64>();
+    wedge_jams_beyond_the_limit::<f32>();
+    wedge_jams_beyond_the_limit::<crate::real::Fixed>();
+}

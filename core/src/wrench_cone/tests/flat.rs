@@ -170,8 +170,10 @@ where
                 solution.iter().all(|&(_, part)| part >= R::ZERO),
                 "{seed}: {solution:?}"
             );
+            // And what the rounding of the parts leaves.
+            let sum = solution.iter().fold(R::ZERO, |sum, &(_, part)| sum + part);
             assert!(
-                remainder.size() <= little,
+                remainder.size() <= little + R::rounding(sum) * R::from_int(4),
                 "{seed}: {solution:?} {remainder:?}"
             );
         }

@@ -44,7 +44,7 @@ mod app {
     /// Room for so many surfaces.
     const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second.
-    const RATE: u16 = 250;
+    const RATE: u16 = 200;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 

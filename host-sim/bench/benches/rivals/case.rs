@@ -99,6 +99,18 @@ impl Case {
         pairs
     }
 
+    /// The largest distance of two vertices (m).
+    pub(crate) fn size(&self) -> f64 {
+        let vertices = &self.scene.vertices;
+        let apart = |a: &[f64; 2]| {
+            vertices
+                .iter()
+                .map(|b| (a[0] - b[0]).hypot(a[1] - b[1]))
+                .fold(0.0, f64::max)
+        };
+        vertices.iter().map(apart).fold(0.0, f64::max)
+    }
+
     /// The largest distance of a vertex in one pose from the same vertex in the other (m).
     pub(crate) fn distance(&self, a: Pose, b: Pose) -> f64 {
         let apart = |&vertex: &[f64; 2]| {

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_tests::reference::{Reference, Scene, Surface};
+use stiction_tests::reference::{Foot, Reference, Scene, Surface};
 
 use stiction_scene::SurfaceInfo;
 
@@ -79,13 +79,25 @@ pub(crate) fn time<E: Engine>(case: &Case) -> Vec<Duration> {
 }
 
 /// Where the statics has the body when the hand has stopped: followed from a pressed pose by the slow reference of the tests,
-/// which shares no code with the solver. From there, because where the slips of a body begin that is set down askew is open:
-/// they become ever shorter towards the touch.
+/// which shares no code with the solver. From there, so that where an engine has set the body down is no error of its drag.
+/// There the hand turns from pressing to dragging, so nothing slides; and where friction at rest is more than friction of slips,
+/// the normal force is far beyond what stiction takes.
 pub(crate) fn statics(case: &Case, pressed: Pose) -> Pose {
     let scene = reference_scene(case);
     let start = case.press.last().unwrap_or(case.first());
-    let contacts = case.touching(pressed, TOUCHES);
-    let mut reference = Reference::resumed(scene, pressed, &contacts, hand_pose(start));
+    let sticks = |(vertex, surface)| Foot {
+        vertex,
+        surface,
+        slides: 0,
+    };
+    let contacts: Vec<_> = (case.touching(pressed, TOUCHES).into_iter())
+        .map(sticks)
+        .collect();
+    let stiction = (contacts.iter()).any(|foot| {
+        let surface = &scene.surfaces[foot.surface];
+        surface.mu_s > surface.mu_d
+    });
+    let mut reference = Reference::resumed(scene, pressed, (&contacts, stiction), hand_pose(start));
     for sample in &case.drag {
         reference.step(hand_pose(sample), 1);
         assert!(!reference.ambiguous(), "{}: t = {}", case.name, sample.t);
@@ -94,11 +106,13 @@ pub(crate) fn statics(case: &Case, pressed: Pose) -> Pose {
 }
 
 fn reference_scene(case: &Case) -> Scene {
+    let default = case.size() / 4096.0;
     let surface = |s: &SurfaceInfo| Surface {
         normal: s.normal,
         offset: s.offset,
         mu_s: s.friction_static,
         mu_d: s.friction_dynamic,
+        memory: s.memory.unwrap_or(default),
     };
     Scene {
         vertices: case.scene.vertices.clone(),

@@ -2,7 +2,6 @@
 //! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
 
 use super::{Step, drive, static_excess};
-use crate::frame::Evolution;
 use crate::pin::{Foot, Pin, follow};
 use crate::vector::{Vec2, add, scaled, sub};
 
@@ -16,6 +15,8 @@ pub(super) struct Slide<'a> {
     pub(super) from: Vec2,
     pub(super) to: Vec2,
     pub(super) sign: f64,
+    /// The friction up to which it stuck.
+    pub(super) onset: f64,
 }
 
 impl<'a> Slide<'a> {
@@ -31,10 +32,7 @@ impl<'a> Slide<'a> {
     /// The angle at the old place: the one of the frame before, continued.
     fn angle_before(&self, part: f64) -> Option<f64> {
         let theta = self.step.last.pose[2];
-        match self.step.evolution {
-            Evolution::Path => follow(|part| self.before(part), theta, part),
-            Evolution::Frame => Some(self.before(part).downhill(theta)),
-        }
+        follow(|part| self.before(part), theta, part)
     }
 
     /// The angle at the new place: the one of this frame, followed back.
@@ -49,7 +47,7 @@ impl<'a> Slide<'a> {
     /// By how much static friction falls short at the old place (N).
     pub(super) fn fixed(&self, part: f64) -> Option<f64> {
         let reaction = self.before(part).reaction(self.angle_before(part)?);
-        Some(static_excess(reaction, self.foot.surface.friction_static))
+        Some(static_excess(reaction, self.onset))
     }
 
     /// What drives the slip on at the new place (N).

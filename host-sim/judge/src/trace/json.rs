@@ -6,7 +6,7 @@ use std::io::{BufRead, BufReader};
 
 use serde::{Deserialize, Deserializer};
 
-use super::{Line, Names, event, state, status};
+use super::{Line, Names, event, sliding, state, status};
 use crate::frame::{Contact, Frame};
 
 #[derive(Deserialize)]
@@ -40,6 +40,7 @@ struct Entry<'a> {
     normal: f64,
     #[serde(deserialize_with = "number")]
     friction: f64,
+    sliding: Option<i64>,
 }
 
 fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
@@ -90,6 +91,7 @@ fn frame(text: &[u8], names: &Names) -> Result<Frame, String> {
             point: entry.point.map(finite),
             normal: entry.normal,
             friction: entry.friction,
+            sliding: entry.sliding.map(|sign| sliding(i, sign)).transpose()?,
         })
     };
     let contacts = object.contacts.iter().enumerate().map(contact);

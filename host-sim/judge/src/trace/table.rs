@@ -7,7 +7,7 @@ use std::io::BufReader;
 
 use csv::{Reader, StringRecord};
 
-use super::{Line, Names, event, state, status};
+use super::{Line, Names, event, sliding, state, status};
 use crate::frame::{Contact, Frame, State};
 
 /// Contacts in a row.
@@ -20,7 +20,15 @@ struct Columns {
     scalars: HashMap<&'static str, usize>,
     depth: Column,
     count: Column,
-    contacts: [Option<[usize; 6]>; CONTACTS],
+    contacts: [Option<Places>; CONTACTS],
+}
+
+/// Where the columns of a contact are.
+struct Places {
+    /// In the order of [`CONTACT`].
+    all: [usize; CONTACT.len()],
+    /// Older traces have none.
+    sliding: Column,
 }
 
 const SCALARS: [&str; 15] = [
@@ -65,7 +73,7 @@ impl Rows {
             scalars: HashMap::new(),
             depth: find("depth"),
             count: find("contacts"),
-            contacts: [None; CONTACTS],
+            contacts: [const { None }; CONTACTS],
         };
         for name in SCALARS {
             columns.scalars.insert(name, need(name)?);
@@ -74,11 +82,12 @@ impl Rows {
             if find(&format!("c{k}_vertex")).is_none() {
                 break;
             }
-            let mut places = [0; CONTACT.len()];
-            for (place, name) in places.iter_mut().zip(CONTACT) {
+            let mut all = [0; CONTACT.len()];
+            for (place, name) in all.iter_mut().zip(CONTACT) {
                 *place = need(&format!("c{k}_{name}"))?;
             }
-            *contact = Some(places);
+            let sliding = find(&format!("c{k}_sliding"));
+            *contact = Some(Places { all, sliding });
         }
         Ok(Self {
             reader,
@@ -130,21 +139,10 @@ impl Columns {
         };
         let mut contacts = Vec::new();
         for (k, places) in self.contacts.iter().flatten().enumerate() {
-            let field = |i: usize| row.get(places[i]).unwrap_or("");
-            if field(0).is_empty() {
+            let Some(contact) = places.contact(k, row, names)? else {
                 break;
-            }
-            let value = |i: usize| {
-                let number = field(i).parse();
-                number.map_err(|_| not_a_number(&format!("c{k}_{}", CONTACT[i]), field(i)))
             };
-            contacts.push(Contact {
-                vertex: names.vertex(k, count("vertex", field(0))?)?,
-                surface: names.surface(k, field(1))?,
-                point: [value(2)?, value(3)?],
-                normal: value(4)?,
-                friction: value(5)?,
-            });
+            contacts.push(contact);
         }
         let state = state(text("state"))?;
         let in_all = match self.count.and_then(|i| row.get(i)) {
@@ -170,6 +168,39 @@ impl Columns {
                 .collect::<Result<_, _>>()?,
             status: status(text("status"))?,
         })
+    }
+}
+
+impl Places {
+    /// Contact `k` of a row, if it has so many.
+    fn contact(
+        &self,
+        k: usize,
+        row: &StringRecord,
+        names: &Names,
+    ) -> Result<Option<Contact>, String> {
+        let field = |i: usize| row.get(self.all[i]).unwrap_or("");
+        if field(0).is_empty() {
+            return Ok(None);
+        }
+        let value = |i: usize| number(&format!("c{k}_{}", CONTACT[i]), field(i));
+        let sign = |field: &str| {
+            let sign = field.parse();
+            sliding(
+                k,
+                sign.map_err(|_| not_a_number(&format!("c{k}_sliding"), field))?,
+            )
+        };
+        Ok(Some(Contact {
+            vertex: names.vertex(k, count("vertex", field(0))?)?,
+            surface: names.surface(k, field(1))?,
+            point: [value(2)?, value(3)?],
+            normal: value(4)?,
+            friction: value(5)?,
+            sliding: (self.sliding.and_then(|i| row.get(i)))
+                .map(sign)
+                .transpose()?,
+        }))
     }
 }
 

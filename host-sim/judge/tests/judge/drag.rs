@@ -66,7 +66,7 @@ pub(crate) const LAWFUL: Drag = Drag {
 };
 
 /// A frame with the box at `x`, the hand at `hand`, held at `grip` (body frame).
-fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
+pub(crate) fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
     let force = [K * (hand[0] - x - grip[0]), K * (hand[1] - grip[1])];
     let normal = WEIGHT - force[1];
     let lever = [grip[0] + WIDTH / 2.0, grip[1]];
@@ -78,6 +78,7 @@ fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
         point: [x + WIDTH * (vertex as f64 - 0.5), 0.0],
         normal: share,
         friction: -force[0] * share / normal,
+        sliding: None,
     };
     Frame {
         state: State::Edge,

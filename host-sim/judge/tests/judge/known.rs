@@ -24,6 +24,7 @@ fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
             point: [x, 0.0],
             normal: -force[1],
             friction: -force[0],
+            sliding: None,
         }],
         wrench: [
             force[0],
@@ -86,6 +87,22 @@ fn slip_of_a_vertex_that_ends_a_hundredth_off_is_found() {
     for part in [0.99, 1.01] {
         let laws = of_section_11(begin, begin + part * (end - begin));
         assert!(laws.contains(law::SLIP_ENDS), "{part}: {laws:?}");
+    }
+}
+
+/// A point that is held at itself, or next to it by less than a trace tells, without a rotational stiffness: whatever its angle, it
+/// breaks away where the pull is mu_s N and stops where it is mu_d N.
+#[test]
+fn slip_of_a_point_with_any_angle_is_known() {
+    for lever in [0.0, 1e-17] {
+        let scene = scene(&format!(
+            "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [{lever:?}, 0.0]\n\
+             [spring]\ntranslation = 1.0\nrotation = 0.0\n\
+             [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\nstatic = 0.5\ndynamic = 0.2\n",
+        ));
+        let to = |end| slip(&scene, [0.05, -0.1, 0.0], [[0.0, 1.0], [end, 1.0]]);
+        assert_eq!(to(0.03), BTreeSet::new());
+        assert!(to(0.02).contains(law::SLIP_ENDS));
     }
 }
 
@@ -176,6 +193,7 @@ fn leaning(theta: f64) -> Frame {
         point,
         normal: reactions(low)[vertex],
         friction: low * reactions(low)[vertex],
+        sliding: None,
     };
     Frame {
         state: State::TwoVertex,

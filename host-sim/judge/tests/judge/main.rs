@@ -3,6 +3,8 @@
 
 mod drag;
 mod faults;
+mod jams;
 mod known;
+mod slides;
 mod unusable;
 mod write;

@@ -45,9 +45,9 @@ fn unknown_names_are_told_with_the_known_ones() {
             assert!(error.contains(expected), "{error}");
         }
     }
-    let error = message("jsonl", 7, |line| line.replace("[]", r#"["slide"]"#));
+    let error = message("jsonl", 7, |line| line.replace("[]", r#"["glide"]"#));
     assert!(
-        error.contains("one of `events` is \"slide\", allowed: touch, lift"),
+        error.contains("one of `events` is \"glide\", allowed: touch, lift"),
         "{error}"
     );
 }
@@ -63,6 +63,22 @@ fn vertex_that_the_body_does_not_have() {
     );
     let error = message("csv", 3, |line| line.replacen(",0,floor", ",-1,floor", 1));
     assert!(error.contains("\"-1\", allowed: a whole number"), "{error}");
+}
+
+#[test]
+fn slide_that_is_none() {
+    let scene = drag_scene();
+    let mut frames = drag(LAWFUL);
+    for contact in frames.iter_mut().flat_map(|frame| &mut frame.contacts) {
+        contact.sliding = Some(0);
+    }
+    frames[2].contacts[1].sliding = Some(2);
+    for format in FORMATS {
+        let text = lines(format, &scene, &frames).join("\n");
+        let error = judged(&scene, Evolution::Path, format, &text).expect_err("an error");
+        let expected = "`sliding` of contact 1 is 2, allowed: -1, 0, 1";
+        assert!(error.to_string().contains(expected), "{error}");
+    }
 }
 
 #[test]
@@ -137,6 +153,16 @@ fn scene_that_lacks_what_is_needed() {
             "translation = 500.0",
             "translation = 0.0",
             "line 11: `spring.translation` is 0.0, allowed: ",
+        ),
+        (
+            "dynamic = 0.3",
+            "dynamic = 0.3\nmemory = -1",
+            "line 17: `friction.memory` is -1.0, allowed: a finite number of at least 0.0",
+        ),
+        (
+            "offset = -1.0",
+            "offset = -1.0\nmemory = inf",
+            "line 27: `surface[1].memory` is inf, allowed: ",
         ),
         (
             "weight = 1",

@@ -55,6 +55,8 @@ fn event(event: Event) -> &'static str {
         Event::Jam => "jam",
         Event::Grasp => "grasp",
         Event::Release => "release",
+        Event::Slide => "slide",
+        Event::Stop => "stop",
     }
 }
 
@@ -66,6 +68,9 @@ fn status(status: Status) -> &'static str {
         Status::Ambiguous => "ambiguous",
         Status::Saturated => "saturated",
         Status::HeldLast => "held-last",
+        Status::Jammed => "jammed",
+        Status::Behind => "behind",
+        Status::Twist => "twist",
     }
 }
 
@@ -85,13 +90,15 @@ fn list(numbers: &[f64]) -> String {
 
 fn object(scene: &Scene, frame: &Frame) -> String {
     let contact = |c: &Contact| {
+        let sliding = c.sliding.map(|sign| format!(r#","sliding":{sign}"#));
         format!(
-            r#"{{"vertex":{},"surface":{:?},"point":{},"normal":{},"friction":{}}}"#,
+            r#"{{"vertex":{},"surface":{:?},"point":{},"normal":{},"friction":{}{}}}"#,
             c.vertex,
             scene.surfaces[c.surface].name,
             list(&c.point),
             digits(c.normal),
-            digits(c.friction)
+            digits(c.friction),
+            sliding.unwrap_or_default()
         )
     };
     let contacts: Vec<_> = frame.contacts.iter().map(contact).collect();
@@ -116,7 +123,7 @@ fn object(scene: &Scene, frame: &Frame) -> String {
     )
 }
 
-fn row(scene: &Scene, frame: &Frame) -> String {
+fn row(scene: &Scene, frame: &Frame, tells_slides: bool) -> String {
     let numbers = |list: &[f64]| {
         list.iter()
             .map(|x| format!("{x:?}"))
@@ -139,6 +146,7 @@ fn row(scene: &Scene, frame: &Frame) -> String {
     );
     for k in 0..4 {
         match frame.contacts.get(k) {
+            None if tells_slides => row.push_str(",,,,,,,"),
             None => row.push_str(",,,,,,"),
             Some(c) => write!(
                 row,
@@ -151,11 +159,14 @@ fn row(scene: &Scene, frame: &Frame) -> String {
             )
             .expect("a string"),
         }
+        if let Some(sign) = frame.contacts.get(k).and_then(|c| c.sliding) {
+            write!(row, ",{sign}").expect("a string");
+        }
     }
     row
 }
 
-fn header() -> String {
+fn header(tells_slides: bool) -> String {
     let mut header = "t,hand_x,hand_y,hand_phi,held,pose_x,pose_y,pose_theta,depth,state,wrench_x,wrench_y,wrench_moment,\
                       slips,events,status"
         .to_owned();
@@ -163,15 +174,20 @@ fn header() -> String {
         for column in ["vertex", "surface", "x", "y", "normal", "friction"] {
             write!(header, ",c{k}_{column}").expect("a string");
         }
+        if tells_slides {
+            write!(header, ",c{k}_sliding").expect("a string");
+        }
     }
     header
 }
 
 /// The lines of a trace; in CSV the first one is the header.
 pub(crate) fn lines(format: &str, scene: &Scene, frames: &[Frame]) -> Vec<String> {
+    let mut contacts = frames.iter().flat_map(|frame| &frame.contacts);
+    let tells_slides = contacts.any(|contact| contact.sliding.is_some());
     match format {
-        "csv" => std::iter::once(header())
-            .chain(frames.iter().map(|frame| row(scene, frame)))
+        "csv" => std::iter::once(header(tells_slides))
+            .chain(frames.iter().map(|frame| row(scene, frame, tells_slides)))
             .collect(),
         _ => frames.iter().map(|frame| object(scene, frame)).collect(),
     }

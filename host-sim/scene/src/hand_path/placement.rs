@@ -86,6 +86,7 @@ impl Placement {
             angle: turned(hand.angle, phi0),
             depth: hand.depth * self.scale,
             held: hand.held,
+            tilted: hand.tilted,
         }
     }
 
@@ -125,6 +126,7 @@ const NOWHERE: Hand<f64> = Hand {
     },
     depth: f64::NAN,
     held: true,
+    tilted: false,
 };
 
 /// Two different axes, each with an optional minus: "xy", "-xz", "x-y".

@@ -13,8 +13,6 @@ const FRAMES: usize = 400;
 pub(super) struct Case {
     pub(super) setup: Setup,
     pub(super) evolution: Evolution,
-    /// Of the searches (rad).
-    pub(super) tolerance: f64,
     pub(super) event_limit: u8,
     /// x, y (m), phi (rad) of the hand at the start, and whether it holds.
     pub(super) home: ([f64; 3], bool),
@@ -34,12 +32,15 @@ impl Case {
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         let mut draw = Draw::new(bytes);
         let evolution = draw.one_of([Evolution::Path, Evolution::Frame]);
-        let (tolerance, event_limit) = dials(&mut draw);
-        let setup = scene(&mut draw);
+        let (memory, event_limit) = dials(&mut draw);
+        let mut setup = scene(&mut draw);
         if draw.is_empty() {
             return None;
         }
         let ([x, y], theta, l) = (setup.grip(), setup.start[2], setup.size());
+        for surface in &mut setup.surfaces {
+            surface.memory = memory.map(|length| length * l);
+        }
         let home = [x, y, theta];
         // What is not quite on a surface is set onto it, and taken hold of only then.
         let home = match draw.one_of([0, 0, 1, 2]) {
@@ -59,7 +60,6 @@ impl Case {
         Some(Self {
             setup,
             evolution,
-            tolerance,
             event_limit,
             home,
             moves,
@@ -100,6 +100,9 @@ impl Case {
                 "\n[[surface]]\nnormal = {:?}\noffset = {:?}\nstatic = {:?}\ndynamic = {:?}\n",
                 s.normal, s.offset, s.friction_static, s.friction_dynamic
             );
+            if let Some(memory) = s.memory {
+                scene += &format!("memory = {memory:?}\n");
+            }
         }
         let mut hand = "t,x,y,phi,held\n".to_owned();
         let hands = std::iter::once(self.home).chain(self.hands());
@@ -109,10 +112,7 @@ impl Case {
         }
         let evolution = self.evolution.name();
         let events = self.event_limit.clamp(1, MAX_EVENT_LIMIT);
-        let options = format!(
-            "--evolution {evolution} --tolerance {:?} --events {events}",
-            self.tolerance
-        );
+        let options = format!("--evolution {evolution} --events {events}");
         (scene, hand, options)
     }
 }
@@ -147,12 +147,12 @@ fn moved(draw: &mut Draw<'_>, [x, y, phi]: [f64; 3], l: f64) -> [f64; 3] {
     [x + far * dx, y + far * dy, phi + turn]
 }
 
-/// Tolerance and event limit: mostly those of a solver as it is.
-fn dials(draw: &mut Draw<'_>) -> (f64, u8) {
+/// Memory length of all surfaces, in body sizes, and event limit: mostly those of a solver as it is.
+fn dials(draw: &mut Draw<'_>) -> (Option<f64>, u8) {
     match draw.byte() {
-        0..200 => (0.0, MAX_EVENT_LIMIT),
-        200..225 => (draw.power(-6.0, -2.0), MAX_EVENT_LIMIT),
-        _ => (0.0, draw.byte()),
+        0..200 => (None, MAX_EVENT_LIMIT),
+        200..225 => (Some(draw.power(-6.0, -2.0)), MAX_EVENT_LIMIT),
+        _ => (None, draw.byte()),
     }
 }
 

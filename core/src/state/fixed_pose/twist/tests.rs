@@ -22,6 +22,7 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f
             offset: cos * point.y - sin * point.x,
             friction_static: 0.5,
             friction_dynamic: 0.3,
+            memory: None,
         }
     });
     let scene = Scene::new(&Description {
@@ -40,8 +41,8 @@ fn case(random: &mut Random) -> Option<(Scene<f64, 3, 3>, FixedPose<f64>, Grip<f
     });
     let scene = scene.ok()?;
     let pivot = Pivot::at(&scene, &pose, pair(0, 0));
-    let contacts = [pair(0, 0), pair(1, 1), pair(2, 2)];
-    let fixed_pose = FixedPose::new(&scene, &pivot, &contacts.into_iter().collect());
+    let contacts = [pair(0, 0), pair(1, 1), pair(2, 2)].into_iter().collect();
+    let fixed_pose = FixedPose::new(&scene, &pivot, (&contacts, true));
     let grip = Grip {
         holding_point: random.vector(),
         hand: pose.position + random.vector() * 2.0,
@@ -134,8 +135,9 @@ fn slide_along_a_slot_neither_opens_nor_closes() {
     for angle in [0.0, 1.0, -1.0, 2.0].map(|n| core::f64::consts::PI + n * 1e-16) {
         let slot = scene(&[(angle, [0.0, 0.6 + 2e-6])]);
         let contacts = [pair(0, 0), pair(1, 0), pair(2, 1), pair(3, 1)];
+        let contacts = contacts.into_iter().collect();
         let pivot = crate::fixtures::pivot(0.0);
-        let fixed_pose = FixedPose::new(&slot, &pivot, &contacts.into_iter().collect());
+        let fixed_pose = FixedPose::new(&slot, &pivot, (&contacts, true));
         for seed in sampled(0..200, 29) {
             let mut random = Random(seed);
             let middle = Vec2::new(0.4, 0.3);

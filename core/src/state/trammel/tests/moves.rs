@@ -8,7 +8,8 @@ use crate::real::Fixed;
 fn what_is_driven_moves() {
     let mut count = 0;
     driven(Demand::Pressed, |case, trammel, seed| {
-        let (run, ending) = trammel.run(&case.scene, &case.state.contacts(), Demand::Pressed);
+        let (run, ending) =
+            trammel.run(&case.scene, &case.state.contacts(), (0.0, Demand::Pressed));
         if ending != Ending::Stopped {
             return;
         }
@@ -26,7 +27,7 @@ fn what_is_driven_moves() {
                 &case.grip,
                 Demand::Pressed,
             ) {
-                let (run, _) = near.run(&case.scene, &state.contacts(), Demand::Pressed);
+                let (run, _) = near.run(&case.scene, &state.contacts(), (0.0, Demand::Pressed));
                 assert!(run.slide != 0.0 || run.turn != 0.0, "{seed} {slide}");
                 count += 1;
             }
@@ -43,7 +44,7 @@ fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
         let mut state = case.state.clone();
         for _ in 0..4 {
             let begin = state.clone();
-            let moved = state.slide(&case.scene, &case.grip);
+            let moved = state.slip(&case.scene, &case.grip);
             if moved.trigger == Trigger::Undriven {
                 assert_eq!(state, begin, "{seed}");
                 count += 1;
@@ -64,6 +65,7 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
         offset: -1.0,
         friction_static: 0.5,
         friction_dynamic: 0.3,
+        memory: None,
     };
     for exponent in 5..20 {
         let (sin, cos) = libm::sincos(libm::ldexp(1.0, -exponent));

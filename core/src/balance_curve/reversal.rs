@@ -1,0 +1,77 @@
+//! Where the foot of a slide comes to a halt: the first zero of its velocity along the hand's displacement (STATICS 3.6).
+
+use super::{BalanceCurve, Extent, Margin, Place};
+use crate::bounded::Bounded;
+use crate::moment::SecondHarmonic;
+use crate::real::Real;
+use crate::search::{Found, Samples, first_zero};
+
+impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
+    /// Shortens the extent to the first place at which a foot turns back whose displacement is a margin, less what it goes back by
+    /// `slack` per tau. True if it is before the end.
+    pub(crate) fn stop_at_reversal(
+        &self,
+        foot: &Margin<R>,
+        slack: R,
+        extent: &mut Extent<R>,
+    ) -> bool {
+        let mut foot = *foot;
+        foot.along = foot.along + slack;
+        let foot = foot.scaled();
+        let limit = extent.end.x;
+        let begin = self
+            .advance_of(&foot, &self.at(R::ZERO), limit)
+            .as_slope(R::ONE);
+        if begin.value < -begin.rounding {
+            // It goes back at once.
+            *extent = Extent {
+                end: self.at(R::ZERO),
+                folds: false,
+                unsure: false,
+                ..*extent
+            };
+            return true;
+        }
+        let found = first_zero(limit, |x| {
+            Samples::far([self.advance_of(&foot, &self.at(x), limit).as_slope(R::ONE)])
+        });
+        let (x, unsure) = match found {
+            Found::Nothing { .. } => return false,
+            Found::Zero { x, .. } => (x, false),
+            Found::Unsure { x, .. } => (x, true),
+        };
+        *extent = Extent {
+            end: self.at(x),
+            folds: false,
+            unsure,
+            ..*extent
+        };
+        true
+    }
+
+    /// The derivative of a margin by tau, times (H'D - HD') of (E7), which is positive up to the fold: up to x = `window`.
+    fn advance_of(&self, margin: &Margin<R>, p: &Place<R>, window: R) -> Bounded<R> {
+        let rate = self.rate.abs();
+        let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
+        let (h2, d2) = self.second(p);
+        let most = self.whole();
+        let (bent, bends) = (
+            rate * self.harmonic.bound(z0, 2),
+            rate * rate * self.harmonic.bound(z0, 3),
+        );
+        let quantity = |value, slope, bounds: [R; 3]| Bounded {
+            value,
+            slope,
+            error: R::rounding(bounds[0]),
+            bounds,
+        };
+        let h = quantity(p.h, p.h_slope, [most * window, most, bent]);
+        let h_slope = quantity(p.h_slope, h2, [most, bent, bends]);
+        let d = quantity(p.d, p.d_slope, [R::ONE + zp * window, zp, rate * zp]);
+        let d_slope = quantity(p.d_slope, d2, [zp, rate * zp, rate * rate * zp]);
+        let (cos, sin) = self.rotation_bounded(p);
+        let [u, v] = [margin.turning.x, margin.turning.y].map(|k| Bounded::constant(self.rate * k));
+        let along = Bounded::constant(margin.along);
+        along * (h_slope * d - h * d_slope) + (v * cos - u * sin) * (d * d)
+    }
+}

@@ -1,0 +1,339 @@
+//! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
+//! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
+
+use super::{Run, Trammel};
+use crate::balance_curve::Extent;
+use crate::bounded::{Bounded, BoundedVec};
+use crate::contact::Pair;
+use crate::detect::{Moving, PointPath};
+use crate::geometry::Vec2;
+use crate::grip::Displacement;
+use crate::real::Real;
+use crate::search::{Found, Samples, first_zero};
+use crate::world::World;
+
+/// What ended a slide with the hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum SlideEnding<R> {
+    /// The end of the displacement.
+    Arrives,
+    /// The end of the range in which the bounds hold.
+    Window,
+    /// A contact comes to a halt: both stick.
+    Halts,
+    /// The balance folds: the contacts slip on.
+    Folds,
+    /// A slip that began here would be as long as the memory: both stick, with stiction.
+    Pressed,
+    /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
+    Opens { lasts: usize, sliding: R },
+    /// A further vertex reached a surface.
+    Touches(Pair),
+}
+
+/// A trammel motion that follows a displacement of the hand.
+pub(crate) struct Slides<R> {
+    trammel: Trammel<R>,
+    /// dp and k dphi, counted as the load is and in units of the displacement.
+    force: Vec2<R>,
+    couple: R,
+    /// The size of the displacement: what is done of it is counted in 1 over this.
+    unit: R,
+    /// The velocity of a contact, times the stability, below which it rests (rule 7).
+    slack: R,
+}
+
+/// The slide at a place x.
+struct Progress<R> {
+    /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
+    rest: Bounded<R>,
+    drive: Bounded<R>,
+    /// Their derivatives by x.
+    rest_slope: Bounded<R>,
+    drive_slope: Bounded<R>,
+    /// The same of N_1 and N_2 as of E, times the size of the resistance.
+    normals: [[Bounded<R>; 2]; 2],
+    velocities: [Bounded<R>; 2],
+    /// How much of E a friction along the slide is worth at each contact, and the size of the resistance.
+    frictions: [Bounded<R>; 2],
+    resistance: Bounded<R>,
+}
+
+/// The stability -dE/dx at the frozen hand, and N_i times the size of the resistance; both times a common factor.
+struct Standing<R> {
+    stability: Bounded<R>,
+    normals: [Bounded<R>; 2],
+}
+
+impl<R: Real> Progress<R> {
+    /// tau times the unit.
+    fn gone(&self) -> R {
+        -self.rest.value / self.drive.value
+    }
+
+    /// Where nothing is done of the displacement yet.
+    fn begin(&self) -> Standing<R> {
+        Standing {
+            stability: -self.rest_slope,
+            normals: self.normals.map(|[rest, _]| rest),
+        }
+    }
+
+    /// In balance, times the drive: what is linear in tau is so without a quotient.
+    fn balanced(&self) -> Standing<R> {
+        Standing {
+            stability: self.rest * self.drive_slope - self.drive * self.rest_slope,
+            normals: (self.normals).map(|[rest, drive]| rest * self.drive - drive * self.rest),
+        }
+    }
+}
+
+impl<R: Real> Slides<R> {
+    /// Of a trammel whose load is that at the beginning of a displacement.
+    pub(crate) fn new(trammel: Trammel<R>, displacement: &Displacement<R>) -> Self {
+        let per_load = trammel.per_load;
+        let size = displacement.size();
+        let unit = if size > R::ZERO { size.unit() } else { R::ONE };
+        let turn = displacement.turn.in_units(unit);
+        Self {
+            force: displacement.hand.in_units(unit) * per_load,
+            couple: trammel.load.stiffness * turn * per_load,
+            unit,
+            slack: R::rounding(R::from_int(8)) * per_load,
+            trammel,
+        }
+    }
+
+    /// At a place, with bounds for no more than a window from there.
+    fn at(&self, x: R, window: R) -> Progress<R> {
+        let trammel = &self.trammel;
+        let p = trammel.sense.curve.at(x);
+        let place = trammel.kinematics(&p, window);
+        let rate = trammel.sense.curve.rate_bounded();
+        let swing = trammel.swing(&p);
+        let load = trammel.load_at(&p, window);
+        let before = place.response(load);
+        let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
+        let force = BoundedVec::constant(self.force);
+        let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
+        let lever = trammel.load.lever;
+        let displaced = (force, Bounded::constant(self.couple) + of(lever));
+        let displaced_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
+        let change = place.response(displaced);
+        let change_slope = place.slope(swing, displaced, displaced_slope);
+        let sense = trammel.sense.resistance.sign();
+        let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
+        let ([n1, n2], [c1, c2]) = (before.normals, change.normals);
+        let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
+        Progress {
+            rest: falling(before.imbalance),
+            drive: falling(change.imbalance),
+            rest_slope: falling(before_slope),
+            drive_slope: falling(change_slope),
+            normals: [[n1, c1], [n2, c2]].map(|normals| normals.map(falling)),
+            velocities: place.velocities,
+            frictions: [f1.times(sense * s1), f2.times(sense * s2)],
+            resistance: falling(place.resistance),
+        }
+    }
+
+    /// What a slip that began there lacks of the memory of each contact (E14), times stability and resistance.
+    fn lacks(&self, at: &Progress<R>, standing: &Standing<R>) -> [Bounded<R>; 2] {
+        let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
+        let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
+        // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
+        let [d1, d2] = [first, second].map(|f| f.drop() * f.sliding_edge(R::ZERO).0);
+        let jump = n1 * f1.times(d1) + n2 * f2.times(d2);
+        let falls = standing.stability * at.resistance;
+        let ([v1, v2], [s1, s2]) = (at.velocities, self.trammel.sense.signs);
+        [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
+            falls.times(friction.memory()) - velocity.times(sign) * jump
+        })
+    }
+
+    /// mu_s > mu_d at one of the contacts.
+    fn has_stiction(&self) -> bool {
+        let [f1, f2] = self.trammel.surfaces.map(|surface| surface.friction);
+        f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
+    }
+
+    /// A slip that began here would be as long as the memory of a contact.
+    fn is_pressed(&self, at: &Progress<R>, standing: &Standing<R>) -> bool {
+        let mut lacks = self.lacks(at, standing).into_iter();
+        self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
+    }
+
+    /// The slide would go back as the hand goes on (rule 7).
+    fn recedes(&self, start: &Progress<R>, standing: &Standing<R>) -> bool {
+        let [v1, v2] = start.velocities.map(|v| v.value.abs());
+        start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
+    }
+
+    /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
+    pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
+        let start = self.at(R::ZERO, R::ONE);
+        let standing = start.begin();
+        let rounding = self.trammel.sense.rounding;
+        let mut normals = standing.normals.iter();
+        if normals.any(|normal| normal.value < -rounding) || self.recedes(&start, &standing) {
+            return None;
+        }
+        Some(if standing.stability.value <= R::ZERO {
+            SlideEnding::Folds
+        } else if self.is_pressed(&start, &standing) {
+            SlideEnding::Pressed
+        } else {
+            SlideEnding::Arrives
+        })
+    }
+
+    /// The rates at which the slide advances and those N_i grow that are zero, in tau, each times a positive number; nothing where it is
+    /// not stable.
+    pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
+        let start = self.at(R::ZERO, R::ONE);
+        let is_stable = start.begin().stability.value > R::ZERO;
+        let normals = start.balanced().normals.map(|normal| normal.slope);
+        is_stable.then_some((start.drive.value, normals))
+    }
+
+    /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
+    pub(crate) fn run(
+        &self,
+        scene: &impl World<R>,
+        lasting: &[Pair],
+    ) -> (Run<R>, R, SlideEnding<R>) {
+        let start = self.at(R::ZERO, R::ONE);
+        let standing = start.begin();
+        let nowhere = Run {
+            slide: R::ZERO,
+            turn: R::ZERO,
+            unsure: false,
+        };
+        if standing.stability.value <= R::ZERO {
+            return (nowhere, R::ZERO, SlideEnding::Folds);
+        }
+        if self.recedes(&start, &standing) {
+            return (nowhere, R::ZERO, SlideEnding::Halts);
+        }
+        let remembers = self.has_stiction() && !self.is_pressed(&start, &standing);
+        let (mut x, mut ending, unsure) =
+            self.first_ending(self.window(&start, &standing), remembers);
+        if let SlideEnding::Arrives = ending {
+            x = self.polished(x);
+        }
+        let curve = &self.trammel.sense.curve;
+        let mut extent = Extent {
+            unsure,
+            ..curve.extent_to(x)
+        };
+        let moving = Moving {
+            curve,
+            path: &PointPath::straight(self.trammel.surfaces[0].tangent),
+            lasting,
+        };
+        if let Some(pair) = (self.trammel.load.placed).first_touch(scene, &mut extent, &moving) {
+            ending = SlideEnding::Touches(pair);
+            x = extent.end.x;
+        }
+        let mut part = R::ONE;
+        if ending != SlideEnding::Arrives {
+            part = self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit;
+        } else if let Some((opens, at)) = self.opens_in_place(x) {
+            (ending, part) = (opens, at);
+        }
+        let run = Run {
+            slide: extent.part(),
+            turn: extent.end.turn,
+            unsure: extent.unsure,
+        };
+        (run, part, ending)
+    }
+
+    /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
+    /// part of it.
+    fn opens_in_place(&self, x: R) -> Option<(SlideEnding<R>, R)> {
+        let [first, second] = self.at(x, R::ZERO).normals.map(|[rest, drive]| {
+            let end = rest.value + drive.value * self.unit;
+            (end < -self.trammel.sense.rounding)
+                .then(|| (rest.value / (rest.value - end)).max(R::ZERO))
+        });
+        let [s1, s2] = self.trammel.sense.signs;
+        let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
+        let of_first = first.map(|part| (opens(1, s2), part));
+        let of_second = second.map(|part| (opens(0, s1), part));
+        match (of_first, of_second) {
+            (Some(first), Some(second)) if second.1 < first.1 => Some(second),
+            (first, second) => first.or(second),
+        }
+    }
+
+    /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
+    fn window(&self, start: &Progress<R>, standing: &Standing<R>) -> R {
+        let longest = R::HALF.halved().halved();
+        let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
+        let window = if goes.doubled().doubled() < stability * longest {
+            (goes / stability).doubled().doubled()
+        } else {
+            longest
+        };
+        window.max(R::MICRO)
+    }
+
+    /// The first ending but a touch, within a window.
+    fn first_ending(&self, window: R, remembers: bool) -> (R, SlideEnding<R>, bool) {
+        let [s1, s2] = self.trammel.sense.signs;
+        let found = first_zero(window, |x| {
+            let at = self.at(x, window);
+            let standing = at.balanced();
+            let arrives = (at.rest + at.drive.times(self.unit)).as_slope(R::ONE);
+            let [n1, n2] = standing.normals.map(|normal| normal.as_slope(R::ONE));
+            let ([v1, v2], moves) = (at.velocities, |sign: R| sign != R::ZERO);
+            let lacks = remembers.then(|| self.lacks(&at, &standing).map(|l| l.as_slope(R::ONE)));
+            let [l1, l2] = lacks.map_or([None, None], |lacks| lacks.map(Some));
+            Samples {
+                functions: [
+                    Some(arrives),
+                    Some(standing.stability.as_slope(R::ONE)),
+                    Some(n1),
+                    Some(n2),
+                    moves(s1).then(|| v1.as_slope(s1)),
+                    moves(s2).then(|| v2.as_slope(s2)),
+                    l1,
+                    l2,
+                ],
+                window: R::HUGE,
+            }
+        });
+        match found {
+            Found::Nothing { .. } => (window, SlideEnding::Window, false),
+            Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
+            Found::Zero { x, which } => {
+                let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
+                let ending = match which {
+                    0 => SlideEnding::Arrives,
+                    1 => SlideEnding::Folds,
+                    2 => opens(1, s2),
+                    3 => opens(0, s1),
+                    4 | 5 => SlideEnding::Halts,
+                    _ => SlideEnding::Pressed,
+                };
+                (x, ending, false)
+            }
+        }
+    }
+
+    /// A place at which the whole displacement is all but done, without the rounding of the search.
+    fn polished(&self, mut x: R) -> R {
+        for _ in 0..2 {
+            let at = self.at(x, R::ZERO);
+            let left = at.rest + at.drive.times(self.unit);
+            if left.slope < R::ZERO {
+                x = (x - left.value / left.slope).max(R::ZERO);
+            }
+        }
+        x
+    }
+}
+
+#[cfg(test)]
+mod tests;

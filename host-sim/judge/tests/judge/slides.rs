@@ -1,0 +1,345 @@
+//! Contacts that slide with the hand, in closed form: a tool with a point, a box on its edge, a rod between floor and wall. What is
+//! lawful is found so, and every fault in it by the name of its law.
+
+use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_2;
+
+use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
+
+use crate::drag::{SCENE, pressed};
+use crate::write::{broken, frame, scene};
+
+const K: f64 = 500.0;
+const DYNAMIC: f64 = 0.3;
+
+/// N* = k_h D_c / (mu_s - mu_d) is 25 N: as much as the tool bears 50 mm below the floor.
+const TOOL: &str = "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 0.01, 0.0]\n[grasp]\npoint = [0.0, 0.0]\n\
+    [spring]\ntranslation = 500.0\nrotation = 0.5\n[friction]\nstatic = 0.5\ndynamic = 0.3\nmemory = 0.01\n\
+    [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\n";
+
+/// The tool on the floor at `x`, the hand below it.
+fn standing(hand: [f64; 2], x: f64, sliding: Option<i8>) -> Frame {
+    let force = [K * (hand[0] - x), K * hand[1]];
+    Frame {
+        state: State::SingleVertex,
+        contacts: vec![Contact {
+            vertex: 0,
+            surface: 0,
+            point: [x, 0.0],
+            normal: -force[1],
+            friction: -force[0],
+            sliding,
+        }],
+        wrench: [force[0], force[1], 0.0],
+        ..frame(0.0, [hand[0], hand[1], 0.1], [x, 0.0, 0.1])
+    }
+}
+
+/// The tool slides along `sign`·t: its foot is at t·p_h - s mu_d N / k_h.
+fn sliding(hand: [f64; 2], sign: i8) -> Frame {
+    let x = hand[0] + f64::from(sign) * DYNAMIC * hand[1];
+    standing(hand, x, Some(sign))
+}
+
+fn free(hand: [f64; 2]) -> Frame {
+    let place = [hand[0], hand[1], 0.1];
+    frame(0.0, place, place)
+}
+
+fn with(events: &[Event], frame: Frame) -> Frame {
+    let slips = events.iter().filter(|event| **event == Event::Slip).count();
+    Frame {
+        events: events.to_vec(),
+        slips: u32::try_from(slips).expect("few"),
+        ..frame
+    }
+}
+
+/// It touches obliquely and slides, turns back, slides back, is pressed until it sticks, slips and lifts.
+fn tour() -> Vec<Frame> {
+    vec![
+        free([0.0, 0.01]),
+        with(&[Event::Touch, Event::Slide], sliding([0.02, -0.005], 1)),
+        sliding([0.03, -0.005], 1),
+        sliding([0.04, -0.01], 1),
+        with(&[Event::Stop], standing([0.039, -0.01], 0.037, Some(0))),
+        standing([0.035, -0.01], 0.037, Some(0)),
+        with(&[Event::Slide], sliding([0.03, -0.01], -1)),
+        sliding([0.02, -0.01], -1),
+        // N reaches N* where the hand is at (-0.004, -0.05).
+        with(&[Event::Stop], standing([-0.01, -0.06], 0.011, Some(0))),
+        with(&[Event::Slip], standing([-0.02, -0.06], -0.001, Some(0))),
+        standing([-0.008, -0.02], -0.001, Some(0)),
+        // Pressed less than N*, it slips where its lead is 10 mm, and slides on.
+        with(&[Event::Slip, Event::Slide], sliding([-0.04, -0.02], -1)),
+        with(&[Event::Lift], free([-0.04, 0.01])),
+    ]
+}
+
+/// Places in it: where it slides, turns back, rests, slides again, slips and slips again.
+const SLIDES: usize = 2;
+const TURNS: usize = 4;
+const RESTS: usize = 5;
+const BEGINS: usize = 6;
+const SLIPS_ON: usize = 11;
+
+fn laws(scene: &str, mut frames: Vec<Frame>) -> BTreeSet<&'static str> {
+    for (i, frame) in frames.iter_mut().enumerate() {
+        frame.t = i as f64;
+    }
+    broken(&self::scene(scene), Evolution::Path, &frames)
+}
+
+fn after(place: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
+    let mut frames = tour();
+    fault(&mut frames[place]);
+    laws(TOOL, frames)
+}
+
+fn only(law: &'static str) -> BTreeSet<&'static str> {
+    BTreeSet::from([law])
+}
+
+#[test]
+fn tool_that_slides_sticks_and_slips_is_lawful() {
+    assert_eq!(laws(TOOL, tour()), BTreeSet::new());
+    // What led to a slide explains it.
+    let touched = after(1, |frame| frame.events = vec![Event::Touch]);
+    assert_eq!(touched, BTreeSet::new());
+    let slipped = after(SLIPS_ON, |frame| frame.events = vec![Event::Slip]);
+    assert_eq!(slipped, BTreeSet::new());
+}
+
+#[test]
+fn slide_beside_its_friction_is_found() {
+    for off in [-1e-6, 1e-6] {
+        let mut frames = tour();
+        let hand = frames[SLIDES].hand;
+        let x = frames[SLIDES].pose[0] + off;
+        frames[SLIDES] = standing([hand[0], hand[1]], x, Some(1));
+        assert_eq!(laws(TOOL, frames), only(law::SLIDES));
+    }
+    // Against the motion, that is.
+    let turned = after(SLIDES, |frame| frame.contacts[0].sliding = Some(-1));
+    assert!(turned.contains(law::SLIDES), "{turned:?}");
+}
+
+#[test]
+fn slide_that_goes_back_is_found() {
+    let mut frames = tour();
+    frames.truncate(TURNS);
+    frames.push(sliding([0.039, -0.01], 1));
+    assert_eq!(laws(TOOL, frames), only(law::FORWARD));
+    // Far below the bound in a frame, but never forth.
+    let mut frames = tour();
+    frames.truncate(TURNS);
+    frames.extend((0..40).map(|i| sliding([0.04 - 1e-7 * f64::from(i), -0.01], 1)));
+    assert_eq!(laws(TOOL, frames), only(law::FORWARD));
+}
+
+#[test]
+fn slide_and_stop_that_are_not_told_are_found() {
+    for place in [TURNS, BEGINS] {
+        let silent = after(place, |frame| frame.events.clear());
+        assert_eq!(silent, only(law::SLIDE_TOLD), "{place}");
+    }
+    for event in [Event::Slide, Event::Stop] {
+        let idle = after(RESTS, |frame| frame.events = vec![event]);
+        assert_eq!(idle, only(law::SLIDE_TOLD), "{event:?}");
+    }
+    let ended = after(BEGINS, |frame| {
+        frame.events = vec![Event::Slide, Event::Stop];
+    });
+    assert_eq!(ended, only(law::SLIDE_TOLD));
+    // From one way to the other, in one frame: both.
+    let turned = |events: &[Event]| {
+        let mut frames = tour();
+        frames.truncate(TURNS);
+        frames.push(with(events, sliding([0.03, -0.01], -1)));
+        laws(TOOL, frames)
+    };
+    assert_eq!(turned(&[Event::Stop, Event::Slide]), BTreeSet::new());
+    assert_eq!(turned(&[Event::Slide]), only(law::SLIDE_TOLD));
+}
+
+#[test]
+fn slide_that_is_pressed_beyond_its_threshold_is_found() {
+    let pressed = |depth: f64| {
+        let mut frames = tour();
+        frames.truncate(TURNS);
+        frames.push(sliding([0.08, -0.048], 1));
+        frames.push(sliding([0.12, -depth], 1));
+        laws(TOOL, frames)
+    };
+    assert_eq!(pressed(0.0499), BTreeSet::new());
+    assert_eq!(pressed(0.0501), only(law::SLIDE_STOPS));
+}
+
+#[test]
+fn slip_that_slides_on_begins_where_static_friction_gives_way() {
+    let mut frames = tour();
+    frames.truncate(SLIPS_ON);
+    // A lead of 9 mm, where 10 are borne.
+    frames.push(with(&[Event::Slip], sliding([-0.0105, -0.02], -1)));
+    assert_eq!(laws(TOOL, frames), only(law::SLIP_BEGINS));
+}
+
+/// With mu_s = mu_d contacts of an older trace slide and do not say so.
+#[test]
+fn equal_frictions_stick_too() {
+    let equal = TOOL.replace("static = 0.5", "static = 0.3");
+    let moved = |sliding: Option<i8>| {
+        let frame = |x: f64| standing([0.035, -0.01], x, sliding);
+        laws(&equal, vec![frame(0.037), frame(0.0371)])
+    };
+    assert_eq!(moved(Some(0)), only(law::STICKS));
+    assert_eq!(moved(None), BTreeSet::new());
+}
+
+/// Nothing holds the angle of a rod, held at its upper end: its foot swings out of the way without force.
+#[test]
+fn foot_without_force_goes_as_it_likes() {
+    let scene = "[body]\nvertices = [[0.0, 0.0], [0.0, -1.0]]\nstart = [0.0, 1.0, 0.0]\n[grasp]\npoint = [0.0, 0.0]\n\
+        [spring]\ntranslation = 500.0\nrotation = 0.0\n[friction]\nstatic = 0.5\ndynamic = 0.3\n\
+        [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\n";
+    let swung = |height: f64, sliding: i8| {
+        let theta = height.acos();
+        let contact = Contact {
+            vertex: 1,
+            surface: 0,
+            point: [theta.sin(), 0.0],
+            normal: 0.0,
+            friction: 0.0,
+            sliding: Some(sliding),
+        };
+        Frame {
+            state: State::SingleVertex,
+            contacts: vec![contact],
+            ..frame(0.0, [0.0, height, 0.0], [0.0, height, theta])
+        }
+    };
+    let frames = [(0.9, 0), (0.8, 0), (0.7, 1), (0.8, 1), (0.6, -1)];
+    let frames = frames.map(|(height, sliding)| swung(height, sliding));
+    assert_eq!(laws(scene, frames.to_vec()), BTreeSet::new());
+}
+
+/// The box of the dragged trace, pressed with 6 N, slides on its edge.
+fn box_slides(normal: f64, x: f64) -> Frame {
+    let hand = [x + DYNAMIC * normal / K, 0.05 - (normal - 1.0) / K, 0.0];
+    let mut frame = pressed(0.0, hand, x, [0.0, 0.05]);
+    frame.contacts.iter_mut().for_each(|c| c.sliding = Some(1));
+    frame
+}
+
+#[test]
+fn edge_slides_with_both_vertices() {
+    let scene = SCENE.replace("dynamic = 0.3\n", "dynamic = 0.3\nmemory = 0.0024\n");
+    let slide = |change: &dyn Fn(&mut [Contact])| {
+        let mut frames = vec![box_slides(5.0, 0.0), box_slides(5.5, 0.001)];
+        change(&mut frames[1].contacts);
+        laws(&scene, frames)
+    };
+    assert_eq!(slide(&|_| {}), BTreeSet::new());
+    assert_eq!(slide(&|c| c[1].sliding = Some(0)), only(law::ONE_MOTION));
+    let against = BTreeSet::from([law::ONE_MOTION, law::SLIDES]);
+    assert_eq!(slide(&|c| c[1].sliding = Some(-1)), against);
+    // N* is 6 N; by default, with D_c = L / 4096, far less: in a slide of 5 N it must have stuck before.
+    let beyond = vec![box_slides(5.9, 0.0), box_slides(6.1, 0.001)];
+    assert_eq!(laws(&scene, beyond.clone()), only(law::SLIDE_STOPS));
+    assert_eq!(laws(SCENE, beyond), BTreeSet::new());
+}
+
+/// The threshold by default, where `memory` is 0 and where a surface has its own: 71 mN, 0.56 mN and 71 N of a box without weight.
+#[test]
+fn thresholds_of_memory_lengths() {
+    let light = SCENE.replace("weight = 1", "weight = 0");
+    let zero = light.replace("dynamic = 0.3\n", "dynamic = 0.3\nmemory = 0\n");
+    let own = zero.replace(
+        "normal = [0.0, 2.0]\n",
+        "normal = [0.0, 2.0]\nmemory = 0.0285\n",
+    );
+    for (scene, threshold) in [(light, 0.071_17), (zero, 0.000_556_0), (own, 71.25)] {
+        let normal = |part: f64, x: f64| {
+            let parsed = self::scene(&scene);
+            let mut frame = box_slides(1.0 + part * threshold, x);
+            // The same without the weight of 1 N, and the friction of it.
+            lighten(&parsed, &mut frame, part * threshold);
+            frame
+        };
+        let slide = |from: f64, to: f64| laws(&scene, vec![normal(from, 0.0), normal(to, 0.01)]);
+        assert_eq!(slide(0.98, 0.999), BTreeSet::new(), "{threshold}");
+        assert_eq!(slide(0.98, 1.01), only(law::SLIDE_STOPS), "{threshold}");
+    }
+}
+
+/// A box without weight that slides under `normal`: both vertices bear their part.
+fn lighten(scene: &Scene, frame: &mut Frame, normal: f64) {
+    assert!(scene.weight == 0.0);
+    let friction = -DYNAMIC * normal;
+    frame.hand[0] = frame.pose[0] - friction / K;
+    frame.wrench = [-friction, -normal, 0.0];
+    // The holding point is 50 mm above the floor, and in the middle.
+    let shift = -0.05 * friction / 0.10;
+    for (contact, side) in frame.contacts.iter_mut().zip([-1.0, 1.0]) {
+        contact.normal = normal / 2.0 + side * shift;
+        contact.friction = -DYNAMIC * contact.normal;
+    }
+}
+
+/// A rod of length 2 that slides down between floor and wall (k_h = 1, k_theta = 4, mu_d = 0.2), at an angle, under a load of 2; the
+/// hand's angle is the one that balances the moment.
+fn leaning(theta: f64) -> Frame {
+    let (sin, cos) = theta.sin_cos();
+    let mu = 0.2;
+    let hand = [-cos, sin - 2.0];
+    let force = [hand[0] + cos, hand[1] - sin];
+    let foot = -(force[1] + mu * force[0]) / (1.0 + mu * mu);
+    let head = force[0] + mu * foot;
+    let moment = -cos * foot + sin * mu * foot + cos * mu * head + sin * head;
+    let contact = |vertex: usize, point: [f64; 2], normal: f64| Contact {
+        vertex,
+        surface: vertex,
+        point,
+        normal,
+        friction: mu * normal,
+        sliding: Some(-1),
+    };
+    Frame {
+        state: State::TwoVertex,
+        contacts: vec![
+            contact(0, [-2.0 * cos, 0.0], foot),
+            contact(1, [0.0, 2.0 * sin], head),
+        ],
+        wrench: [force[0], force[1], -moment],
+        ..frame(
+            0.0,
+            [hand[0], hand[1], theta - moment / 4.0],
+            [-2.0 * cos, 0.0, theta],
+        )
+    }
+}
+
+#[test]
+fn ladder_slides_as_its_one_motion_can() {
+    let scene = "[body]\nvertices = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]]\nstart = [0.0, 0.0, 0.0]\n[grasp]\npoint = [1.0, 0.0]\n\
+         [spring]\ntranslation = 1.0\nrotation = 4.0\n[friction]\nstatic = 0.4\ndynamic = 0.2\n\
+         [[surface]]\nname = \"floor\"\nnormal = [0.0, 1.0]\noffset = 0.0\n\
+         [[surface]]\nname = \"wall\"\nnormal = [-1.0, 0.0]\noffset = 0.0\n";
+    let angles = |angles: [f64; 3]| laws(scene, angles.map(leaning).to_vec());
+    assert_eq!(angles([FRAC_PI_2 - 0.5, 1.0, 0.9]), BTreeSet::new());
+    assert_eq!(angles([1.0, 0.9, 0.901]), only(law::FORWARD));
+    let signs = |signs: [i8; 2]| {
+        let mut frames = [1.0, 0.9].map(leaning);
+        for (contact, sign) in frames[1].contacts.iter_mut().zip(signs) {
+            contact.sliding = Some(sign);
+        }
+        laws(scene, frames.to_vec())
+    };
+    assert_eq!(signs([-1, 0]), only(law::ONE_MOTION));
+    assert!(signs([-1, 1]).contains(law::ONE_MOTION));
+    let up = signs([1, 1]);
+    assert!(
+        up.contains(law::SLIDES) && !up.contains(law::ONE_MOTION),
+        "{up:?}"
+    );
+}

@@ -1,0 +1,124 @@
+//! The body that goes with the hand: where it is for a hand pose a little way on, while its contacts stick or slide as they do.
+//! Sliding balance is found by walking down what does not balance yet; rates by going a little way to both sides.
+
+use super::Reference;
+use super::cone::times;
+use super::scene::{Pose, Touch, add, dot, scale};
+use super::search::{bisect, descend};
+use super::statics::sign;
+use super::walk::{End, SLIDE, SNAP};
+
+/// Way of the hand to each side for a rate, in body sizes.
+const REACH: f64 = 3e-5;
+
+impl Reference {
+    /// The pose for this hand with the contacts as they are; `None` where balance is lost.
+    pub(super) fn followed(&self, hand: [f64; 3]) -> Option<Pose> {
+        match (self.contacts.as_slice(), self.slide.as_deref()) {
+            ([], _) => Some(self.free_pose(hand)),
+            (&[touch], Some(&[way])) => self.slid_vertex((touch, way), hand),
+            (&[a, b], Some(&[way, _])) if a.surface == b.surface => {
+                Some(self.slid_foot(&self.pose, (a, way), hand))
+            }
+            (&[a, b], Some(&[first, second])) => self.slid_pair([a, b], [first, second], hand),
+            ([first, rest @ ..], _) if rest.iter().all(|touch| touch.vertex == first.vertex) => {
+                let (pose, end) = self.turn(&self.pose, first.vertex, hand, (SNAP, false));
+                (end == End::Rest).then_some(pose)
+            }
+            _ => Some(self.pose),
+        }
+    }
+
+    /// How far along its tangent the vertex of a contact is, m.
+    fn foot(&self, pose: &Pose, touch: Touch) -> f64 {
+        let tangent = self.scene.surfaces[touch.surface].tangent();
+        dot(tangent, pose.apply(self.scene.vertices[touch.vertex]))
+    }
+
+    /// The pose shifted along the surface to where friction is dynamic friction against `way`.
+    fn slid_foot(&self, pose: &Pose, (touch, way): (Touch, f64), hand: [f64; 3]) -> Pose {
+        let surface = &self.scene.surfaces[touch.surface];
+        let shifted = |pose: &Pose, distance: f64| Pose {
+            position: add(pose.position, scale(distance, surface.tangent())),
+            angle: pose.angle,
+        };
+        let excess = |pose: &Pose| {
+            let [normal, friction] = self.reaction(pose, touch, hand);
+            friction + way * surface.mu_d * normal
+        };
+        let mut pose = *pose;
+        for _ in 0..2 {
+            let (here, there) = (excess(&pose), excess(&shifted(&pose, self.size)));
+            pose = shifted(&pose, self.size * here / (here - there));
+        }
+        pose
+    }
+
+    /// The balance of one vertex that slides.
+    fn slid_vertex(&self, (touch, way): (Touch, f64), hand: [f64; 3]) -> Option<Pose> {
+        let surface = &self.scene.surfaces[touch.surface];
+        let held = self.scene.vertices[touch.vertex];
+        let pin = add(
+            self.pose.apply(held),
+            scale(-self.scene.gap(&self.pose, touch), surface.normal),
+        );
+        let at = |angle| self.slid_foot(&Pose::holding(held, pin, angle), (touch, way), hand);
+        let moment = |angle| {
+            let pose = at(angle);
+            self.scene.applied_moment(&pose, hand, pose.apply(held))
+        };
+        descend(self.pose.angle, SNAP, moment).map(at)
+    }
+
+    /// The balance of two contacts that slide on two surfaces.
+    fn slid_pair(&self, pair: [Touch; 2], ways: [f64; 2], hand: [f64; 3]) -> Option<Pose> {
+        let mut twist = self.motion(&self.pose, pair, ways)?;
+        let drive = |pose: &Pose, twist| {
+            let twist = self.onward(pose, pair, twist);
+            let brake = self.brake(pose, pair, twist);
+            Some(self.balanced(pose, pair, (ways, brake), hand)?.drive)
+        };
+        let way = sign(drive(&self.pose, twist)?);
+        let at = |pose: &Pose, twist, distance: f64| {
+            self.onto(pose.moved(times(distance * way, twist), self.size), &pair)
+        };
+        let mut pose = self.pose;
+        let step = SLIDE * self.size;
+        for _ in 0..(SNAP / SLIDE) as u32 {
+            let rests = |distance: f64| {
+                let drive = drive(&at(&pose, twist, distance), twist);
+                drive.is_none_or(|drive| way * drive <= 0.0)
+            };
+            if rests(step) {
+                let (_, after) = bisect(0.0, step, rests);
+                let end = at(&pose, twist, after);
+                return drive(&end, twist).map(|_| end);
+            }
+            pose = at(&pose, twist, step);
+            twist = self.onward(&pose, pair, twist);
+        }
+        None
+    }
+
+    /// How far each contact goes in the direction of its slide when the hand goes on by a body size times `way`, from how far it
+    /// goes in a small part of that; `None` where there is no balance on either side.
+    pub(super) fn rates(&self, hand: [f64; 3], way: [f64; 3]) -> Option<Vec<f64>> {
+        let at = |part: f64| self.followed(ahead(hand, way, part));
+        let (low, high, width) = match (at(-REACH), at(REACH)) {
+            (Some(low), Some(high)) => (low, high, 2.0 * REACH),
+            (Some(low), None) => (low, at(0.0)?, REACH),
+            (None, Some(high)) => (at(0.0)?, high, REACH),
+            (None, None) => return None,
+        };
+        let ways = self.slide.as_deref().unwrap_or_default();
+        let rate = |(&touch, way): (&Touch, &f64)| {
+            way * (self.foot(&high, touch) - self.foot(&low, touch)) / (width * self.size)
+        };
+        Some(self.contacts.iter().zip(ways).map(rate).collect())
+    }
+}
+
+/// The hand a part of a way further.
+pub(super) fn ahead(hand: [f64; 3], way: [f64; 3], part: f64) -> [f64; 3] {
+    [0, 1, 2].map(|k| hand[k] + part * way[k])
+}

@@ -1,0 +1,129 @@
+//! The forces at the contacts of a body that rests or slides.
+
+use super::cone::{nearest, times};
+use super::scene::{Pose, Touch, Vector, add, cross, dot, scale, sub};
+use super::{ContactForce, Reference};
+
+impl Reference {
+    /// The forces at the contacts; where statics leaves them open, the middle of what two cones allow, or one possible set.
+    pub(super) fn contact_forces(&self) -> Vec<ContactForce> {
+        let slides = |touch: Touch| {
+            let index = self.contacts.iter().position(|&other| other == touch);
+            let way = index.and_then(|i| self.slide.as_ref()?.get(i).copied());
+            way.map_or(0, |way| if way > 0.0 { 1 } else { -1 })
+        };
+        let force = |touch: Touch, [normal, friction]: [f64; 2]| ContactForce {
+            vertex: touch.vertex,
+            surface: touch.surface,
+            normal,
+            friction,
+            slides: slides(touch),
+        };
+        let paired = |pair: [Touch; 2], forces: [[f64; 2]; 2]| {
+            [0, 1].map(|i| force(pair[i], forces[i])).to_vec()
+        };
+        match *self.contacts.as_slice() {
+            [only] => vec![force(only, self.reaction(&self.pose, only, self.hand))],
+            [a, b] if a.surface == b.surface => paired([a, b], self.edge_forces([a, b])),
+            [a, b] if a.vertex != b.vertex => {
+                let forces = self.sliding_forces([a, b]);
+                paired([a, b], forces.unwrap_or_else(|| self.braced_forces([a, b])))
+            }
+            _ => {
+                let load = times(-1.0, self.load(&self.pose, self.hand));
+                let edges =
+                    self.cone_edges(&self.pose, &self.contacts, |surface| self.grip(surface));
+                let weights = nearest(&edges, load).weights;
+                let split = |(&touch, w): (&Touch, &[f64])| {
+                    force(
+                        touch,
+                        [
+                            w[0] + w[1],
+                            self.grip(&self.scene.surfaces[touch.surface]) * (w[0] - w[1]),
+                        ],
+                    )
+                };
+                self.contacts
+                    .iter()
+                    .zip(weights.chunks(2))
+                    .map(split)
+                    .collect()
+            }
+        }
+    }
+
+    /// Forces of an edge, friction shared in proportion to the normal forces.
+    fn edge_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
+        let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
+        let share = if total == 0.0 { 0.0 } else { friction / total };
+        self.edge_normals(&self.pose, pair, self.hand)
+            .map(|normal| [normal, share * normal])
+    }
+
+    /// Normal forces of an edge from the moments about its ends.
+    pub(super) fn edge_normals(&self, pose: &Pose, pair: [Touch; 2], hand: [f64; 3]) -> [f64; 2] {
+        let normal = self.scene.surfaces[pair[0].surface].normal;
+        let points = pair.map(|touch| pose.apply(self.scene.vertices[touch.vertex]));
+        let about = points.map(|point| self.scene.applied_moment(pose, hand, point));
+        let reach = cross(sub(points[1], points[0]), normal);
+        [about[1] / reach, -about[0] / reach]
+    }
+
+    /// Forces of two contacts that slide on two surfaces.
+    fn sliding_forces(&self, pair: [Touch; 2]) -> Option<[[f64; 2]; 2]> {
+        let ways = self.pair_ways()?;
+        let normals = self.pair_normals(&self.pose, pair, ways, self.hand)?;
+        let friction = |i: usize| -ways[i] * self.scene.surfaces[pair[i].surface].mu_d * normals[i];
+        Some([0, 1].map(|i| [normals[i], friction(i)]))
+    }
+
+    /// Forces of two contacts on two surfaces: in the middle of the internal forces along their connection that both static
+    /// cones allow, at the end if the other is infinite.
+    fn braced_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
+        let points = pair.map(|touch| self.pose.apply(self.scene.vertices[touch.vertex]));
+        let along = sub(points[1], points[0]);
+        let squared = dot(along, along);
+        let across = [-along[1], along[0]];
+        let force = self.scene.applied_force(&self.pose, self.hand);
+        let moment = self.scene.applied_moment(&self.pose, self.hand, points[0]);
+        let second = sub(
+            scale(-moment / squared, across),
+            scale(dot(force, along) / squared, along),
+        );
+        let first = sub(scale(-1.0, force), second);
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (touch, start, direction) in [
+            (pair[0], first, along),
+            (pair[1], second, scale(-1.0, along)),
+        ] {
+            let surface = &self.scene.surfaces[touch.surface];
+            for side in [1.0, -1.0] {
+                let inward = add(
+                    scale(self.grip(surface), surface.normal),
+                    scale(side, surface.tangent()),
+                );
+                let (constant, slope) = (dot(inward, start), dot(inward, direction));
+                if slope > 0.0 {
+                    low = low.max(-constant / slope);
+                } else if slope < 0.0 {
+                    high = high.min(-constant / slope);
+                }
+            }
+        }
+        let internal = match (low.is_finite(), high.is_finite()) {
+            (true, true) => 0.5 * (low + high),
+            (true, false) => low,
+            (false, true) => high,
+            (false, false) => 0.0,
+        };
+        let split = |touch: Touch, total: Vector| {
+            let surface = &self.scene.surfaces[touch.surface];
+            [dot(surface.normal, total), dot(surface.tangent(), total)]
+        };
+        let extra = scale(internal, along);
+        [
+            split(pair[0], add(first, extra)),
+            split(pair[1], sub(second, extra)),
+        ]
+    }
+}

@@ -1,0 +1,169 @@
+//! Slips under a frozen hand, and their ends: the memory of the contacts decides whether they stick or slide on with the hand.
+
+use super::relax::{Carry, Driven};
+use super::scene::{Pose, Screw, Touch, length, sub};
+use super::statics::sign;
+use super::walk::End;
+use super::{CLEARANCE, Reference};
+
+/// A joint slip shorter than this is none, in body sizes.
+const MOVED: f64 = 1e-9;
+/// A balance pulls on a contact where it does so by more than this, in tolerances of force.
+const PULL: f64 = 1e3;
+
+impl Reference {
+    /// One vertex slips until dynamic friction holds it.
+    pub(super) fn slip_vertex(
+        &mut self,
+        slip: (Touch, f64),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) -> bool {
+        let (pose, end) = self.slide_vertex(slip, &carry.left, hand);
+        self.pose = pose;
+        carry.slipping = false;
+        match end {
+            End::Rest => {
+                self.end_slip(vec![slip.1], self.pressed_hard(&pose, hand));
+                return true;
+            }
+            End::Touch => {
+                self.land(carry);
+                carry.slipping = self.contacts.len() == 2 && !self.corner();
+            }
+            End::Lift(_) => self.release(&[], carry),
+            End::Snap => {}
+            End::Lost => {
+                self.ambiguous = true;
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Two contacts that slip are held by dynamic friction from the beginning, as where one of them has just closed.
+    pub(super) fn stop_slip(&mut self, hand: [f64; 3], carry: &Carry) -> bool {
+        let mut ways = Vec::new();
+        if self.on_one_surface() {
+            let [_, friction] = self.reaction(&self.pose, self.contacts[0], hand);
+            ways = vec![-sign(friction); 2];
+        }
+        if self.contacts.len() == 2 {
+            let kept = self.keeps_stiction(&carry.began.unwrap_or(self.pose), hand);
+            self.end_slip(ways, kept);
+        }
+        true
+    }
+
+    /// Whether two contacts whose slip began at a pose and has come to its end have the bit.
+    fn keeps_stiction(&self, began: &Pose, hand: [f64; 3]) -> bool {
+        self.pair().map_or_else(
+            || self.pressed_hard(&self.pose, hand),
+            |pair| self.slipped_far(pair, began),
+        )
+    }
+
+    /// Two contacts slip until dynamic friction holds them.
+    pub(super) fn slip_pair(
+        &mut self,
+        (pair, way): ([Touch; 2], Screw),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) -> bool {
+        let began = *carry.began.get_or_insert(self.pose);
+        let (pose, way, end) = self.slide_pair(pair, way, hand, !carry.unwatched);
+        self.pose = pose;
+        let ways = self.speeds(&pose, pair, way).map(sign);
+        match end {
+            End::Touch => self.land(carry),
+            End::Lift(index) if pair[0].surface == pair[1].surface => {
+                self.release(&[pair[1 - index]], carry);
+                carry.slipping = true;
+            }
+            End::Lift(index) => {
+                let opening = (pair[index], pair[1 - index], Some(ways[1 - index]));
+                if self.contacts.len() == 2 && self.opens_in_slip(opening, &began, hand) {
+                    return true;
+                }
+                carry.unwatched = true;
+                carry.driven = Some(Driven::Pair(pair, way));
+            }
+            End::Rest if self.contacts.len() == 2 => {
+                if let Some(index) = self.pulled(ways, hand) {
+                    *carry = Carry::default();
+                    return self.opens_in_slip((pair[index], pair[1 - index], None), &began, hand);
+                }
+                let kept = self.keeps_stiction(&began, hand);
+                self.end_slip(ways.to_vec(), kept);
+                return true;
+            }
+            End::Rest => {
+                self.slips += 1;
+                *carry = Carry::default();
+            }
+            End::Snap => carry.slipping = false,
+            End::Lost => {
+                self.ambiguous = true;
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The end of a slip at dynamic friction: the contacts stick and have the bit if it is `kept`, else they slide on.
+    fn end_slip(&mut self, ways: Vec<f64>, kept: bool) {
+        self.slips += 1;
+        self.stiction = kept;
+        self.slide = (!kept && ways.len() == self.contacts.len()).then_some(ways);
+    }
+
+    /// The contact that the balance of a joint slip pulls on, instead of pressing.
+    fn pulled(&self, ways: [f64; 2], hand: [f64; 3]) -> Option<usize> {
+        let normals = self.pair_normals(&self.pose, self.pair()?, ways, hand)?;
+        let weak = usize::from(normals[1] < normals[0]);
+        (normals[weak] < -PULL * self.force_tolerance(&self.pose, hand)).then_some(weak)
+    }
+
+    /// Opens the contact `left` in a joint slip, if the balance of the one that is `kept`, or its slip along `way` (if any way
+    /// is given), or the lift of both keeps the gap open.
+    fn opens_in_slip(
+        &mut self,
+        (left, kept, way): (Touch, Touch, Option<f64>),
+        began: &Pose,
+        hand: [f64; 3],
+    ) -> bool {
+        let moved = length(sub(self.pose.position, began.position)) > MOVED * self.size;
+        let open = |pose: &Pose| self.scene.gap(pose, left) >= -CLEARANCE * self.size;
+        let mut alone = self.clone();
+        alone.pose = alone
+            .turn(&self.pose, kept.vertex, hand, (f64::INFINITY, false))
+            .0;
+        let [normal, friction] = alone.reaction(&alone.pose, kept, hand);
+        let held = normal > 0.0 && alone.admissible_in_slip(&alone.pose, &[kept], hand);
+        if held && open(&alone.pose) && !alone.enters(&alone.pose, CLEARANCE) {
+            alone.contacts = vec![kept];
+            alone.slips += u32::from(moved);
+            alone.stiction |= alone.pressed_hard(&alone.pose, hand);
+            *self = alone;
+            return true;
+        }
+        if normal <= 0.0 && self.comes_free(hand, 0.0) {
+            self.contacts.clear();
+            self.pose = self.free_pose(hand);
+            return false;
+        }
+        let way = way.unwrap_or(-sign(friction));
+        if normal <= 0.0 || -way * friction <= self.scene.surfaces[kept.surface].mu_d * normal {
+            return false;
+        }
+        let (pose, end) = alone.slide_vertex((kept, way), &[], hand);
+        if end != End::Rest || !open(&pose) {
+            return false;
+        }
+        alone.contacts = vec![kept];
+        alone.pose = pose;
+        alone.end_slip(vec![way], alone.pressed_hard(&pose, hand));
+        *self = alone;
+        true
+    }
+}

@@ -1,0 +1,62 @@
+//! Two contacts slide with a hand that turns, fold and snap to the next balance (STATICS 5): a rod on smooth walls, whose balance is
+//! known in closed form.
+
+use std::f64::consts::{FRAC_PI_4, SQRT_2};
+use stiction_core::{Event, Evolution, StateKind, Status};
+use stiction_tests::laws::assert_lawful;
+use stiction_tests::{Number, Run, close, scenes, test_each};
+
+test_each!(cases::rod_follows_its_branches_and_snaps_between_them);
+
+/// m of `scenes::rod_buckles`
+const M: f64 = SQRT_2 / 2.0 / scenes::BUCKLING;
+
+/// u on the side of a sign, beyond the fold, where u - m sin u = beta.
+fn balance(beta: f64, side: f64) -> f64 {
+    let fold = side * (1.0 / M).acos();
+    let (mut inner, mut outer) = (fold, side * FRAC_PI_4);
+    for _ in 0..100 {
+        let middle = (inner + outer) / 2.0;
+        if side * (middle - M * middle.sin() - beta) > 0.0 {
+            outer = middle;
+        } else {
+            inner = middle;
+        }
+    }
+    (inner + outer) / 2.0
+}
+
+mod cases {
+    use super::*;
+
+    pub(super) fn rod_follows_its_branches_and_snaps_between_them<R: Number>(evolution: Evolution) {
+        let scenario = scenes::rod_buckles();
+        let fold = (1.0 / M).acos();
+        let folds_at = fold - M * fold.sin();
+        let hands = scenario.hands(40);
+        let mut run = Run::<R>::start(&scenario.setup, evolution, hands[0]);
+        let (mut side, mut snaps) = (1.0, 0);
+        for hand in hands {
+            let frame = run.step(hand).clone();
+            assert_lawful::<R>(&scenario.setup, std::slice::from_ref(&frame));
+            let beta = -hand[2] - FRAC_PI_4;
+            if (beta * side) < folds_at {
+                side = -side;
+                snaps += 1;
+                assert!(frame.saw(Event::Snap), "{frame:?}");
+            }
+            assert_eq!(
+                (frame.state, frame.status),
+                (StateKind::TwoVertex, Status::Ok)
+            );
+            assert_eq!(frame.slips, 0);
+            close(
+                "theta",
+                frame.pose[2],
+                -FRAC_PI_4 - balance(beta, side),
+                R::ANALYTIC,
+            );
+        }
+        assert_eq!(snaps, 2);
+    }
+}

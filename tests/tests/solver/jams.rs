@@ -1,0 +1,62 @@
+//! A body jammed between two walls (STATICS 6): what its contacts need to hold it is known in closed form, and so is where they hold
+//! it with reactions beyond 64 k_h L alone. There it stays and says so.
+
+use stiction_core::{Evolution, StateKind, Status};
+use stiction_tests::laws::assert_lawful;
+use stiction_tests::run::polyline;
+use stiction_tests::{Number, Run, Setup, test_each};
+
+test_each!(cases::rod_says_where_it_jams_and_never_moves);
+
+/// Of the rod's line against the walls' normal (rad), and of both walls.
+const TILT: f64 = 0.3;
+const MU: f64 = 0.5;
+const LENGTH: f64 = 0.1;
+
+/// A rod of length L leans between two walls, held at its middle. A moment M that turns it across the slot is borne by N on either
+/// wall with a height of L sin(tilt) between them, and by friction mu N with a width of L cos(tilt).
+fn jammed_from() -> f64 {
+    64.0 * (TILT.sin() + MU * TILT.cos())
+}
+
+mod cases {
+    use super::*;
+
+    pub(super) fn rod_says_where_it_jams_and_never_moves<R: Number>(evolution: Evolution) {
+        let wall = LENGTH / 2.0 * TILT.cos();
+        // k_theta = k_h L², so that a turn of the hand by 1 rad is a moment of 1.
+        let setup = Setup::new(&[[-LENGTH / 2.0, 0.0], [LENGTH / 2.0, 0.0]])
+            .at([0.0, 0.0, TILT])
+            .held_at([0.0, 0.0])
+            .springs(500.0, 500.0 * LENGTH * LENGTH)
+            .surface([1.0, 0.0], -wall, [MU, MU])
+            .surface([-1.0, 0.0], -wall, [MU, MU]);
+        let most = 60.0;
+        assert!(jammed_from() < most);
+        let there = [[0.0, 0.0, TILT], [0.0, 0.0, TILT - most]];
+        let hands = polyline(&[there[0], there[1], there[0]], 241);
+        let mut run = Run::<R>::start(&setup, evolution, hands[0]);
+        let begin = run.frame.pose;
+        let mut found = [0; 2];
+        for hand in hands {
+            let frame = run.step(hand).clone();
+            assert_lawful::<R>(&setup, std::slice::from_ref(&frame));
+            assert_eq!((frame.state, frame.pose), (StateKind::TwoVertex, begin));
+            let moment = TILT - hand[2];
+            // A part of the rounding of both.
+            if (moment / jammed_from() - 1.0).abs() < 1e-4 {
+                continue;
+            }
+            let is_jammed = moment > jammed_from();
+            let status = if is_jammed {
+                Status::Jammed
+            } else {
+                Status::Ok
+            };
+            assert_eq!(frame.status, status, "{moment}");
+            found[usize::from(is_jammed)] += 1;
+        }
+        assert!(found.iter().all(|count| *count > 50), "{found:?}");
+        assert_eq!(run.frame.status, Status::Ok);
+    }
+}
