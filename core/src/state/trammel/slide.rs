@@ -218,8 +218,10 @@ impl<R: Real> Slides<R> {
         let remembers = self.has_stiction() && !self.is_pressed(&start, &standing);
         let (mut x, mut ending, unsure) =
             self.first_ending(self.window(&start, &standing), remembers);
+        let mut arrival = None;
         if let SlideEnding::Arrives = ending {
-            x = self.polished(x);
+            let (polished, last) = self.polished(x);
+            (x, arrival) = (polished, Some(last));
         }
         let curve = &self.trammel.sense.curve;
         let mut extent = Extent {
@@ -238,7 +240,7 @@ impl<R: Real> Slides<R> {
         let mut part = R::ONE;
         if ending != SlideEnding::Arrives {
             part = self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit;
-        } else if let Some((opens, at)) = self.opens_in_place(x) {
+        } else if let Some((opens, at)) = arrival.and_then(|last| self.opens_in_place(&last)) {
             (ending, part) = (opens, at);
         }
         let run = Run {
@@ -251,8 +253,8 @@ impl<R: Real> Slides<R> {
 
     /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
     /// part of it.
-    fn opens_in_place(&self, x: R) -> Option<(SlideEnding<R>, R)> {
-        let [first, second] = self.at(x, R::ZERO).normals.map(|[rest, drive]| {
+    fn opens_in_place(&self, at: &Progress<R>) -> Option<(SlideEnding<R>, R)> {
+        let [first, second] = at.normals.map(|[rest, drive]| {
             let end = rest.value + drive.value * self.unit;
             (end < -self.trammel.sense.rounding)
                 .then(|| (rest.value / (rest.value - end)).max(R::ZERO))
@@ -322,16 +324,19 @@ impl<R: Real> Slides<R> {
         }
     }
 
-    /// A place at which the whole displacement is all but done, without the rounding of the search.
-    fn polished(&self, mut x: R) -> R {
-        for _ in 0..2 {
-            let at = self.at(x, R::ZERO);
+    /// A place at which the whole displacement is all but done, without the rounding of the search, and the slide next to it.
+    fn polished(&self, x: R) -> (R, Progress<R>) {
+        let improved = |x: R, at: &Progress<R>| {
             let left = at.rest + at.drive.times(self.unit);
             if left.slope < R::ZERO {
-                x = (x - left.value / left.slope).max(R::ZERO);
+                (x - left.value / left.slope).max(R::ZERO)
+            } else {
+                x
             }
-        }
-        x
+        };
+        let x = improved(x, &self.at(x, R::ZERO));
+        let at = self.at(x, R::ZERO);
+        (improved(x, &at), at)
     }
 }
 
