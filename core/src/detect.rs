@@ -158,15 +158,13 @@ impl<R: Real> Placed<R> {
         least
     }
 
-    /// The least gap of all vertices to the surfaces but one, less what counts as a touch and the rounding.
-    pub(crate) fn room_beside(&self, scene: &impl World<R>, but: u8) -> R {
-        let others = scene.surface_indices().filter(|&surface| surface != but);
-        let pairs = others.flat_map(|surface| {
-            scene
-                .vertex_indices()
-                .map(move |vertex| Pair { vertex, surface })
+    /// The least gap of some vertices and surfaces, less what counts as a touch and the rounding.
+    pub(crate) fn room_of(&self, scene: &impl World<R>, counts: impl Fn(&Pair) -> bool) -> R {
+        let pairs = scene.surface_indices().flat_map(|surface| {
+            let vertices = scene.vertex_indices();
+            vertices.map(move |vertex| Pair { vertex, surface })
         });
-        let gaps = pairs.map(|pair| {
+        let gaps = pairs.filter(counts).map(|pair| {
             let (gap, rounding) = self.gap_at(scene, pair, self.arm(scene, pair.vertex));
             gap - rounding - R::TOUCH
         });

@@ -202,7 +202,7 @@ impl<R: Real> ContactState<R> {
                 Regime::Stick { .. } => s.follow(scene, path),
             },
             Self::Edge(s) if W::EDGES => s.follow(scene, path),
-            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, to),
+            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to),
             _ => false,
         }

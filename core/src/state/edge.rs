@@ -153,7 +153,8 @@ impl<R: Real> Edge<R> {
         self.room = self.room - way;
         if self.room <= R::ZERO {
             let placed = self.pivot.placed(scene);
-            self.room = placed.room_beside(scene, self.pivot.contact.surface) - way;
+            self.room =
+                placed.room_of(scene, |pair| pair.surface != self.pivot.contact.surface) - way;
         }
         self.room > R::ZERO
     }

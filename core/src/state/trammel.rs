@@ -13,9 +13,11 @@ use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
 use crate::world::{Surface, World};
 
+mod certified;
 mod kinematics;
 mod slide;
 
+pub(crate) use certified::certified_slide;
 pub(crate) use slide::{SlideEnding, Slides};
 
 /// One direction of the trammel motion, from a present place, all about contact 1.

@@ -2,7 +2,7 @@
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 use super::fixed_pose::FixedPose;
-use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel};
+use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel, certified_slide};
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::grip::Grip;
 use crate::list::gather;
@@ -20,6 +20,8 @@ pub(crate) struct TwoVertex<R> {
     pub(crate) regime: Regime<R>,
     /// Edges of the friction cones that bore the load last.
     pub(crate) bearers: [u8; 3],
+    /// By so much the body can move before a further vertex can touch a surface (L); 0: not known.
+    pub(super) room: R,
 }
 
 /// A slip goes at most this many times its window of one body size or radian.
@@ -32,6 +34,7 @@ impl<R: Real> TwoVertex<R> {
             other,
             regime: Regime::LOOSE,
             bearers: [0, 1, 2],
+            room: R::ZERO,
         }
     }
 
@@ -44,13 +47,28 @@ impl<R: Real> TwoVertex<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), stiction))
     }
 
-    /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
-        if self.regime.slide().is_some() {
-            return false;
+    /// A certified frame: it stays, as the loads that are borne are convex and the end of the way decides; or it slides on.
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, path: (&Grip<R>, &Grip<R>)) -> bool {
+        if let Some(sense) = self.regime.slide() {
+            let slide = certified_slide(scene, (&self.pivot, self.other), path, sense);
+            let slide = slide.filter(|slide| self.has_room(scene, slide.travel_bound));
+            self.pivot = slide.as_ref().map_or(self.pivot, |slide| slide.pivot);
+            return slide.is_some();
         }
         let fixed_pose = self.fixed_pose(scene);
-        fixed_pose.bears(scene, to, &mut self.bearers)
+        fixed_pose.bears(scene, path.1, &mut self.bearers)
+    }
+
+    /// True if no further vertex can reach a surface on a way that begins here.
+    fn has_room(&mut self, scene: &impl World<R>, way: R) -> bool {
+        if self.room <= way {
+            let contacts = self.contacts();
+            let placed = self.pivot.placed(scene);
+            self.room = placed.room_of(scene, |pair| !contacts.contains(pair));
+        }
+        let has_room = self.room > way;
+        self.room = self.room - way;
+        has_room
     }
 
     /// Stays as the hand moves, as long as the interval of (E5) is not empty, or slides with it.
@@ -88,6 +106,7 @@ impl<R: Real> TwoVertex<R> {
         (from, to): (&Grip<R>, &Grip<R>),
         sense: R,
     ) -> Moved<R> {
+        self.room = R::ZERO;
         let mut done = R::ZERO;
         let mut at = *from;
         for _ in 0..WINDOWS {
@@ -193,6 +212,7 @@ impl<R: Real> TwoVertex<R> {
 
     /// In the sense that is driven most, or over a fold in the sense of the slide.
     fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, over_fold: Option<R>) -> Moved<R> {
+        self.room = R::ZERO;
         let mut moved = Moved::by(Trigger::Undriven);
         let (begin, mut turn) = (self.pivot, R::ZERO);
         let (mut sense, mut folds) = (over_fold, over_fold.is_some());

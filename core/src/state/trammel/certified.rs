@@ -1,0 +1,237 @@
+//! The certified frame of two contacts that slide with the hand (STATICS 3.4, 5): the hand goes a short path, and both go on sliding
+//! in balance. That nothing else happens follows from the loads at the ends of the hand's path on the body as it is.
+
+use crate::contact::Pair;
+use crate::geometry::Vec2;
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
+use crate::pivot::Pivot;
+use crate::real::Real;
+use crate::verb::seat_sliding;
+use crate::world::{Surface, World};
+
+/// The motion of two contacts that slide, at a place: its unit twist, and what a load is worth along it.
+struct Twist<R> {
+    surfaces: [Surface<R>; 2],
+    /// Of contact 1 along t_1, and of the body.
+    slide: R,
+    turn: R,
+    /// At least |ds/dx| anywhere.
+    slide_bound: R,
+    /// r = c_2 - c_1
+    arm: Vec2<R>,
+    /// v_i·t_i
+    velocities: [R; 2],
+    /// f_i: the directions of the two reactions.
+    reactions: [Vec2<R>; 2],
+    /// f_1×f_2, r×f_2
+    spread: R,
+    second: R,
+    /// What a unit force against the slide of contact i is worth of (E6), in the sense in which the slide falls.
+    frictions: [R; 2],
+    /// The sign of (E6) where the load drives the slide.
+    sense: R,
+}
+
+/// Corrections of the place before a frame is left uncertified.
+const MAX_CORRECTIONS: usize = 4;
+
+impl<R: Real> Twist<R> {
+    /// In the direction of a sign of the unit twist; nothing where a contact hardly moves, or the reactions hardly span the plane.
+    fn of(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), direction: R) -> Option<Self> {
+        let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
+        let [first, second] = surfaces;
+        let arm = pivot.placed(scene).arm(scene, other.vertex);
+        let by_slide = second.normal.dot(first.tangent);
+        let by_turn = second.normal.dot(arm.turned());
+        let size = by_slide.hypot(by_turn);
+        if size <= Self::least() {
+            return None;
+        }
+        let unit = direction / size;
+        let (slide, turn) = (-by_turn * unit, by_slide * unit);
+        let across = second.normal.dot(arm);
+        let velocity = first.tangent * slide + arm.turned() * turn;
+        let velocities = [slide, second.tangent.dot(velocity)];
+        if velocities.iter().any(|v| v.abs() <= Self::least()) {
+            return None;
+        }
+        let signs = velocities.map(R::sign);
+        let reaction = |surface: &Surface<R>, sign: R| {
+            let (n, t) = surface.friction.sliding_edge(sign);
+            surface.normal * n + surface.tangent * t
+        };
+        let [s1, s2] = signs;
+        let [f1, f2] = [reaction(&first, s1), reaction(&second, s2)];
+        let (spread, moment) = (f1.cross(f2), arm.cross(f2));
+        // (E6) of a force along each tangent at its contact.
+        let along = [
+            -(moment * f1.cross(first.tangent)),
+            arm.cross(second.tangent) * spread - moment * f1.cross(second.tangent),
+        ];
+        let [e1, e2] = along;
+        let [v1, v2] = velocities;
+        let resistance = R::sum_of_products(e1, v1, e2, v2);
+        if spread.abs() <= Self::least() || resistance.abs() <= Self::least() {
+            return None;
+        }
+        let sense = resistance.sign();
+        Some(Self {
+            surfaces,
+            slide,
+            turn,
+            slide_bound: Vec2::new(by_turn, across).length_bound() / size,
+            arm,
+            velocities,
+            reactions: [f1, f2],
+            spread,
+            second: moment,
+            frictions: [e1 * s1 * sense, e2 * s2 * sense],
+            sense,
+        })
+    }
+
+    /// Velocities, spreads and stabilities that are smaller are left to the search: what is divided by them is known to as many
+    /// roundings more.
+    fn least() -> R {
+        R::ONE / R::from_int(64)
+    }
+
+    /// (E6), positive where the load drives the slide.
+    fn imbalance(&self, load: &Load<R>) -> R {
+        let [f1, _] = self.reactions;
+        let drives = self.spread * load.moment() - self.second * f1.cross(load.force);
+        drives * self.sense
+    }
+
+    /// -dE/dx at the frozen hand.
+    fn stability(&self, scene: &impl World<R>, load: &Load<R>) -> R {
+        let ([f1, f2], [first, _]) = (self.reactions, self.surfaces);
+        let force = -(first.tangent * self.slide + load.lever.turned() * self.turn);
+        let moment = load.lever.cross(force)
+            - (load.stiffness + load.lever.dot(load.spring) + load.centroid.dot(scene.weight()))
+                * self.turn;
+        let swing = self.arm.turned().cross(f2) * self.turn;
+        let slope =
+            self.spread * moment - swing * f1.cross(load.force) - self.second * f1.cross(force);
+        -slope * self.sense
+    }
+
+    /// The sizes of both reactions in balance.
+    fn sizes(&self, load: &Load<R>) -> [R; 2] {
+        let [f1, f2] = self.reactions;
+        [-load.force.cross(f2), load.force.cross(f1)].map(|size| size / self.spread)
+    }
+
+    /// A bound of |dF/dx|.
+    fn force_rate(&self, lever: R) -> R {
+        self.slide_bound + self.turn.abs() * lever
+    }
+
+    /// A bound of |d²E/dx²| while the force is no larger than this.
+    fn curvature(&self, scene: &impl World<R>, load: &Load<R>, force: R) -> R {
+        let [lever, arm, centroid] = [load.lever, self.arm, load.centroid].map(Vec2::length_bound);
+        let turn = self.turn.abs();
+        let force_rate = self.force_rate(lever);
+        let force_bend = turn * force_rate;
+        let falls = centroid * scene.weight().length_bound();
+        let moment = turn * (turn * (lever * force + falls) + (lever * force_rate).doubled())
+            + lever * force_bend;
+        let second = turn * (turn * (arm * force) + (arm * force_rate).doubled());
+        self.spread.abs() * moment + second + arm * force_bend
+    }
+
+    /// By how much the velocity of a contact changes at most over a distance.
+    fn slows(&self, reach: R) -> R {
+        let turn = self.turn.abs();
+        turn * (self.slide_bound + turn * self.arm.length_bound()) * reach
+    }
+
+    /// True if no slip that began within a distance would be as long as the memory (E14). `sizes`: no reaction is larger;
+    /// `stability`: the slide is nowhere less stable.
+    fn forgets(&self, sizes: [R; 2], reach: R, stability: R) -> bool {
+        let swings = (self.turn.abs() * self.arm.length_bound() * reach).doubled();
+        let frictions = self.surfaces.map(|surface| surface.friction);
+        let jumps = frictions.iter().zip(sizes).zip(self.frictions);
+        let jump = jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
+            let (normal, _) = friction.sliding_edge(R::ZERO);
+            sum + friction.drop() * normal * size * (worth.abs() + swings)
+        });
+        let mut slips = frictions.iter().zip(self.velocities);
+        slips.all(|(friction, velocity)| {
+            (velocity.abs() + self.slows(reach)) * jump < friction.memory() * stability
+        })
+    }
+}
+
+/// A certified slide.
+pub(crate) struct CertifiedSlide<R> {
+    pub(crate) pivot: Pivot<R>,
+    /// No point of the body goes farther.
+    pub(crate) travel_bound: R,
+}
+
+/// The slide in a sense of the unit twist as the hand goes a path, if that is all that can happen, but for a touch.
+pub(crate) fn certified_slide<R: Real>(
+    scene: &impl World<R>,
+    contacts: (&Pivot<R>, Pair),
+    (from, to): (&Grip<R>, &Grip<R>),
+    direction: R,
+) -> Option<CertifiedSlide<R>> {
+    let (pivot, other) = contacts;
+    let mut twist = Twist::of(scene, contacts, direction)?;
+    let [before, after] = [from, to].map(|grip| pivot.load(scene, grip));
+    if !before.is_representable() || !after.is_representable() {
+        return None;
+    }
+    let stability = twist.stability(scene, &after);
+    let least = stability.min(twist.stability(scene, &before));
+    let drive = twist.imbalance(&after);
+    if least <= Twist::<R>::least() || drive < R::ZERO {
+        return None;
+    }
+    // There is one balance within 5/4 of Newton's step for every part of the path (Kantorovich), with bend·step <= 1/4.
+    let newton = drive / least;
+    let reach = newton + newton.halved().halved();
+    let lever = after.lever.length_bound();
+    let force_rate = twist.force_rate(lever);
+    let [force, spring] = [|load: &Load<R>| load.force, |load: &Load<R>| load.spring]
+        .map(|of| of(&before).length_bound().max(of(&after).length_bound()));
+    let force = force.max(spring) + force_rate * reach;
+    let bend = twist.curvature(scene, &after, force) / least;
+    if bend * newton > R::HALF.halved() {
+        return None;
+    }
+    // On the way the hand drives it on, and both press and go on.
+    let Displacement { hand, .. } = from.displacement_to(to);
+    let swings = twist.turn.abs() * reach;
+    let drive_falls = swings * hand.length_bound() * (lever + twist.arm.length_bound());
+    let stray = force_rate * reach / twist.spread.abs() + after.rounding();
+    let [[b1, b2], [a1, a2]] = [&before, &after].map(|load| twist.sizes(load));
+    let presses = b1.min(a1) > stray && b2.min(a2) > stray;
+    let slows = twist.slows(reach);
+    let goes_on = twist.velocities.iter().all(|v| v.abs() > slows);
+    let sizes = [b1.max(a1) + stray, b2.max(a2) + stray];
+    let forgets = || twist.forgets(sizes, reach, least - least * (bend * reach));
+    if drive <= drive_falls || !presses || !goes_on || !forgets() {
+        return None;
+    }
+    // No point of the body is farther from contact 1 than one body size.
+    let travel_bound = (twist.slide_bound + twist.turn.abs()) * reach;
+    let mut end = *pivot;
+    let mut step = drive / stability;
+    for _ in 0..MAX_CORRECTIONS {
+        let moved = end.moved(twist.slide * step, twist.turn * step);
+        end = seat_sliding(scene, moved, other);
+        if bend * step * step <= R::EPSILON {
+            return Some(CertifiedSlide {
+                pivot: end,
+                travel_bound,
+            });
+        }
+        twist = Twist::of(scene, (&end, other), direction)?;
+        let load = end.load(scene, to);
+        step = twist.imbalance(&load) / twist.stability(scene, &load);
+    }
+    None
+}
