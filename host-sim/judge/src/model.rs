@@ -53,7 +53,7 @@ pub(crate) struct Scale {
     pub(crate) moment: f64,
 }
 
-/// The memory length of a surface that gives none, and the one that 0 stands for, in units of L.
+/// The memory length of a surface that gives none, and the shortest one, which 0 stands for, in units of L.
 const MEMORY: f64 = 1.0 / 4096.0;
 const SHORTEST: f64 = 1.0 / 524_288.0;
 
@@ -104,9 +104,9 @@ impl Model {
     fn memory(&self, surface: &Surface) -> Option<f64> {
         let is_point = self.scene.vertices.len() == 1;
         match surface.memory {
-            Some(given) if given > 0.0 => Some(given),
+            Some(given) if is_point && given > 0.0 => Some(given),
             _ if is_point => None,
-            Some(_) => Some(SHORTEST * self.size),
+            Some(given) => Some(given.max(SHORTEST * self.size)),
             None => Some(MEMORY * self.size),
         }
     }

@@ -249,7 +249,8 @@ fn edge_slides_with_both_vertices() {
     assert_eq!(laws(SCENE, beyond), BTreeSet::new());
 }
 
-/// The threshold by default, where `memory` is 0 and where a surface has its own: 71 mN, 0.56 mN and 71 N of a box without weight.
+/// The threshold by default, where `memory` is 0 or shorter than 2^-19 L, and where a surface has its own: 71 mN, 0.56 mN and 71 N of a
+/// box without weight.
 #[test]
 fn thresholds_of_memory_lengths() {
     let light = SCENE.replace("weight = 1", "weight = 0");
@@ -258,7 +259,13 @@ fn thresholds_of_memory_lengths() {
         "normal = [0.0, 2.0]\n",
         "normal = [0.0, 2.0]\nmemory = 0.0285\n",
     );
-    for (scene, threshold) in [(light, 0.071_17), (zero, 0.000_556_0), (own, 71.25)] {
+    let short = zero.replace("memory = 0\n", "memory = 1e-8\n");
+    for (scene, threshold) in [
+        (light, 0.071_17),
+        (zero, 0.000_556_0),
+        (short, 0.000_556_0),
+        (own, 71.25),
+    ] {
         let normal = |part: f64, x: f64| {
             let parsed = self::scene(&scene);
             let mut frame = box_slides(1.0 + part * threshold, x);
