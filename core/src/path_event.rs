@@ -270,7 +270,7 @@ fn opens<R: Real, W: World<R>>(
         .next();
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
-        s.regime = Regime::Slide(along);
+        s.slide_on(scene, path.0, along);
         if path.0.swings(scene) {
             // A single vertex that slides bears nothing: it may stick instead.
             s.begin(scene, path);

@@ -244,12 +244,11 @@ impl<R: Real> FixedPose<R> {
             })
     }
 
-    /// The load pulls every contact off.
+    /// The load pulls contacts off and presses none.
     fn is_pulled(&self, scene: &impl World<R>, load: &Load<R>) -> bool {
-        self.contacts.iter().all(|c| {
-            let normal = scene.surface(c.surface).normal;
-            normal.dot(load.force) > R::ZERO
-        })
+        let pull = |c: &Pair| scene.surface(c.surface).normal.dot(load.force);
+        self.contacts.iter().all(|c| pull(c) >= R::ZERO)
+            && self.contacts.iter().any(|c| pull(c) > R::ZERO)
     }
 
     /// A turn about a contact; in a corner both contacts of the vertex last.

@@ -235,6 +235,14 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
+    /// Slides on along sign·t, where another contact has let go: to what two contacts bear together a slide is found less exactly than
+    /// to the balance of one.
+    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
+        self.regime = Regime::Slide(sign);
+        let (_, edge) = self.sliding(scene, sign);
+        self.rest(scene, grip, &edge);
+    }
+
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
     fn rest(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) -> bool {
         if grip.swings(scene) {

@@ -213,8 +213,8 @@ impl<R: Real> Trammel<R> {
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);
-        if size == R::ZERO {
-            // Wedged straight across parallel surfaces: slides without a turn.
+        if size <= Self::standstill() {
+            // Wedged straight across parallel surfaces: slides without a turn. A turn would open the gap.
             return BalanceCurve::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
         // Across surfaces almost in line the path bends sharply: in longer units, by what the number type represents.

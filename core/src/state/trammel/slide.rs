@@ -34,16 +34,27 @@ pub(crate) enum SlideEnding<R> {
 /// A trammel motion that follows a displacement of the hand.
 pub(crate) struct Slides<R> {
     trammel: Trammel<R>,
-    /// dp and k dphi, counted as the load is and in units of the displacement.
-    force: Vec2<R>,
-    couple: R,
-    /// The size of the displacement: what is done of it is counted in 1 over this.
+    displaced: Displaced<R>,
+    /// What is done of the displacement is counted in 1 over this.
     unit: R,
     /// The velocity of a contact, times the stability, below which it rests (rule 7).
     slack: R,
+    /// Where nothing is done yet.
+    start: Progress<R>,
+}
+
+/// What the displacement adds to the load.
+#[derive(Clone, Copy)]
+struct Displaced<R> {
+    /// dp and k dphi, counted as the load is and in units of the displacement.
+    force: Vec2<R>,
+    couple: R,
+    /// What they change E and N_i by is counted so many times: products of it with others lose fewer digits then. A power of two.
+    gain: R,
 }
 
 /// The slide at a place x.
+#[derive(Clone, Copy)]
 struct Progress<R> {
     /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
     rest: Bounded<R>,
@@ -66,6 +77,62 @@ struct Standing<R> {
 }
 
 impl<R: Real> Progress<R> {
+    /// At a place of a motion, with bounds for no more than a window from there.
+    fn at(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self {
+        let p = trammel.sense.curve.at(x);
+        let place = trammel.kinematics(&p, window);
+        let rate = trammel.sense.curve.rate_bounded();
+        let swing = trammel.swing(&p);
+        let load = trammel.load_at(&p, window);
+        let before = place.response(load);
+        let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
+        let force = BoundedVec::constant(displaced.force);
+        let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
+        let lever = trammel.load.lever;
+        let couple = Bounded::constant(displaced.couple);
+        let added = (force, couple + of(lever));
+        let added_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
+        let change = place.response(added);
+        let change_slope = place.slope(swing, added, added_slope);
+        let sense = trammel.sense.resistance.sign();
+        let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
+        let falling_on = |change: Bounded<R>| change.times(sense * displaced.gain).within(window);
+        let ([n1, n2], [c1, c2]) = (before.normals, change.normals);
+        let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
+        Self {
+            rest: falling(before.imbalance),
+            drive: falling_on(change.imbalance),
+            rest_slope: falling(before_slope),
+            drive_slope: falling_on(change_slope),
+            normals: [[n1, c1], [n2, c2]].map(|[rest, on]| [falling(rest), falling_on(on)]),
+            velocities: place.velocities,
+            frictions: [f1.times(sense * s1), f2.times(sense * s2)],
+            resistance: falling(place.resistance),
+        }
+    }
+
+    /// What the displacement changes, counted so many times.
+    fn gaining(self, gain: R) -> Self {
+        Self {
+            drive: self.drive.times(gain),
+            drive_slope: self.drive_slope.times(gain),
+            normals: (self.normals).map(|[rest, drive]| [rest, drive.times(gain)]),
+            ..self
+        }
+    }
+
+    /// So many times it may be counted: up to one at first, and its bounds up to eight.
+    fn gain(&self) -> R {
+        let [[_, first], [_, second]] = self.normals;
+        let sizes = [self.drive, self.drive_slope, first, second].map(|change| {
+            let bound = change.bounds.into_iter().fold(R::ZERO, R::max);
+            change.value.abs().max(bound / R::from_int(8))
+        });
+        let most = R::from_int(64);
+        let largest = sizes.into_iter().fold(R::ONE / most, R::max);
+        R::ONE / largest.min(R::ONE).unit()
+    }
+
     /// tau times the unit.
     fn gone(&self) -> R {
         -self.rest.value / self.drive.value
@@ -95,46 +162,25 @@ impl<R: Real> Slides<R> {
         let size = displacement.size();
         let unit = if size > R::ZERO { size.unit() } else { R::ONE };
         let turn = displacement.turn.in_units(unit);
-        Self {
+        let mut displaced = Displaced {
             force: displacement.hand.in_units(unit) * per_load,
             couple: trammel.load.stiffness * turn * per_load,
-            unit,
-            slack: R::rounding(R::from_int(8)) * per_load,
+            gain: R::ONE,
+        };
+        let start = Progress::at(&trammel, &displaced, (R::ZERO, R::ONE));
+        displaced.gain = start.gain();
+        Self {
+            displaced,
+            unit: unit / displaced.gain,
+            slack: R::rounding(R::from_int(8)) * per_load * displaced.gain,
+            start: start.gaining(displaced.gain),
             trammel,
         }
     }
 
     /// At a place, with bounds for no more than a window from there.
     fn at(&self, x: R, window: R) -> Progress<R> {
-        let trammel = &self.trammel;
-        let p = trammel.sense.curve.at(x);
-        let place = trammel.kinematics(&p, window);
-        let rate = trammel.sense.curve.rate_bounded();
-        let swing = trammel.swing(&p);
-        let load = trammel.load_at(&p, window);
-        let before = place.response(load);
-        let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
-        let force = BoundedVec::constant(self.force);
-        let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
-        let lever = trammel.load.lever;
-        let displaced = (force, Bounded::constant(self.couple) + of(lever));
-        let displaced_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
-        let change = place.response(displaced);
-        let change_slope = place.slope(swing, displaced, displaced_slope);
-        let sense = trammel.sense.resistance.sign();
-        let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
-        let ([n1, n2], [c1, c2]) = (before.normals, change.normals);
-        let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
-        Progress {
-            rest: falling(before.imbalance),
-            drive: falling(change.imbalance),
-            rest_slope: falling(before_slope),
-            drive_slope: falling(change_slope),
-            normals: [[n1, c1], [n2, c2]].map(|normals| normals.map(falling)),
-            velocities: place.velocities,
-            frictions: [f1.times(sense * s1), f2.times(sense * s2)],
-            resistance: falling(place.resistance),
-        }
+        Progress::at(&self.trammel, &self.displaced, (x, window))
     }
 
     /// What a slip that began there lacks of the memory of each contact (E14), times stability and resistance.
@@ -171,16 +217,16 @@ impl<R: Real> Slides<R> {
 
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
     pub(crate) fn begins(&self) -> Option<SlideEnding<R>> {
-        let start = self.at(R::ZERO, R::ONE);
+        let start = &self.start;
         let standing = start.begin();
         let rounding = self.trammel.sense.rounding;
         let mut normals = standing.normals.iter();
-        if normals.any(|normal| normal.value < -rounding) || self.recedes(&start, &standing) {
+        if normals.any(|normal| normal.value < -rounding) || self.recedes(start, &standing) {
             return None;
         }
         Some(if standing.stability.value <= R::ZERO {
             SlideEnding::Folds
-        } else if self.is_pressed(&start, &standing) {
+        } else if self.is_pressed(start, &standing) {
             SlideEnding::Pressed
         } else {
             SlideEnding::Arrives
@@ -190,7 +236,7 @@ impl<R: Real> Slides<R> {
     /// The rates at which the slide advances and those N_i grow that are zero, in tau, each times a positive number; nothing where it is
     /// not stable.
     pub(crate) fn rates(&self) -> Option<(R, [R; 2])> {
-        let start = self.at(R::ZERO, R::ONE);
+        let start = &self.start;
         let is_stable = start.begin().stability.value > R::ZERO;
         let normals = start.balanced().normals.map(|normal| normal.slope);
         is_stable.then_some((start.drive.value, normals))
@@ -202,7 +248,7 @@ impl<R: Real> Slides<R> {
         scene: &impl World<R>,
         lasting: &[Pair],
     ) -> (Run<R>, R, SlideEnding<R>) {
-        let start = self.at(R::ZERO, R::ONE);
+        let start = &self.start;
         let standing = start.begin();
         let nowhere = Run {
             slide: R::ZERO,
@@ -212,12 +258,12 @@ impl<R: Real> Slides<R> {
         if standing.stability.value <= R::ZERO {
             return (nowhere, R::ZERO, SlideEnding::Folds);
         }
-        if self.recedes(&start, &standing) {
+        if self.recedes(start, &standing) {
             return (nowhere, R::ZERO, SlideEnding::Halts);
         }
-        let remembers = self.has_stiction() && !self.is_pressed(&start, &standing);
+        let remembers = self.has_stiction() && !self.is_pressed(start, &standing);
         let (mut x, mut ending, unsure) =
-            self.first_ending(self.window(&start, &standing), remembers);
+            self.first_ending(self.window(start, &standing), remembers);
         let mut arrival = None;
         if let SlideEnding::Arrives = ending {
             let (polished, last) = self.polished(x);
