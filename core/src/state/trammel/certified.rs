@@ -151,16 +151,34 @@ impl<R: Real> Twist<R> {
     /// `stability`: the slide is nowhere less stable.
     fn forgets(&self, sizes: [R; 2], reach: R, stability: R) -> bool {
         let swings = (self.turn.abs() * self.arm.length_bound() * reach).doubled();
+        let jump = self.jump(sizes, swings);
+        let slows = self.slows(reach);
+        self.slips()
+            .all(|(memory, speed)| (speed + slows) * jump < memory * stability)
+    }
+
+    /// True if a slip that began here would be as long as the memory of a contact (E14).
+    fn is_pressed(&self, sizes: [R; 2], stability: R) -> bool {
+        let jump = self.jump(sizes, R::ZERO);
+        self.slips()
+            .any(|(memory, speed)| speed * jump >= memory * stability)
+    }
+
+    /// What is left of (E6) where the static cones bear the load, up to a change of what friction is worth.
+    fn jump(&self, sizes: [R; 2], change: R) -> R {
         let frictions = self.surfaces.map(|surface| surface.friction);
         let jumps = frictions.iter().zip(sizes).zip(self.frictions);
-        let jump = jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
+        jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
             let (normal, _) = friction.sliding_edge(R::ZERO);
-            sum + friction.drop() * normal * size * (worth.abs() + swings)
-        });
-        let mut slips = frictions.iter().zip(self.velocities);
-        slips.all(|(friction, velocity)| {
-            (velocity.abs() + self.slows(reach)) * jump < friction.memory() * stability
+            sum + friction.drop() * normal * size * (worth.abs() + change)
         })
+    }
+
+    /// The memory of each contact, and |v_i·t_i|.
+    fn slips(&self) -> impl Iterator<Item = (R, R)> {
+        let memories = self.surfaces.map(|surface| surface.friction.memory());
+        let speeds = self.velocities.map(R::abs);
+        memories.into_iter().zip(speeds)
     }
 }
 
@@ -184,8 +202,8 @@ pub(crate) fn certified_slide<R: Real>(
     if !before.is_representable() || !after.is_representable() {
         return None;
     }
-    let stability = twist.stability(scene, &after);
-    let least = stability.min(twist.stability(scene, &before));
+    let [standing, stability] = [&before, &after].map(|load| twist.stability(scene, load));
+    let least = standing.min(stability);
     let drive = twist.imbalance(&after);
     if least <= Twist::<R>::least() || drive < R::ZERO {
         return None;
@@ -212,7 +230,11 @@ pub(crate) fn certified_slide<R: Real>(
     let slows = twist.slows(reach);
     let goes_on = twist.velocities.iter().all(|v| v.abs() > slows);
     let sizes = [b1.max(a1) + stray, b2.max(a2) + stray];
-    let forgets = || twist.forgets(sizes, reach, least - least * (bend * reach));
+    // A slide that begins as long as the memory goes on.
+    let forgets = || {
+        twist.forgets(sizes, reach, least - least * (bend * reach))
+            || twist.is_pressed([b1, b2], standing)
+    };
     if drive <= drive_falls || !presses || !goes_on || !forgets() {
         return None;
     }

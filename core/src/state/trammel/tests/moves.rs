@@ -100,3 +100,37 @@ fn contacts_stay_on_surfaces_that_are_almost_in_line() {
         }
     }
 }
+
+/// Of a body that stands upright between parallel surfaces the gap does not change with a small turn, nor with a slide: what rounding
+/// leaves of both does not make it turn.
+#[test]
+fn upright_between_parallel_surfaces_it_slides_without_a_turn() {
+    for (quarter, rounding) in [(-0.25, 0.0), (0.25, 1e-7), (0.25, -1e-7)] {
+        let turn = core::f32::consts::TAU * quarter + rounding;
+        let rotation = Orientation::new(Angle::from_radians(turn)).rotation();
+        let scene = Scene::<f32, 4, 2>::new(&Description {
+            vertices: &[[0.5, 0.0], [-0.5, 0.0]],
+            start: [0.0; 3],
+            weight: 0.0,
+            holding_point: None,
+            reach: 1.0,
+            stiffness_translation: 1.0,
+            stiffness_rotation: 0.0,
+            surfaces: &[[0.0, 1.0], [0.0, -1.0]].map(|normal| SurfaceDescription {
+                normal,
+                offset: -0.5,
+                friction_static: 0.1,
+                friction_dynamic: 0.06,
+                memory: None,
+            }),
+        });
+        let scene = scene.expect("a lawful scene");
+        let surfaces = [0, 1].map(|surface| scene.surface(surface));
+        let arm = rotation.apply(Vec2::new(-1.0, 0.0));
+        for sense in [1.0, -1.0] {
+            let curve = Trammel::<f32>::curve(&surfaces, arm, sense);
+            let place = curve.at(0.5);
+            assert_eq!((place.part(), place.turn), (0.5 * sense, 0.0), "{turn}");
+        }
+    }
+}
