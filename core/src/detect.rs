@@ -5,6 +5,7 @@ use crate::contact::{Pair, Pairs};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::world::World;
 
 /// The body placed by one of its points.
@@ -47,7 +48,7 @@ impl<R: Real> Placed<R> {
     /// The gap between a vertex and a surface, with its rounding.
     fn gap_at(&self, scene: &impl World<R>, contact: Pair, arm: Vec2<R>) -> (R, R) {
         let surface = scene.surface(contact.surface);
-        let unit = R::EPSILON.doubled();
+        let unit = R::of_coordinates();
         if self.on == Some(contact.surface) {
             return (surface.normal.dot(arm), unit);
         }

@@ -118,6 +118,7 @@ mod settle;
 mod si;
 mod solver;
 mod state;
+mod thresholds;
 mod transition;
 mod units;
 mod verb;

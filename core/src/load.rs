@@ -8,6 +8,7 @@ use crate::geometry::{Orientation, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::moment::{Drive, Moment, SecondHarmonic};
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 use crate::wrench2::Wrench2;
 
@@ -179,7 +180,7 @@ impl<R: Real> Load<R> {
     /// What reactions may leave of it: rounding, and what is as small as a gap that counts as closed. At the edge of a cone nothing
     /// is driven yet.
     pub(crate) fn little(&self) -> R {
-        self.rounding() * R::from_int(4) + self.size() * R::TOUCH
+        R::of_reactions(self.rounding()) + self.size() * R::TOUCH
     }
 
     /// A displacement of the hand after which a load that contacts had just borne is surely beyond that.
@@ -189,7 +190,7 @@ impl<R: Real> Load<R> {
 
     /// The rounding of forces and moments at a place.
     pub(crate) fn rounding(&self) -> R {
-        R::rounding(self.size()).doubled().doubled()
+        R::of_sums(self.size())
     }
 
     /// The same with the foot, which is rounded as a coordinate.

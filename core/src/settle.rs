@@ -9,6 +9,7 @@ use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::{ContactState, Free};
+use crate::thresholds::Thresholds;
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
 };
@@ -121,8 +122,7 @@ impl<R: Real> Attempts<R> {
             StateKind::Locked => &mut self.locked,
             _ => return 0,
         };
-        // Contacts on surfaces almost in line are seated anew a little aside.
-        let aside = R::MICRO * R::from_int(16);
+        let aside = R::aside();
         let count = match record {
             Some((last, count)) if placed.is_near(last, aside) => count.saturating_add(1),
             _ => 0,

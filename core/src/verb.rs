@@ -4,6 +4,7 @@
 use crate::contact::Pair;
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::world::World;
 
 /// Why a verb ended.
@@ -97,7 +98,7 @@ fn close_gaps<R: Real>(
     (others, foot_stays): (&[Pair], bool),
 ) -> Pivot<R> {
     const SWEEPS: usize = 16;
-    let least = R::ONE / R::from_int(64);
+    let least = R::divisor();
     let tangent = pivot.surface(scene).tangent;
     for _ in 0..SWEEPS {
         let mut is_seated = true;

@@ -4,6 +4,7 @@
 use crate::friction::{Coulomb, SlidingEdge};
 use crate::geometry::Vec2;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use core::ops::Range;
 
 /// A checked surface, lengths / L.
@@ -70,7 +71,7 @@ pub(crate) trait World<R: Real> {
     /// Nothing holds the angle of the body in the hand, which holds it at `arm` from its centroid: it swings freely about the holding
     /// point (STATICS 3.7). Held at its centroid it does so in spite of its weight.
     fn swings(&self, arm: Vec2<R>) -> bool {
-        let is_held_there = || arm.length_bound() <= R::EPSILON.doubled();
+        let is_held_there = || arm.length_bound() <= R::of_coordinates();
         self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
     }
 

@@ -62,22 +62,6 @@ impl<R: Real> WrenchCone<R> {
         }
         let _ = self.levers.push(bearing.lever);
     }
-
-    /// The largest normal reaction that is borne as it is, in k_h L; a body that needs more is jammed (STATICS 6). Half of what fixed
-    /// point represents.
-    pub(crate) fn limit() -> R {
-        R::from_int(64)
-    }
-
-    /// Directions whose sine is not above this are parallel.
-    pub(crate) fn parallel() -> R {
-        R::from_int(4) * R::EPSILON
-    }
-
-    /// How far from a facet an edge may lie and still count as in it.
-    fn tolerance() -> R {
-        R::from_int(64) * R::EPSILON
-    }
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::{BalanceCurve, Place};
 use crate::bounded::Bounded;
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 
 impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     /// cos ϑ and sin ϑ.
@@ -15,13 +16,13 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             Bounded {
                 value: cosine,
                 slope: -p.sine * self.rate,
-                error: R::EPSILON.doubled(),
+                error: R::of_coordinates(),
                 bounds,
             },
             Bounded {
                 value: p.sine,
                 slope: cosine * self.rate,
-                error: R::EPSILON.doubled(),
+                error: R::of_coordinates(),
                 bounds,
             },
         )

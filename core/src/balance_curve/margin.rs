@@ -6,6 +6,7 @@ use crate::geometry::Vec2;
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::search::{Found, Samples, Slope, first_zero};
+use crate::thresholds::Thresholds;
 
 /// A quantity that is positive while the motion is allowed: E = start + along·tau - u (1 - cos ϑ) + v sin ϑ.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +41,7 @@ impl<R: Real> Margin<R> {
             start: self.start.in_units(unit),
             along: self.along.in_units(unit),
             turning: self.turning.in_units(unit),
-            rounding: (self.rounding.in_units(unit)).max(R::from_int(4) * R::EPSILON),
+            rounding: (self.rounding.in_units(unit)).max(R::of_sums(R::ONE)),
         }
     }
 
@@ -58,7 +59,7 @@ impl<R: Real> Margin<R> {
     /// tau grows between neighbouring x and D is as small as its rounding: of E·D a search sees nothing then.
     pub(super) fn is_used_up(&self, extent: &Extent<R>) -> bool {
         let end = self.at(&extent.end) + self.along * extent.part();
-        end < self.start.min(R::ZERO) - self.rounding * R::from_int(8)
+        end < self.start.min(R::ZERO) - R::beyond_doubt(self.rounding)
     }
 
     fn at(&self, p: &Place<R>) -> R {

@@ -12,9 +12,9 @@ use crate::load::Load;
 use crate::moment::{Downhill, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
-use crate::wrench_cone::WrenchCone;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,7 +70,7 @@ impl<R: Real> Corner<R> {
                 let inner = direction.turned() * turn;
                 edges
                     .iter()
-                    .all(|(_, other)| inner.dot(*other) >= -WrenchCone::<R>::parallel())
+                    .all(|(_, other)| inner.dot(*other) >= -R::parallel())
             });
             // The edge with friction along +t is the clockwise one of its cone.
             outer.map(|&(contact, direction)| OuterEdge {
@@ -92,7 +92,7 @@ impl<R: Real> Corner<R> {
             (second, first)
         };
         let direction = along.tangent * outer.sign;
-        let climbs = other.normal.dot(direction) < -WrenchCone::<R>::parallel();
+        let climbs = other.normal.dot(direction) < -R::parallel();
         let (contact, sign) = if climbs {
             let beside = if outer.contact == 0 { 1 } else { 0 };
             (beside, other.tangent.dot(direction).sign())
@@ -183,7 +183,7 @@ impl<R: Real> Corner<R> {
     pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let [first, second] =
             [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
-        let narrow = first.cross(second).abs() * WrenchCone::<R>::limit();
+        let narrow = first.cross(second).abs() * R::limit();
         let size = self.pivot.load(scene, grip).force.length_bound();
         narrow < size && self.fixed_pose(scene).is_jammed(scene, grip)
     }

@@ -11,6 +11,7 @@ use crate::list::gather;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 use crate::wrench_cone::{Bearing, WrenchCone, Yield};
@@ -105,7 +106,7 @@ impl<R: Real> FixedPose<R> {
             return true;
         }
         // Contacts without friction bear a load on fewer edges, at the edge of a cone and beyond a facet by a rounding.
-        let rounding = load.rounding().doubled().doubled();
+        let rounding = R::of_reactions(load.rounding());
         let is_inside = self.cone.first_yield(wrench, wrench, rounding).is_none();
         is_inside && self.cone.left(wrench, little) <= little
     }

@@ -15,6 +15,7 @@ use crate::load::Load;
 use crate::moment::{Downhill, Pinned};
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
@@ -212,7 +213,7 @@ impl<R: Real> SingleVertex<R> {
         };
         // By a contact that was there at the beginning.
         let blocked = matches!(moved.trigger, Trigger::Touch(pair)
-            if begin.pivot.placed(scene).gap(scene, pair) <= R::TOUCH.doubled());
+            if begin.pivot.placed(scene).gap(scene, pair) <= R::met_before());
         if blocked {
             *self = begin;
         }
@@ -262,7 +263,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// What the friction at the end of a slip may be off.
     pub(super) fn found_to(load: &Load<R>) -> R {
-        load.rounding_with_foot() * R::from_int(64)
+        R::of_searches(load.rounding_with_foot())
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
@@ -398,7 +399,7 @@ impl<R: Real> SingleVertex<R> {
     /// True if the moment of the load is rounding.
     fn is_balanced(&self, load: &Load<R>) -> bool {
         // The angle is rounded, too.
-        let angle = R::rounding(load.stability()).doubled().doubled();
+        let angle = R::of_sums(load.stability());
         let rounding = (load.rounding_with_foot() + angle).doubled();
         load.moment().abs() <= rounding
     }

@@ -13,6 +13,7 @@ use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Moment, Sliding};
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
@@ -99,7 +100,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// A foot that goes back by less than this, per part of a displacement, rests but for the rounding (rule 7).
     pub(super) fn slack(displacement: &Displacement<R>) -> R {
-        R::rounding(displacement.size() * R::from_int(8))
+        R::of_displacement(displacement.size())
     }
 
     /// Slides along sign·t as the hand moves, to the first of fold, touch, lift-off, halt, N = N*.

@@ -11,6 +11,7 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
+use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
 mod certified;
@@ -176,7 +177,7 @@ impl<R: Real> Trammel<R> {
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
         let [f1, f2] = self.sense.reactions;
         let spread = f1.cross(f2);
-        if spread.abs() > R::HALF.halved().halved() {
+        if spread.abs() > R::spread() {
             // What balances the force does so to the last digit.
             let force = self.load.force;
             let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
@@ -213,7 +214,7 @@ impl<R: Real> Trammel<R> {
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);
-        if size <= Self::standstill() {
+        if size <= R::standstill() {
             // Wedged straight across parallel surfaces: slides without a turn. A turn would open the gap.
             return BalanceCurve::kinematic(R::ZERO, Vec2::new(sense, R::ZERO));
         }
@@ -234,7 +235,7 @@ impl<R: Real> Trammel<R> {
     /// a solution with delta > 0 and N_i >= 0.
     fn meets_friction(&mut self, demand: Demand) -> bool {
         let start = self.sense.curve.at(R::ZERO);
-        let standstill = Self::standstill();
+        let standstill = R::standstill();
         self.sense.signs = self.velocities(&start).map(|v| {
             // A contact at the turning point of its motion is about to go on the other way.
             let is_turning = v.value.abs() <= standstill;
@@ -258,7 +259,7 @@ impl<R: Real> Trammel<R> {
         let [first, second] = self.sense.reactions;
         // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
         let facet = first.cross(second).hypot(self.arm.cross(second));
-        let resolved = R::rounding(facet).doubled().doubled();
+        let resolved = R::of_sums(facet);
         let rounding = (self.load.rounding() * self.per_load * facet).max(resolved);
         let [n1, n2] = found
             .normals
@@ -269,11 +270,6 @@ impl<R: Real> Trammel<R> {
         self.sense.resistance.abs() > standstill
             && self.sense.excess > rounding
             && (pressed || demand == Demand::AtTheEnd)
-    }
-
-    /// Velocities below this are none.
-    fn standstill() -> R {
-        R::from_int(16) * R::EPSILON
     }
 
     /// At a fold of (E6), where it and its slope are zero: up to here it grows with the curvature ahead.
@@ -298,7 +294,7 @@ impl<R: Real> Trammel<R> {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
         let begin = self.velocities(&self.sense.curve.at(R::ZERO));
-        let are_turning = begin.map(|v| v.value.abs() <= Self::standstill());
+        let are_turning = begin.map(|v| v.value.abs() <= R::standstill());
         let found = first_zero(window, |x| {
             let q = self.quantities(&self.sense.curve.at(x), window);
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);

@@ -3,6 +3,7 @@
 
 use super::{Edge, WrenchCone};
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::wrench2::Wrench2;
 
 /// The incipient motion at a facet.
@@ -101,7 +102,7 @@ impl<R: Real> WrenchCone<R> {
             for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
                 let normal = a.wrench.cross(b.wrench);
                 let size = normal.size();
-                if size <= Self::tolerance() {
+                if size <= R::in_plane() {
                     continue;
                 }
                 let (plane, sharpness) = (normal.over(size), size.min(R::ONE));
@@ -109,8 +110,8 @@ impl<R: Real> WrenchCone<R> {
                 for (j, edge) in self.edges.iter().enumerate() {
                     if j != i && j != k {
                         let side = plane.dot(edge.wrench);
-                        inner &= side >= -Self::tolerance();
-                        outer &= side <= Self::tolerance();
+                        inner &= side >= -R::in_plane();
+                        outer &= side <= R::in_plane();
                     }
                 }
                 for (faces, sign) in [(inner, R::ONE), (outer, -R::ONE)] {
@@ -137,7 +138,7 @@ impl<R: Real> WrenchCone<R> {
             let across = plane.cross(edge.wrench);
             let end = across.over(across.size());
             for normal in [end, end.scaled(-R::ONE)] {
-                let is_end = |other: &Edge<R>| normal.dot(other.wrench) >= -Self::tolerance();
+                let is_end = |other: &Edge<R>| normal.dot(other.wrench) >= -R::in_plane();
                 if self.edges.iter().all(is_end) {
                     let contact = edge.contact;
                     visit(normal, sharpness, Yield::Pivot { contact });

@@ -6,6 +6,7 @@ use super::{MAX_EDGES, WrenchCone};
 use crate::contact::MAX_CONTACTS;
 use crate::list::gather;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::wrench2::Wrench2;
 
 /// The parts of edges that lie almost in a plane are looked at so many times at most, and refined in between.
@@ -27,7 +28,7 @@ impl<R: Real> WrenchCone<R> {
 
     /// True if three edges bear a load but for a little, however large the reactions.
     pub(crate) fn jams(&self, load: Wrench2<R>, little: R) -> bool {
-        let (mut part, step) = (load, R::from_int(16));
+        let (mut part, step) = (load, R::digits());
         while part.size() > little * step {
             if self
                 .triples()
@@ -58,7 +59,7 @@ impl<R: Real> WrenchCone<R> {
                 .iter()
                 .filter_map(|&(k, part)| Some((self.edges.get(k)?, part)));
             let own = edges.filter(|(edge, _)| edge.contact == contact);
-            own.fold(R::ZERO, |sum, (edge, part)| sum + edge.pressing * part) <= Self::limit()
+            own.fold(R::ZERO, |sum, (edge, part)| sum + edge.pressing * part) <= R::limit()
         })
     }
 
@@ -87,12 +88,12 @@ impl<R: Real> WrenchCone<R> {
     fn parts(&self, load: Wrench2<R>, little: R) -> (Parts<R>, R) {
         let nearest = self.nearest(load, little);
         if nearest.beyond && nearest.left > little {
-            let step = R::from_int(16);
+            let step = R::digits();
             let (mut small, mut times) = (load.over(step), step);
             while small.size() > little * step {
                 let Nearest { parts, left, .. } = self.nearest(small, little);
                 let parts: Parts<R> = gather(parts.iter().map(|&part| part * times));
-                let is_borne = left <= little.min(small.size() / R::from_int(64));
+                let is_borne = left <= little.min(small.size() * R::divisor());
                 let mut reactions = parts.chunks(2).map(|pair| {
                     let parts = pair.iter();
                     parts.fold(R::ZERO, |sum, &part| sum + part)
@@ -212,7 +213,7 @@ impl<R: Real> WrenchCone<R> {
         if !presses(&solution) {
             return None;
         }
-        if volume > Self::sharp() {
+        if volume > R::sharp() {
             return Some(solution);
         }
         let remainder_of = |solution: &[(usize, R); 3]| {
@@ -228,7 +229,7 @@ impl<R: Real> WrenchCone<R> {
                 return Some(refined);
             }
             // In steps so fine that what is left is a sixteenth: its parts are numbers then, and those of the faces show.
-            let fine = remainder.size().unit() * R::from_int(16);
+            let fine = remainder.size().unit() * R::digits();
             let (more, _) = self.on_three(edges, remainder.over(fine))?;
             for (part, (_, more)) in refined.iter_mut().zip(more) {
                 part.1 = part.1 + more * fine;
@@ -240,21 +241,12 @@ impl<R: Real> WrenchCone<R> {
     /// What the rounding of parts of edges leaves of a load: of as much of it as shows in which direction it is.
     fn rounding<'a>(parts: impl IntoIterator<Item = &'a R>, load: Wrench2<R>) -> R {
         let sum = parts.into_iter().fold(R::ZERO, |sum, &part| sum + part);
-        R::rounding(sum)
-            .doubled()
-            .doubled()
-            .min(load.size() / R::from_int(64))
+        R::of_sums(sum).min(load.size() * R::divisor())
     }
 
     /// What the rounding of the reactions that bear a load leaves of it.
     pub(crate) fn rounding_of_reactions(&self, load: Wrench2<R>, little: R) -> R {
         Self::rounding(&self.nearest(load, little).parts, load)
-    }
-
-    /// Three edges of a larger volume than 2^-8 are sharp: parts of them are known to 2^8 roundings. No factor is beyond the
-    /// numbers of any type.
-    pub(super) fn sharp() -> R {
-        R::MICRO * R::from_int(64) * R::from_int(32)
     }
 
     /// The parts of three edges that balance a load, and the volume of the edges.
@@ -278,7 +270,7 @@ impl<R: Real> WrenchCone<R> {
         let area = normal.size();
         let plane = normal.over(area);
         let part = |face: Wrench2<R>| -face.dot(plane) / area;
-        let usable = area > Self::parallel();
+        let usable = area > R::parallel();
         usable.then(|| [(i, part(load.cross(b))), (k, part(a.cross(load)))])
     }
 

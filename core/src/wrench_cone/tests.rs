@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::fixtures::{Random, sampled};
+use crate::thresholds::Thresholds;
 
 mod bounds;
 mod flat;
@@ -215,7 +216,7 @@ fn two_contacts_share_by_the_middle_of_the_interval() {
             .map(|force| force.length())
             .fold(0.0, f64::max);
         // All of it is within the limit.
-        if largest + high.max(-low) < WrenchCone::<f64>::limit() {
+        if largest + high.max(-low) < f64::limit() {
             assert!(
                 (low + high).abs() < 1e-9 * (high - low + 1.0),
                 "{seed}: {low} {high}"

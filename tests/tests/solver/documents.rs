@@ -2,6 +2,7 @@
 //! transition table, and every equation and section that the code cites is there. Links between documents lead somewhere, and
 //! so do the paths that they name.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stiction_tests::diagram::{Area, Diagram, SIZE, document, table};
@@ -96,6 +97,25 @@ fn what_the_code_cites_is_there() {
         assert!(statics.contains(&heading), "{heading}");
     }
 }
+
+/// The table of thresholds has a row for each that the code states, and no other.
+#[test]
+fn every_threshold_is_in_the_table() {
+    let core = Path::new(env!("CARGO_MANIFEST_DIR")).join("../core");
+    let read = |file: &str| fs::read_to_string(core.join(file)).expect("a file of core");
+    let (code, statics) = (read("src/thresholds.rs"), read("STATICS.md"));
+    let stated = code
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("fn ")?.split('(').next());
+    let of_types = ["TOUCH", "MICRO"];
+    let stated: BTreeSet<&str> = of_types.into_iter().chain(stated).collect();
+    let table = statics.split("### 10.1 Thresholds").nth(1);
+    let table = table.and_then(|rest| rest.split("\n## ").next());
+    let rows = table.expect("a table of thresholds").lines();
+    let rows = rows.filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    assert_eq!(rows.collect::<BTreeSet<_>>(), stated);
+}
+
 
 /// The Markdown files of a folder.
 fn documents(folder: &str) -> Vec<PathBuf> {

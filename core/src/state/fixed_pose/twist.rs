@@ -9,6 +9,7 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::trammel::{Demand, Trammel};
+use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
 /// The instantaneous velocity of the body: of the pivot, and the turn.
@@ -27,7 +28,7 @@ impl<R: Real> FixedPose<R> {
         mode: &Mode<R>,
     ) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate >= -Self::standstill())
+        slowest.is_some_and(|rate| rate >= -R::in_plane())
     }
 
     /// Driven by the load, and every gap of another contact opens.
@@ -38,12 +39,7 @@ impl<R: Real> FixedPose<R> {
         mode: &Mode<R>,
     ) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
-        slowest.is_some_and(|rate| rate > Self::standstill())
-    }
-
-    /// Velocities below this are none.
-    fn standstill() -> R {
-        R::from_int(64) * R::EPSILON
+        slowest.is_some_and(|rate| rate > R::in_plane())
     }
 
     /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.

@@ -7,6 +7,7 @@ use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::thresholds::Thresholds;
 use crate::verb::seat_sliding;
 use crate::world::{Surface, World};
 
@@ -45,7 +46,7 @@ impl<R: Real> Twist<R> {
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);
-        if size <= Self::least() {
+        if size <= R::divisor() {
             return None;
         }
         let unit = direction / size;
@@ -53,7 +54,7 @@ impl<R: Real> Twist<R> {
         let across = second.normal.dot(arm);
         let velocity = first.tangent * slide + arm.turned() * turn;
         let velocities = [slide, second.tangent.dot(velocity)];
-        if velocities.iter().any(|v| v.abs() <= Self::least()) {
+        if velocities.iter().any(|v| v.abs() <= R::divisor()) {
             return None;
         }
         let signs = velocities.map(R::sign);
@@ -72,7 +73,7 @@ impl<R: Real> Twist<R> {
         let [e1, e2] = along;
         let [v1, v2] = velocities;
         let resistance = R::sum_of_products(e1, v1, e2, v2);
-        if spread.abs() <= Self::least() || resistance.abs() <= Self::least() {
+        if spread.abs() <= R::divisor() || resistance.abs() <= R::divisor() {
             return None;
         }
         let sense = resistance.sign();
@@ -89,12 +90,6 @@ impl<R: Real> Twist<R> {
             frictions: [e1 * s1 * sense, e2 * s2 * sense],
             sense,
         })
-    }
-
-    /// Velocities, spreads and stabilities that are smaller are left to the search: what is divided by them is known to as many
-    /// roundings more.
-    fn least() -> R {
-        R::ONE / R::from_int(64)
     }
 
     /// (E6), positive where the load drives the slide.
@@ -205,7 +200,7 @@ pub(crate) fn certified_slide<R: Real>(
     let [standing, stability] = [&before, &after].map(|load| twist.stability(scene, load));
     let least = standing.min(stability);
     let drive = twist.imbalance(&after);
-    if least <= Twist::<R>::least() || drive < R::ZERO {
+    if least <= R::divisor() || drive < R::ZERO {
         return None;
     }
     // There is one balance within 5/4 of Newton's step for every part of the path (Kantorovich), with bend·step <= 1/4.

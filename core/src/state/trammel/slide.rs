@@ -10,6 +10,7 @@ use crate::geometry::Vec2;
 use crate::grip::Displacement;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
+use crate::thresholds::Thresholds;
 use crate::world::World;
 
 /// What ended a slide with the hand.
@@ -172,7 +173,7 @@ impl<R: Real> Slides<R> {
         Self {
             displaced,
             unit: unit / displaced.gain,
-            slack: R::rounding(R::from_int(8)) * per_load * displaced.gain,
+            slack: R::of_displacement(R::ONE) * per_load * displaced.gain,
             start: start.gaining(displaced.gain),
             trammel,
         }

@@ -5,6 +5,7 @@ use super::*;
 use crate::fixtures::number;
 use crate::list::gather;
 use crate::real::Fixed;
+use crate::thresholds::Thresholds;
 
 /// A contact at a lever on a surface of an angle, with mu = 1/2.
 fn contact<R: Real>(lever: Vec2<f64>, angle: f64) -> Bearing<R>
@@ -63,7 +64,7 @@ where
         let cone = two_contacts::<R>(&mut random, 1.0 / 256.0);
         let edges = [0, 1, 2].map(|i: usize| cone.edges[i].wrench);
         let volume = edges[0].dot(edges[1].cross(edges[2])).abs();
-        if volume <= WrenchCone::<R>::tolerance() || volume > WrenchCone::<R>::sharp() {
+        if volume <= R::in_plane() || volume > R::sharp() {
             continue;
         }
         let load = edges.iter().fold(
@@ -80,7 +81,7 @@ where
             },
         );
         // Even flatter ones are refined by what is left alone.
-        let is_refined = volume > WrenchCone::<R>::tolerance() * R::from_int(64);
+        let is_refined = volume > R::in_plane() * R::from_int(64);
         assert!(
             !is_refined || cone.bears_on([0, 1, 2], load, little),
             "{seed}"
@@ -159,7 +160,7 @@ where
         for edges in cone.triples() {
             let edge = |k: usize| cone.edges[k].wrench;
             let volume = edge(edges[0]).dot(edge(edges[1]).cross(edge(edges[2])));
-            if volume.abs() > WrenchCone::<R>::sharp() {
+            if volume.abs() > R::sharp() {
                 continue;
             }
             let solution = cone.bearing(edges, load, little);

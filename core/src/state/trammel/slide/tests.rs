@@ -277,3 +277,40 @@ fn slide_of_two_lasts_to_its_first_ending() {
         "{seen:?}"
     );
 }
+
+/// A certified frame: nothing ends the slide before the end of the hand's way, and there it is in balance. Short ways are certified
+/// unless something is near.
+#[test]
+fn certified_slide_is_all_that_happens() {
+    let (mut certified, mut driven) = (0, 0);
+    for seed in sampled(0..2400, 97) {
+        let Some(mut sliding) = Sliding::random(seed) else {
+            continue;
+        };
+        let part = libm::exp2(-f64::from((seed % 8) as u8));
+        sliding.way = (sliding.way.0 * part, sliding.way.1 * part);
+        let ladder = &sliding.ladder;
+        let mut state = sliding.case.state.clone();
+        state.regime = Regime::Slide(sliding.direction);
+        let before = state.clone();
+        let to = ladder.grip(&sliding.hand.on(sliding.way, 1.0));
+        driven += usize::from(sliding.drive() > 0.0 && sliding.stability() > 0.0);
+        if !state.follow(&sliding.case.scene, (&sliding.case.grip, &to)) {
+            assert!(state.pivot == before.pivot && state.regime == before.regime);
+            continue;
+        }
+        let turn = state.pivot.orientation.angle().radians() - ladder.theta;
+        sliding.lasts(turn, 1.0, seed);
+        let end = ladder.theta + turn;
+        let (_, left) = ladder.balance(&sliding.hand.on(sliding.way, 1.0), end);
+        assert!(left.abs() < 1e-12, "{seed}: {left}");
+        let foot = state.pivot.foot - before.pivot.foot;
+        let off = ladder.feet(end)[0] - ladder.feet(ladder.theta)[0] - foot;
+        assert!(off.abs() < 1e-12, "{seed}: {off}");
+        certified += 1;
+    }
+    assert!(
+        cfg!(miri) || certified * 4 > driven && certified > 100,
+        "{certified} of {driven}"
+    );
+}
