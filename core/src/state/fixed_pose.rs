@@ -179,37 +179,40 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// The motion of the facet that yields, then all others that are consistent, those with fewest openings first.
+    /// The motion that begins where so many were tried in vain.
     fn give_way(
         &self,
         scene: &impl World<R>,
-        (grip, ahead): (&Grip<R>, &Grip<R>),
+        grips: (&Grip<R>, &Grip<R>),
         attempt: usize,
     ) -> Trigger<R> {
+        let mut motions = self.motions(scene, grips);
+        motions.nth(attempt).unwrap_or(Trigger::Undriven)
+    }
+
+    /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with
+    /// fewest openings first. Each is looked for when it is asked for.
+    fn motions(
+        &self,
+        scene: &impl World<R>,
+        (grip, ahead): (&Grip<R>, &Grip<R>),
+    ) -> impl Iterator<Item = Trigger<R>> {
         let load = self.pivot.load(scene, grip);
-        let is_consistent = |mode: &Mode<R>| {
+        let is_consistent = move |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; its direction shows ahead.
             let grip = if mode.1.is_none() { ahead } else { grip };
             self.is_consistent(scene, grip, mode)
         };
-        let facet = self.cone.yields(load.wrench(), load.rounding(), &|yields| {
-            // At the bound itself the drive is zero.
-            let mode = self.mode_of(yields);
-            is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
-        });
-        let mut in_vain = attempt;
-        let mut is_next = |begins: bool| {
-            let is = begins && in_vain == 0;
-            in_vain = in_vain.saturating_sub(usize::from(begins));
-            is
+        let of_facet = move || {
+            let yields = self.cone.yields(load.wrench(), load.rounding(), &|yields| {
+                // At the bound itself the drive is zero.
+                let mode = self.mode_of(yields);
+                is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
+            });
+            yields.map(|yields| keep(self.mode_of(&yields)))
         };
-        if let Some(yields) = facet
-            && is_next(true)
-        {
-            return keep(self.mode_of(&yields));
-        }
-        for begin in Begin::ALL {
-            for (i, k, sign) in self.choices(begin) {
+        let of_kind = move |begin: Begin| {
+            self.choices(begin).filter_map(move |(i, k, sign)| {
                 let mode = match begin {
                     Begin::Turn => self.about(i),
                     _ => ([i, k], Some(sign)),
@@ -221,15 +224,14 @@ impl<R: Real> FixedPose<R> {
                     }
                     _ => is_consistent(&mode),
                 };
-                if is_next(begins) {
-                    return match begin {
-                        Begin::Open => Trigger::Clear,
-                        _ => keep(mode),
-                    };
-                }
-            }
-        }
-        Trigger::Undriven
+                begins.then(|| match begin {
+                    Begin::Open => Trigger::Clear,
+                    _ => keep(mode),
+                })
+            })
+        };
+        let others = Begin::ALL.into_iter().flat_map(of_kind);
+        core::iter::once_with(of_facet).flatten().chain(others)
     }
 
     /// The pairs of contacts and directions in which a motion of a kind can begin.

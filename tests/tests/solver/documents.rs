@@ -116,7 +116,6 @@ fn every_threshold_is_in_the_table() {
     assert_eq!(rows.collect::<BTreeSet<_>>(), stated);
 }
 
-
 /// The Markdown files of a folder.
 fn documents(folder: &str) -> Vec<PathBuf> {
     let folder = document("..").join(folder);
