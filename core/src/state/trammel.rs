@@ -129,7 +129,8 @@ impl<R: Real> Trammel<R> {
         best.map(|sense| Self { sense, ..trammel })
     }
 
-    /// In a direction, driven or not.
+    /// In a direction, driven or not. Once in an image.
+    #[inline(never)]
     pub(crate) fn in_sense(
         scene: &impl World<R>,
         contacts: (&Pivot<R>, Pair),

@@ -78,7 +78,8 @@ struct Standing<R> {
 }
 
 impl<R: Real> Progress<R> {
-    /// At a place of a motion, with bounds for no more than a window from there.
+    /// At a place of a motion, with bounds for no more than a window from there. Once in an image.
+    #[inline(never)]
     fn at(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self {
         let p = trammel.sense.curve.at(x);
         let place = trammel.kinematics(&p, window);
