@@ -54,6 +54,13 @@ impl<R: Real> Pivot<R> {
         Load::new(scene, self.placed(scene), grip)
     }
 
+    /// It is pressed so hard that it has stiction of its own (STATICS 7.1, rule 3).
+    pub(crate) fn is_pressed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let surface = self.surface(scene);
+        let (normal, _) = surface.reaction(self.load(scene, grip).force);
+        surface.friction.is_pressed(normal)
+    }
+
     /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) {
         let arm = grip.holding_point - scene.vertex(self.contact.vertex);

@@ -160,9 +160,7 @@ impl<R: Real> ContactState<R> {
         else {
             return;
         };
-        let surface = pivot.surface(scene);
-        let (normal, _) = surface.reaction(pivot.load(scene, grip).force);
-        if surface.friction.is_pressed(normal) {
+        if pivot.is_pressed(scene, grip) {
             *regime = Regime::Stick { stiction: true };
         }
     }

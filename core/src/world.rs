@@ -38,6 +38,11 @@ impl<R: Real> Surface<R> {
             .sliding_along((self.normal, self.tangent), sign)
     }
 
+    /// The direction of an edge of the friction cone from its (normal, friction) parts.
+    pub(crate) fn direction(&self, (normal, friction): (R, R)) -> Vec2<R> {
+        self.normal * normal + self.tangent * friction
+    }
+
     /// (N, T) of the contact that bears a force on the body.
     pub(crate) fn reaction(&self, force: Vec2<R>) -> (R, R) {
         (-self.normal.dot(force), -self.tangent.dot(force))

@@ -4,7 +4,6 @@
 use super::fixed_pose::FixedPose;
 use super::segment::Segment;
 use crate::contact::{Pair, Pairs, Reactions};
-use crate::detect::PointPath;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::list::gather;
@@ -51,8 +50,8 @@ impl<R: Real> Corner<R> {
                 self.surface
             };
             let surface = scene.surface(index);
-            let (n, t) = surface.friction.edge(self.stiction, side);
-            (contact, surface.normal * n + surface.tangent * t)
+            let edge = surface.friction.edge(self.stiction, side);
+            (contact, surface.direction(edge))
         };
         [
             edge(0, R::ONE),
@@ -114,14 +113,7 @@ impl<R: Real> Corner<R> {
     ) -> Moved<R> {
         let load = self.pivot.load(scene, from);
         let displacement = from.displacement_to(to);
-        let moment = load.pinned::<Pinned>();
-        let drive = load.drive(&displacement);
-        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
-        segment.stop_at_touch(
-            scene,
-            &load.placed,
-            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
-        );
+        let mut segment = Segment::pinned(scene, &load, &displacement, &self.contacts());
         for outer in self.outer_edges(scene).into_iter().flatten() {
             segment.stop_at(
                 &load.reaction(outer.inner, &displacement),

@@ -72,6 +72,17 @@ impl<R: Real> Edge<R> {
         gather([first, second])
     }
 
+    /// x_2 - x_1
+    fn span(&self, scene: &impl World<R>, load: &Load<R>) -> R {
+        let arm = load.placed.arm(scene, self.vertex);
+        self.pivot.surface(scene).tangent.dot(arm)
+    }
+
+    /// N_2 that balances a moment about contact 1, (E4).
+    fn second(moment: R, span: R) -> R {
+        -moment / span
+    }
+
     fn reaction(
         &self,
         scene: &impl World<R>,
@@ -81,12 +92,11 @@ impl<R: Real> Edge<R> {
         let surface = self.pivot.surface(scene);
         // The edge does not turn.
         let normal = load.reaction(surface.normal, displacement);
-        // x_2 - x_1
-        let span = surface.tangent.dot(load.placed.arm(scene, self.vertex));
+        let span = self.span(scene, load);
         let turn = scene.stiffness() * displacement.turn + load.lever.cross(displacement.hand);
         let second = Margin {
-            start: -load.moment() / span,
-            along: -turn / span,
+            start: Self::second(load.moment(), span),
+            along: Self::second(turn, span),
             turning: Vec2::ZERO,
             rounding: load.rounding() / span.abs(),
         };
@@ -129,8 +139,8 @@ impl<R: Real> Edge<R> {
         }
         let load = after.pivot.load(scene, to);
         let (normal, friction) = surface.reaction(load.force);
-        let span = surface.tangent.dot(load.placed.arm(scene, self.vertex));
-        let second = -load.moment() / span;
+        let span = self.span(scene, &load);
+        let second = Self::second(load.moment(), span);
         let slack = load.rounding() / span.abs();
         let stiction = self.regime.has_stiction();
         let coulomb = surface.friction;
@@ -253,9 +263,7 @@ impl<R: Real> Edge<R> {
         if W::GLIDES {
             return self.glide_down(scene, grip);
         }
-        let surface = self.pivot.surface(scene);
-        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
-        if surface.friction.is_pressed(normal) {
+        if self.pivot.is_pressed(scene, grip) {
             self.regime = Regime::Stick { stiction: true };
         }
         Moved::by(self.test(scene, grip, sliding))
@@ -309,8 +317,7 @@ impl<R: Real> Edge<R> {
         self.room = R::ZERO;
         let moved = segment.moved();
         if moved.trigger == Trigger::Stopped {
-            let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
-            self.regime = Regime::after_slip(surface.friction.is_pressed(normal), sign);
+            self.regime = Regime::after_slip(self.pivot.is_pressed(scene, grip), sign);
         }
         Moved { slip, ..moved }
     }

@@ -5,7 +5,8 @@ use crate::balance_curve::{BalanceCurve, Extent, Margin};
 use crate::contact::Pair;
 use crate::detect::{Moving, Placed, PointPath};
 use crate::geometry::Vec2;
-use crate::grip::Grip;
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
 use crate::moment::{Downhill, Drive, Moment, Pinned, SecondHarmonic};
 use crate::pivot::Pivot;
 use crate::real::Real;
@@ -165,5 +166,21 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
             unsure: moved.unsure || downhill.unsure,
             ..moved
         }
+    }
+}
+
+impl<R: Real> Segment<R> {
+    /// Of a body that turns about a pinned vertex as the hand moves, to the first of fold and touch.
+    pub(super) fn pinned(
+        scene: &impl World<R>,
+        load: &Load<R>,
+        displacement: &Displacement<R>,
+        lasting: &[Pair],
+    ) -> Self {
+        let (moment, drive) = (load.pinned(), load.drive(displacement));
+        let mut segment = Self::balanced(&moment, &drive, Trigger::Balanced);
+        let path = PointPath::straight(Vec2::ZERO);
+        segment.stop_at_touch(scene, &load.placed, (&path, lasting));
+        segment
     }
 }

@@ -8,7 +8,6 @@ use crate::certified::CertifiedTurn;
 use crate::contact::{Pairs, Reactions, Regime};
 use crate::detect::PointPath;
 use crate::friction::Verdict;
-use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::list::gather;
 use crate::load::Load;
@@ -175,14 +174,7 @@ impl<R: Real> SingleVertex<R> {
         let load = self.pivot.load(scene, from);
         let surface = self.pivot.surface(scene);
         let displacement = from.displacement_to(to);
-        let moment = load.pinned::<Pinned>();
-        let drive = load.drive(&displacement);
-        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
-        segment.stop_at_touch(
-            scene,
-            &load.placed,
-            (&PointPath::straight(Vec2::ZERO), &self.contacts()),
-        );
+        let mut segment = Segment::pinned(scene, &load, &displacement, &self.contacts());
         let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
         let stiction = self.regime.has_stiction();
         for sign in [R::ONE, -R::ONE] {
@@ -240,9 +232,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// At a frozen hand it has stiction where it is pressed hard enough (rule 3).
     fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
-        let surface = self.pivot.surface(scene);
-        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
-        if surface.friction.is_pressed(normal) {
+        if self.pivot.is_pressed(scene, grip) {
             self.regime = Regime::Stick { stiction: true };
         }
     }
@@ -356,9 +346,7 @@ impl<R: Real> SingleVertex<R> {
         if grip.swings(scene) {
             self.lean_on(scene, grip, sign);
         }
-        let surface = self.pivot.surface(scene);
-        let (normal, _) = surface.reaction(self.pivot.load(scene, grip).force);
-        self.regime = Regime::after_slip(surface.friction.is_pressed(normal), sign);
+        self.regime = Regime::after_slip(self.pivot.is_pressed(scene, grip), sign);
     }
 
     /// A slip by `shift` along t, or to what ends it before: how far it goes, and its course.

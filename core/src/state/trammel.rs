@@ -251,10 +251,8 @@ impl<R: Real> Trammel<R> {
             (self.surfaces[0], self.sense.signs[0]),
             (self.surfaces[1], self.sense.signs[1]),
         ];
-        self.sense.reactions = [(first, s1), (second, s2)].map(|(surface, sign)| {
-            let (n, t) = surface.friction.sliding_edge(sign);
-            surface.normal * n + surface.tangent * t
-        });
+        self.sense.reactions = [(first, s1), (second, s2)]
+            .map(|(surface, sign)| surface.direction(surface.friction.sliding_edge(sign)));
         let found = self.quantities(&start, R::ONE);
         self.sense.resistance = found.resistance.value;
         let [first, second] = self.sense.reactions;

@@ -3,6 +3,7 @@
 use super::*;
 use crate::fixtures::{self, sampled};
 use crate::geometry::Angle;
+use crate::geometry::Vec2;
 use crate::scene::Scene;
 
 const EPSILON: f64 = <f64 as Real>::EPSILON;

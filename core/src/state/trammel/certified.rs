@@ -58,12 +58,9 @@ impl<R: Real> Twist<R> {
             return None;
         }
         let signs = velocities.map(R::sign);
-        let reaction = |surface: &Surface<R>, sign: R| {
-            let (n, t) = surface.friction.sliding_edge(sign);
-            surface.normal * n + surface.tangent * t
-        };
         let [s1, s2] = signs;
-        let [f1, f2] = [reaction(&first, s1), reaction(&second, s2)];
+        let [f1, f2] = [(first, s1), (second, s2)]
+            .map(|(surface, sign)| surface.direction(surface.friction.sliding_edge(sign)));
         let (spread, moment) = (f1.cross(f2), arm.cross(f2));
         // (E6) of a force along each tangent at its contact.
         let along = [
