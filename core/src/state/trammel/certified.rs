@@ -96,23 +96,23 @@ impl<R: Real> Twist<R> {
         drives * self.sense
     }
 
-    /// -dE/dx at the frozen hand.
-    fn stability(&self, scene: &impl World<R>, load: &Load<R>) -> R {
+    /// -dE/dx at the frozen hand, the hand going back by `less` before.
+    fn stability(&self, scene: &impl World<R>, load: &Load<R>, less: Vec2<R>) -> R {
         let ([f1, f2], [first, _]) = (self.reactions, self.surfaces);
+        let (pull, spring) = (load.force - less, load.spring - less);
         let force = -(first.tangent * self.slide + load.lever.turned() * self.turn);
         let moment = load.lever.cross(force)
-            - (load.stiffness + load.lever.dot(load.spring) + load.centroid.dot(scene.weight()))
+            - (load.stiffness + load.lever.dot(spring) + load.centroid.dot(scene.weight()))
                 * self.turn;
         let swing = self.arm.turned().cross(f2) * self.turn;
-        let slope =
-            self.spread * moment - swing * f1.cross(load.force) - self.second * f1.cross(force);
+        let slope = self.spread * moment - swing * f1.cross(pull) - self.second * f1.cross(force);
         -slope * self.sense
     }
 
     /// The sizes of both reactions in balance.
-    fn sizes(&self, load: &Load<R>) -> [R; 2] {
+    fn sizes(&self, force: Vec2<R>) -> [R; 2] {
         let [f1, f2] = self.reactions;
-        [-load.force.cross(f2), load.force.cross(f1)].map(|size| size / self.spread)
+        [-force.cross(f2), force.cross(f1)].map(|size| size / self.spread)
     }
 
     /// A bound of |dF/dx|.
@@ -190,11 +190,12 @@ pub(crate) fn certified_slide<R: Real>(
 ) -> Option<CertifiedSlide<R>> {
     let (pivot, other) = contacts;
     let mut twist = Twist::of(scene, contacts, direction)?;
-    let [before, after] = [from, to].map(|grip| pivot.load(scene, grip));
-    if !before.is_representable() || !after.is_representable() {
+    let after = pivot.load(scene, to);
+    if !after.is_representable() {
         return None;
     }
-    let [standing, stability] = [&before, &after].map(|load| twist.stability(scene, load));
+    let Displacement { hand, .. } = from.displacement_to(to);
+    let [standing, stability] = [hand, Vec2::ZERO].map(|less| twist.stability(scene, &after, less));
     let least = standing.min(stability);
     let drive = twist.imbalance(&after);
     if least <= R::divisor() || drive < R::ZERO {
@@ -205,19 +206,18 @@ pub(crate) fn certified_slide<R: Real>(
     let reach = newton + newton.halved().halved();
     let lever = after.lever.length_bound();
     let force_rate = twist.force_rate(lever);
-    let [force, spring] = [|load: &Load<R>| load.force, |load: &Load<R>| load.spring]
-        .map(|of| of(&before).length_bound().max(of(&after).length_bound()));
-    let force = force.max(spring) + force_rate * reach;
+    let before = after.force - hand;
+    let pull = (after.force.length_bound()).max(after.spring.length_bound());
+    let force = pull + hand.length_bound() + force_rate * reach;
     let bend = twist.curvature(scene, &after, force) / least;
     if bend * newton > R::HALF.halved() {
         return None;
     }
     // On the way the hand drives it on, and both press and go on.
-    let Displacement { hand, .. } = from.displacement_to(to);
     let swings = twist.turn.abs() * reach;
     let drive_falls = swings * hand.length_bound() * (lever + twist.arm.length_bound());
     let stray = force_rate * reach / twist.spread.abs() + after.rounding();
-    let [[b1, b2], [a1, a2]] = [&before, &after].map(|load| twist.sizes(load));
+    let [[b1, b2], [a1, a2]] = [before, after.force].map(|force| twist.sizes(force));
     let presses = b1.min(a1) > stray && b2.min(a2) > stray;
     let slows = twist.slows(reach);
     let goes_on = twist.velocities.iter().all(|v| v.abs() > slows);
@@ -237,7 +237,8 @@ pub(crate) fn certified_slide<R: Real>(
     for _ in 0..MAX_CORRECTIONS {
         let moved = end.moved(twist.slide * step, twist.turn * step);
         end = seat_sliding(scene, moved, other);
-        if bend * step * step <= R::EPSILON {
+        // What a step of Newton's leaves.
+        if (bend * step * step).halved() <= R::EPSILON {
             return Some(CertifiedSlide {
                 pivot: end,
                 travel_bound,
@@ -245,7 +246,7 @@ pub(crate) fn certified_slide<R: Real>(
         }
         twist = Twist::of(scene, (&end, other), direction)?;
         let load = end.load(scene, to);
-        step = twist.imbalance(&load) / twist.stability(scene, &load);
+        step = twist.imbalance(&load) / twist.stability(scene, &load, Vec2::ZERO);
     }
     None
 }
