@@ -103,7 +103,7 @@ impl Finding {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Forces and reactions, relative to the largest force in the frame, moments to that force × L; none finer than 64
-    /// roundings of coordinate × stiffness.
+    /// roundings of coordinate × stiffness, moments than these times the lever of the hand.
     pub residual: f64,
     /// Gaps and places, relative to L; none finer than 64 roundings of the farthest coordinate.
     pub gap: f64,

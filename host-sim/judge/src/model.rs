@@ -4,7 +4,7 @@
 use crate::finding::Bounds;
 use crate::frame::{Contact, Frame};
 use crate::scene::{Scene, Surface, centroid, size};
-use crate::vector::{Vec2, add, cross, dot, length, scaled, sub};
+use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
 /// A scene with its size and centroid.
 #[derive(Clone, Debug)]
@@ -189,8 +189,14 @@ impl Model {
         let extent = self.extent(frame).max(x.abs()).max(y.abs());
         let floor = carried * self.scene.stiffness_translation * extent;
         let force = largest.max(floor).max(f64::MIN_POSITIVE);
+        // A force that is known to a rounding has a moment that is known to its lever times that.
+        let holding = self.holding_point(frame.pose, grip);
+        let levers = (frame.contacts.iter())
+            .map(|contact| distance(self.vertex(frame.pose, contact), holding));
+        let lever = levers.fold(0.0, f64::max) / self.size;
         let moment = (springs.moment.abs() / self.size)
-            .max(carried * self.scene.stiffness_rotation * turns / self.size);
+            .max(carried * self.scene.stiffness_rotation * turns / self.size)
+            .max(floor * lever);
         Scale {
             force,
             moment: force.max(moment),

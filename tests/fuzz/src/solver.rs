@@ -64,13 +64,13 @@ fn hand<R: Number>((pose, held): ([f64; 3], bool)) -> Hand<R::Si> {
     if held { hand } else { hand.released() }
 }
 
-/// Those of `stiction check`. A body may start up to 1e-5 of its size in a surface. A point that is held from afar, by levers
-/// of several of its units of length, has moments of as many roundings.
+/// Those of `stiction check`. A body may start up to 1e-5 of its size in a surface. What reactions leave of a load counts as none up to
+/// four of its roundings (STATICS 10.1).
 fn bounds<R: Number>() -> Bounds {
     let (of_type, roundings) = match R::NAME {
         // What two contacts leave of their load counts as none up to 1e-10 k_h L.
         "f64" => (Bounds::DOUBLE, 64.0),
-        _ => (Bounds::SINGLE, 8.0),
+        _ => (Bounds::SINGLE, 4.0),
     };
     Bounds {
         gap: of_type.gap.max(1.1e-5),

@@ -211,10 +211,13 @@ impl<R: Real> Slides<R> {
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
 
-    /// The slide would go back as the hand goes on (rule 7).
+    /// The slide would go back as the hand goes on (rule 7), or its balance lies behind even where the hand ends, as of a body that was
+    /// seated anew: contacts that slid stick there.
     fn recedes(&self, start: &Progress<R>, standing: &Standing<R>) -> bool {
         let [v1, v2] = start.velocities.map(|v| v.value.abs());
+        let left = start.rest + start.drive.times(self.unit);
         start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
+            || left.value < -R::of_searches(left.error)
     }
 
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
