@@ -1,4 +1,4 @@
-//! The certified frame of two contacts that slide with the hand (STATICS 3.4, 5): the hand goes a short path, and both go on sliding
+//! The certified frame of two contacts that slide with the hand (STATICS 5, (E15)): the hand goes a short path, and both go on sliding
 //! in balance. That nothing else happens follows from the loads at the ends of the hand's path on the body as it is.
 
 use crate::contact::Pair;
@@ -201,7 +201,7 @@ pub(crate) fn certified_slide<R: Real>(
     if least <= R::divisor() || drive < R::ZERO {
         return None;
     }
-    // There is one balance within 5/4 of Newton's step for every part of the path (Kantorovich), with bend·step <= 1/4.
+    // (E15): there is one balance within reach for every part of the path.
     let newton = drive / least;
     let reach = newton + newton.halved().halved();
     let lever = after.lever.length_bound();
