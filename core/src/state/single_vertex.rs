@@ -177,14 +177,15 @@ impl<R: Real> SingleVertex<R> {
         let mut segment = Segment::pinned(scene, &load, &displacement, &self.contacts());
         let Reaction { normal, friction } = Self::reaction(&load, &surface, &displacement);
         let stiction = self.regime.has_stiction();
-        for sign in [R::ONE, -R::ONE] {
-            let holds = (surface.friction).holds((normal, friction), stiction, sign);
-            segment.stop_at(&holds, Trigger::Slide(sign));
-        }
+        // Of what happens at one place the last counts.
         if let Some(loosens) = surface.friction.loosens(normal)
             && !stiction
         {
             segment.stop_at(&loosens, Trigger::Pressed);
+        }
+        for sign in [R::ONE, -R::ONE] {
+            let holds = (surface.friction).holds((normal, friction), stiction, sign);
+            segment.stop_at(&holds, Trigger::Slide(sign));
         }
         segment.stop_at(&normal, Trigger::Clear);
         segment.turn_with_hand(scene, &mut self.pivot, to)

@@ -209,3 +209,30 @@ mod cases {
         }
     }
 }
+
+/// A point that is held at itself but for a rounding swings round at the first pull: it slides where that is out of the cone.
+#[test]
+fn point_held_at_itself_is_pulled_out_of_its_cone() {
+    let mut setup = Setup::new(&[[0.5, 0.0]])
+        .at([0.0, 0.0, -std::f64::consts::PI])
+        .held_at([0.5, 0.0])
+        .springs(1.0, 0.0);
+    setup.surfaces = vec![stiction_core::SurfaceDescription {
+        normal: [6.123_233_995_736_766e-17, 1.0],
+        offset: -9.184_850_993_605_148e-17,
+        friction_static: 0.1,
+        friction_dynamic: 0.06,
+        memory: None,
+    }];
+    let turn = -std::f64::consts::PI;
+    let hands = [
+        [-0.5, -6.123_233_995_736_766e-17, turn],
+        [
+            -0.492_137_876_682_630_87,
+            -0.025,
+            turn + std::f64::consts::PI / 12.0,
+        ],
+    ];
+    let frames = stiction_tests::run::run::<f64>(&setup, Evolution::Path, &hands);
+    stiction_tests::laws::assert_lawful_run::<f64>(&setup, Evolution::Path, &frames);
+}
