@@ -2,14 +2,12 @@
 //! until the body rests.
 
 use crate::contact::{Pair, Pairs, Regime};
-use crate::detect::Placed;
 use crate::event::{Event, StateKind, Status};
 use crate::grip::Grip;
 use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::{ContactState, Free};
-use crate::thresholds::Thresholds;
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
 };
@@ -53,9 +51,10 @@ pub(crate) fn run<R: Real>(
     mut next: Next<R>,
     log: &mut Log<R>,
 ) {
-    let mut attempts = Attempts::default();
+    let mut tried = Tried::default();
     for _ in 0..MAX_TRANSITIONS {
         let had_stiction = state.regime().has_stiction();
+        let begin = tried.any().then(|| state.placed(scene));
         let moved = match next {
             Next::Rest => {
                 if state.regime() == Regime::LOOSE {
@@ -67,12 +66,15 @@ pub(crate) fn run<R: Real>(
                 if !had_stiction {
                     state.set_regime(Regime::LOOSE);
                 }
-                let attempt = attempts.count(&state.placed(scene), state.kind());
-                state.relax(scene, grip, Relax { sliding, attempt })
+                let tried = tried.next(state.kind());
+                state.relax(scene, grip, Relax { sliding, tried })
             }
             Next::Slip(sign) => state.slip(scene, grip, sign),
             Next::Snap(direction) => state.snap(scene, grip, direction),
         };
+        if begin.is_some_and(|begin| !state.placed(scene).is_near(&begin, R::MICRO)) {
+            tried = Tried::default();
+        }
         record(state, &moved, &next, log);
         let sliding = match next {
             Next::Slip(sign) => sign,
@@ -108,27 +110,28 @@ pub(crate) fn log_slide<R: Real>(
     }
 }
 
-/// Counts how often a state of several contacts gives way at one and the same pose.
-#[derive(Default)]
-struct Attempts<R: Real> {
-    two_vertex: Option<(Placed<R>, usize)>,
-    locked: Option<(Placed<R>, usize)>,
+/// How many motions of contacts that fix the pose were tried since a verb last moved the body: those did not move it.
+#[derive(Default, PartialEq)]
+struct Tried {
+    two_vertex: usize,
+    locked: usize,
 }
 
-impl<R: Real> Attempts<R> {
-    fn count(&mut self, placed: &Placed<R>, kind: StateKind) -> usize {
-        let record = match kind {
+impl Tried {
+    fn any(&self) -> bool {
+        *self != Self::default()
+    }
+
+    /// So many before the next one.
+    fn next(&mut self, kind: StateKind) -> usize {
+        let tried = match kind {
             StateKind::TwoVertex => &mut self.two_vertex,
             StateKind::Locked => &mut self.locked,
             _ => return 0,
         };
-        let aside = R::aside();
-        let count = match record {
-            Some((last, count)) if placed.is_near(last, aside) => count.saturating_add(1),
-            _ => 0,
-        };
-        *record = Some((*placed, count));
-        count
+        let before = *tried;
+        *tried = before.saturating_add(1);
+        before
     }
 }
 

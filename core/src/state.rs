@@ -242,7 +242,7 @@ impl<R: Real> ContactState<R> {
             Self::Edge(s) if W::EDGES => s.relax(scene, grip, how.sliding),
             Self::TwoVertex(s) if W::SURFACES => s.relax(scene, grip, how),
             Self::Corner(s) if W::SURFACES => s.relax(scene, grip),
-            Self::Locked(s) if W::SURFACES => s.relax(scene, grip, how.attempt),
+            Self::Locked(s) if W::SURFACES => s.relax(scene, grip, how.tried),
             _ => absent(),
         }
     }

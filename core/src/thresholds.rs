@@ -79,12 +79,6 @@ pub(crate) trait Thresholds: Real {
         Self::from_int(16)
     }
 
-    /// 16 times [`Real::MICRO`] (L): contacts on surfaces at an angle of 1/16 and more are seated no farther aside than this where a gap
-    /// that was closed to [`Real::MICRO`] is closed to the rounding.
-    fn aside() -> Self {
-        Self::MICRO * Self::from_int(16)
-    }
-
     /// 2 [`Real::TOUCH`] (L): a contact that is met within this was there before. Its gap at the beginning and the touch are each known to
     /// one.
     fn met_before() -> Self {

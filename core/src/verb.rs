@@ -43,8 +43,8 @@ pub(crate) enum Trigger<R> {
 pub(crate) struct Relax<R> {
     /// The direction in which the first contact is already in motion.
     pub(crate) sliding: Option<R>,
-    /// How many motions were begun in vain from this very pose.
-    pub(crate) attempt: usize,
+    /// How many motions of these contacts were tried that did not move the body.
+    pub(crate) tried: usize,
 }
 
 /// The outcome of a verb, which has moved the state.

@@ -247,3 +247,27 @@ fn touch_is_not_clear() {
         assert_eq!(at.is_clear(&scene, 0.0), !touches, "{height}");
     }
 }
+
+/// Shift and turn count together, of either sign.
+#[test]
+fn near_is_neither_shifted_nor_turned_by_more_than_a_little() {
+    const LITTLE: f64 = 1e-3;
+    let placed = |x: f64, y: f64, turn: f64| Placed {
+        point: Vec2::new(5.0 + LITTLE * x, -3.0 + LITTLE * y),
+        body_point: Vec2::ZERO,
+        orientation: Orientation::new(Angle::from_radians(0.3 + LITTLE * turn)),
+        on: None,
+    };
+    let here = placed(0.0, 0.0, 0.0);
+    for (x, y, turn) in [(0.4, 0.0, 0.4), (0.4, -0.4, 0.0), (0.0, 0.0, -0.9)] {
+        assert!(here.is_near(&placed(x, y, turn), LITTLE));
+    }
+    for (x, y, turn) in [
+        (0.8, 0.0, 0.8),
+        (0.8, 0.0, -0.8),
+        (-2.0, 0.0, 0.0),
+        (0.0, 0.0, -2.0),
+    ] {
+        assert!(!here.is_near(&placed(x, y, turn), LITTLE));
+    }
+}

@@ -1,8 +1,7 @@
-//! What a trigger leads to, and the counts of what was tried in vain.
+//! What a trigger leads to, and the counts of motions that were tried.
 
 use super::*;
 use crate::fixtures;
-use crate::geometry::{Angle, Orientation, Vec2};
 use crate::state::{Edge, SingleVertex};
 
 use StateKind as Kind;
@@ -87,52 +86,27 @@ fn pivot_that_lasts_stays_to_the_bit() {
     }
 }
 
+/// Contacts of two surfaces and of more, each by themselves.
 #[test]
-fn attempts_are_counted_while_nothing_moves() {
-    const ASIDE: f64 = 16.0 * <f64 as Real>::MICRO;
-    const NEAR: f64 = 0.4 * ASIDE;
-    const FAR: f64 = 0.8 * ASIDE;
-    let placed = |x: f64, y: f64, turn: f64| Placed {
-        point: Vec2::new(5.0 + x, -3.0 + y),
-        body_point: Vec2::ZERO,
-        orientation: Orientation::new(Angle::from_radians(0.3 + turn)),
-        on: None,
-    };
-    let here = placed(0.0, 0.0, 0.0);
-    for kind in [Kind::TwoVertex, Kind::Locked] {
-        let mut attempts = Attempts::default();
+fn motions_that_were_tried_are_counted_for_each_kind_of_state() {
+    for (kind, other) in [
+        (Kind::TwoVertex, Kind::Locked),
+        (Kind::Locked, Kind::TwoVertex),
+    ] {
+        let mut tried = Tried::default();
+        assert!(!tried.any());
         for count in 0..5 {
-            assert_eq!(attempts.count(&here, kind), count);
+            assert_eq!(tried.next(kind), count);
+            assert!(tried.any());
         }
-        // Of another state by itself.
-        let other = if kind == Kind::Locked {
-            Kind::TwoVertex
-        } else {
-            Kind::Locked
-        };
-        assert_eq!(attempts.count(&here, other), 0);
-        assert_eq!(attempts.count(&here, kind), 5);
-        // From the last place, so that it may creep.
-        assert_eq!(attempts.count(&placed(NEAR, 0.0, NEAR), kind), 6);
-        assert_eq!(attempts.count(&placed(NEAR, -NEAR, 0.0), kind), 7);
-        let moves = [
-            (FAR, 0.0, FAR),
-            (FAR, 0.0, -FAR),
-            (-2.0 * FAR, 0.0, 0.0),
-            (0.0, 0.0, -2.0 * FAR),
-        ];
-        for (x, y, turn) in moves {
-            attempts.count(&here, kind);
-            assert!(attempts.count(&here, kind) > 0);
-            assert_eq!(attempts.count(&placed(x, y, turn), kind), 0);
-        }
+        assert_eq!([other, other, kind].map(|k| tried.next(k)), [0, 1, 5]);
         for single in [
             Kind::NonContact,
             Kind::SingleVertex,
             Kind::Edge,
             Kind::Corner,
         ] {
-            assert_eq!([0; 3].map(|_| attempts.count(&here, single)), [0; 3]);
+            assert_eq!([0; 3].map(|_| tried.next(single)), [0; 3]);
         }
     }
 }

@@ -150,12 +150,12 @@ impl<R: Real> FixedPose<R> {
         load.release() + of_reactions.doubled()
     }
 
-    /// At rest, or what begins. `attempt`: how many motions were tried in vain.
-    pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Trigger<R> {
+    /// At rest, or what begins. `tried`: how many motions did not move the body.
+    pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Trigger<R> {
         if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
         } else {
-            self.give_way(scene, (grip, grip), attempt)
+            self.give_way(scene, (grip, grip), tried)
         }
     }
 
@@ -184,10 +184,10 @@ impl<R: Real> FixedPose<R> {
         &self,
         scene: &impl World<R>,
         grips: (&Grip<R>, &Grip<R>),
-        attempt: usize,
+        tried: usize,
     ) -> Trigger<R> {
         let mut motions = self.motions(scene, grips);
-        motions.nth(attempt).unwrap_or(Trigger::Undriven)
+        motions.nth(tried).unwrap_or(Trigger::Undriven)
     }
 
     /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with

@@ -54,9 +54,9 @@ impl<R: Real> Locked<R> {
     }
 
     /// Puts the contacts to the test as they are.
-    pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, attempt: usize) -> Moved<R> {
+    pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
         let fixed_pose = self.fixed_pose(scene);
-        Moved::by(fixed_pose.test(scene, grip, attempt))
+        Moved::by(fixed_pose.test(scene, grip, tried))
     }
 
     pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {

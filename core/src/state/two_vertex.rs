@@ -195,7 +195,7 @@ impl<R: Real> TwoVertex<R> {
             || Trammel::driven(scene, (&self.pivot, self.other), grip, Demand::Pressed).is_some();
         Moved::by(match how.sliding {
             Some(sign) if driven() => Trigger::Slide(sign),
-            _ => slides(self.fixed_pose(scene).test(scene, grip, how.attempt)),
+            _ => slides(self.fixed_pose(scene).test(scene, grip, how.tried)),
         })
     }
 
