@@ -172,7 +172,7 @@ impl<R: Real> ContactState<R> {
             return;
         }
         self.set_regime(Regime::Stick { stiction: true });
-        let reactions = self.reactions(scene, grip, &self.load(scene, grip));
+        let (reactions, _) = self.reactions(scene, grip, &self.load(scene, grip));
         let contacts = self.contacts();
         let mut pairs = contacts.iter().zip(&reactions);
         let is_pressed = pairs.any(|(contact, &[normal, _])| {
@@ -278,29 +278,22 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// The directions along t in which the contacts slide: 0 where they stick.
-    pub(crate) fn sliding<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> [R; 2] {
-        match (self, self.regime().slide()) {
-            (Self::TwoVertex(s), Some(sense)) if W::SURFACES => s.sliding_signs(scene, grip, sense),
-            (_, Some(sign)) => [sign; 2],
-            (_, None) => [R::ZERO; 2],
-        }
-    }
-
+    /// The reactions, (N, T) of each contact, and the directions along t in which the contacts slide: 0 where they stick.
     pub(crate) fn reactions<W: World<R>>(
         &self,
         scene: &W,
         grip: &Grip<R>,
         load: &Load<R>,
-    ) -> Reactions<R> {
-        match self {
+    ) -> (Reactions<R>, [R; 2]) {
+        let reactions = match self {
+            Self::TwoVertex(s) if W::SURFACES => return s.reactions(scene, grip, load),
             Self::SingleVertex(s) => s.reactions(scene, load),
             Self::Edge(s) if W::EDGES => s.reactions(scene, load),
-            Self::TwoVertex(s) if W::SURFACES => s.reactions(scene, grip, load),
             Self::Corner(s) if W::SURFACES => s.reactions(scene, load),
             Self::Locked(s) if W::SURFACES => s.reactions(scene, load),
             _ => Reactions::new(),
-        }
+        };
+        (reactions, [self.regime().slide().unwrap_or(R::ZERO); 2])
     }
 
     /// The state of a pivot and further contacts that all touch to within a tolerance; the pose is seated on them.

@@ -52,11 +52,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let units = self.scene.units;
         let placed = state.contact.placed(&self.scene);
         let load = Load::new(&self.scene, placed, &state.grip);
-        let mut reactions = state.contact.reactions(&self.scene, &state.grip, &load);
+        let (mut reactions, sliding) = (state.contact).reactions(&self.scene, &state.grip, &load);
         if !state.held {
             reactions.clear();
         }
-        let sliding = state.contact.sliding(&self.scene, &state.grip);
         let mut contacts = Contacts::default();
         for (i, pair) in state.contact.contacts().iter().enumerate() {
             let [normal, friction] = reactions.get(i).copied().unwrap_or_default();

@@ -182,22 +182,12 @@ impl<R: Real> Trammel<R> {
             // What balances the force does so to the last digit.
             let force = self.load.force;
             let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
-            return self.on_edges(sizes);
+            return on_edges((&self.surfaces, self.sense.signs), sizes);
         }
         let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
         let per = found.resistance.value * self.per_load;
-        self.on_edges(found.normals.map(|size| size.value / per))
-    }
-
-    /// (N, T) of both contacts from the parts of their reactions along the edges of the dynamic cones.
-    fn on_edges(&self, sizes: [R; 2]) -> [[R; 2]; 2] {
-        let ([first, second], [s1, s2]) = (self.surfaces, self.sense.signs);
-        let [size1, size2] = sizes;
-        [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {
-            let (n, t) = surface.friction.sliding_edge(sign);
-            let size = size.max(R::ZERO);
-            [size * n, size * t]
-        })
+        let sizes = found.normals.map(|size| size.value / per);
+        on_edges((&self.surfaces, self.sense.signs), sizes)
     }
 
     /// Slide along t1 and turn, per unit of the motion.
@@ -365,6 +355,30 @@ impl<R: Real> Trammel<R> {
             _ => Ending::Reverses,
         }
     }
+}
+
+/// What two contacts bear that slide in balance in a sense of the unit twist, (N, T) of each, and the signs of their velocities.
+pub(crate) fn sliding_reactions<R: Real>(
+    scene: &impl World<R>,
+    contacts: (&Pivot<R>, Pair),
+    (grip, load): (&Grip<R>, &Load<R>),
+    direction: R,
+) -> ([[R; 2]; 2], [R; 2]) {
+    if let Some(found) = certified::sliding_reactions(scene, contacts, load.force, direction) {
+        return found;
+    }
+    let trammel = Trammel::in_sense(scene, contacts, grip, direction);
+    (trammel.reactions(), trammel.signs())
+}
+
+/// (N, T) of contacts that slide from the parts of their reactions along the edges of the dynamic cones.
+fn on_edges<R: Real>((surfaces, signs): (&[Surface<R>; 2], [R; 2]), sizes: [R; 2]) -> [[R; 2]; 2] {
+    let ([first, second], [s1, s2], [size1, size2]) = (surfaces, signs, sizes);
+    [(first, s1, size1), (second, s2, size2)].map(|(surface, sign, size)| {
+        let (n, t) = surface.friction.sliding_edge(sign);
+        let size = size.max(R::ZERO);
+        [size * n, size * t]
+    })
 }
 
 #[cfg(test)]

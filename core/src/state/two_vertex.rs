@@ -2,7 +2,9 @@
 //! reactions within their cones (E5); beyond that the body moves with one degree of freedom, like a trammel.
 
 use super::fixed_pose::FixedPose;
-use super::trammel::{Demand, Ending, SlideEnding, Slides, Trammel, certified_slide};
+use super::trammel::{
+    Demand, Ending, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
+};
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::grip::Grip;
 use crate::list::gather;
@@ -184,11 +186,6 @@ impl<R: Real> TwoVertex<R> {
         }
     }
 
-    /// The directions along t in which both slide.
-    pub(crate) fn sliding_signs(&self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> [R; 2] {
-        Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense).signs()
-    }
-
     /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
         let driven =
@@ -308,17 +305,19 @@ impl<R: Real> TwoVertex<R> {
         self.fixed_pose(scene).release(scene, grip)
     }
 
+    /// The reactions, and the directions along t in which the contacts slide: 0 where they stick.
     pub(crate) fn reactions(
         &self,
         scene: &impl World<R>,
         grip: &Grip<R>,
         load: &Load<R>,
-    ) -> Reactions<R> {
+    ) -> (Reactions<R>, [R; 2]) {
         if let Some(sense) = self.regime.slide() {
-            let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
-            return gather(trammel.reactions());
+            let contacts = (&self.pivot, self.other);
+            let (reactions, signs) = sliding_reactions(scene, contacts, (grip, load), sense);
+            return (gather(reactions), signs);
         }
-        self.fixed_pose(scene).reactions(scene, load)
+        (self.fixed_pose(scene).reactions(scene, load), [R::ZERO; 2])
     }
 }
 

@@ -133,6 +133,9 @@ impl<R: Real> WrenchCone<R> {
         let mut remainder = self.remainder(load, &parts);
         let mut left = remainder.size();
         for _ in 0..2 {
+            if left <= R::of_sums(load.size()) {
+                break;
+            }
             let triple = self.triples().filter_map(|t| self.on_three(t, remainder));
             let triple = triple.map(|(solution, _)| solution);
             let pair = self.pairs().filter_map(|p| self.on_two(p, remainder));

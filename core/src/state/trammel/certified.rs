@@ -1,6 +1,7 @@
 //! The certified frame of two contacts that slide with the hand (STATICS 5, (E15)): the hand goes a short path, and both go on sliding
 //! in balance. That nothing else happens follows from the loads at the ends of the hand's path on the body as it is.
 
+use super::on_edges;
 use crate::contact::Pair;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -172,6 +173,19 @@ impl<R: Real> Twist<R> {
         let speeds = self.velocities.map(R::abs);
         memories.into_iter().zip(speeds)
     }
+}
+
+/// What both contacts bear, and the signs of their velocities, where the force alone says so to the last digit.
+pub(super) fn sliding_reactions<R: Real>(
+    scene: &impl World<R>,
+    contacts: (&Pivot<R>, Pair),
+    force: Vec2<R>,
+    direction: R,
+) -> Option<([[R; 2]; 2], [R; 2])> {
+    let twist = Twist::of(scene, contacts, direction)?;
+    let signs = twist.velocities.map(R::sign);
+    let reactions = || on_edges((&twist.surfaces, signs), twist.sizes(force));
+    (twist.spread.abs() > R::spread()).then(|| (reactions(), signs))
 }
 
 /// A certified slide.
