@@ -53,7 +53,7 @@ impl<R: Real> CertifiedTurn<R> {
         let least = moment.stability() - drive.hold.x.max(R::ZERO);
         let pull = drive.hold.length_bound();
         let size = moment.curvature_bound() + pull;
-        if least <= R::ZERO || pull > least.halved() || !moment.is_representable() {
+        if least <= R::ZERO || pull > least.halved() {
             return None;
         }
         let per_stability = R::ONE / moment.stability();

@@ -97,10 +97,20 @@ impl<R: Real> Load<R> {
         self.stiffness + self.hold.x
     }
 
-    /// The number type can certainly represent the pull, the turn and the moments of both.
+    /// The number type can represent the pull, the turn, and the moments of both about the pinned point.
     pub(crate) fn is_representable(&self) -> bool {
-        self.hold.length_bound() + self.couple.abs() <= R::LOAD
-            && self.spring.length_bound() + self.lever.length_bound() <= R::RANGE
+        self.fits(self.hold.length_bound())
+    }
+
+    /// The same with the moments about a foot that slides, by its lever at most.
+    pub(crate) fn is_representable_sliding(&self) -> bool {
+        let lever = self.lever.length_bound();
+        self.fits(self.hold.length_bound().max(lever * lever))
+    }
+
+    fn fits(&self, moment: R) -> bool {
+        moment + self.couple.abs() <= R::LOAD
+            && (self.spring + self.lever).length_bound() <= R::RANGE
             && self.turn.abs() <= R::TURN
     }
 

@@ -95,11 +95,6 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         }
     }
 
-    /// The number type can represent the moments of the load.
-    pub(crate) fn is_representable(&self) -> bool {
-        self.harmonic.bound(self.hold.length_bound(), 1) + self.couple.abs() <= R::LOAD
-    }
-
     /// The turn that takes the rounding out of a balance; none next to a fold, where Newton's step is not certain to lead
     /// to this balance (the condition of Kantorovich).
     pub(crate) fn polish(&self) -> R {

@@ -14,7 +14,6 @@ use crate::real::Real;
 use crate::scene::Scene;
 use crate::settle::settle;
 use crate::state::{ContactState, Free};
-use crate::world::World;
 
 mod answer;
 mod evolve;
@@ -287,7 +286,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             hand: position,
             angle: angle.offset_from(rest_offset),
         };
-        if !self.can_represent(&state.contact, &grip) {
+        if !state.contact.can_be_held(&self.scene, &grip) {
             log.limit(Status::Saturated);
             return;
         }
@@ -302,19 +301,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.contact.press(&self.scene, &state.grip);
         settle(&self.scene, &state.grip, &mut state.contact, log);
         self.rest(state, log);
-    }
-
-    /// The number type can represent the springs between a body and a hand: the pull, the turn, and the moment of both.
-    fn can_represent(&self, contact: &ContactState<R>, grip: &Grip<R>) -> bool {
-        let placed = contact.placed(&self.scene);
-        let pull = (grip.hand - placed.point).length_bound();
-        let lever = (grip.holding_point - placed.body_point).length_bound();
-        // The balance of a contact that glides is one in the square of its lever.
-        let pull = if self.glides() { pull.max(lever) } else { pull };
-        let turn = grip.angle.minus(placed.orientation.angle()).abs();
-        pull <= R::RANGE
-            && turn <= R::TURN
-            && lever * pull + self.scene.stiffness() * turn <= R::LOAD
     }
 }
 

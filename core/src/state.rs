@@ -107,6 +107,16 @@ impl<R: Real> ContactState<R> {
         self.placed(scene).pose()
     }
 
+    /// The number type can represent the springs between the body and a hand.
+    pub(crate) fn can_be_held<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+        let load = self.load(scene, grip);
+        if W::GLIDES {
+            load.is_representable_sliding()
+        } else {
+            load.is_representable()
+        }
+    }
+
     /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
     pub(crate) fn is_jammed<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
         match self {

@@ -5,18 +5,27 @@ use crate::fixtures::{Random, loads, unloaded};
 
 mod sliding;
 
-/// The pull on the lever and the couple together, each of either sign, up to what the number type represents.
+/// The pull on the lever and the couple together, each of either sign, up to what the number type represents; and so the square of
+/// the lever alone, which is the moment of a foot that slides to below the holding point.
 #[test]
 fn load_is_representable_together_with_the_couple() {
     let most = <f64 as Real>::LOAD;
     for (pull, couple) in loads() {
-        let load = Load {
+        let hold = Load {
             couple: couple * most,
             hold: Vec2::new(0.0, pull * most),
             ..unloaded()
         };
+        let lever = Load {
+            lever: Vec2::new(0.0, libm::sqrt(pull.abs() * most)),
+            hold: Vec2::ZERO,
+            ..hold
+        };
         let fits = pull.abs() + couple.abs() <= 1.0;
-        assert_eq!(load.is_representable(), fits, "{pull} {couple}");
+        assert_eq!(hold.is_representable(), fits, "{pull} {couple}");
+        for load in [hold, lever] {
+            assert_eq!(load.is_representable_sliding(), fits, "{pull} {couple}");
+        }
     }
 }
 

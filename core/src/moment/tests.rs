@@ -1,7 +1,7 @@
 //! The turns downhill against slow searches: folds and balances; what is polished and what is representable.
 
 use super::*;
-use crate::fixtures::{loads, number, searches};
+use crate::fixtures::{number, searches};
 use crate::real::Fixed;
 
 /// STATICS 11: where u + kappa sin u = delta lands beyond its fold.
@@ -69,18 +69,6 @@ fn soft_grip_is_polished() {
     let unstable = moment::<Fixed>(1e-6, 0.1, (-0.2, 0.0));
     assert_eq!(unstable.polish(), <Fixed as Real>::ZERO);
     assert_eq!(unstable.softness(), <Fixed as Real>::ONE);
-}
-
-/// Load and couple together, each of either sign, up to what the number type represents.
-#[test]
-fn load_is_representable_together_with_the_couple() {
-    let most = <Fixed as Real>::LOAD.to_si(1.0) as f64;
-    for (load, couple) in loads() {
-        let (load, couple) = (load * most, couple * most);
-        let moment = moment::<Fixed>(couple, 0.1, (load, 0.0));
-        let fits = load.abs() + couple.abs() <= most;
-        assert_eq!(moment.is_representable(), fits, "{load} {couple}");
-    }
 }
 
 /// From anywhere downhill to the first balance, by small steps; the springs' couple alone may outweigh the load for turns.

@@ -9,10 +9,8 @@ use crate::log::Log;
 use crate::model::Model;
 use crate::path_event::happens;
 use crate::real::Real;
-use crate::scene::Scene;
 use crate::settle::{rests, settle};
 use crate::verb::Trigger;
-use crate::world::World;
 
 /// How a frame is evolved (STATICS 7).
 ///
@@ -101,7 +99,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             state.unrest = Status::Ok;
             return true;
         }
-        if !self.can_represent(&state.contact, &to) {
+        if !state.contact.can_be_held(&self.scene, &to) {
             return false;
         } else if matches!(state.unrest, Status::Ok | Status::Jammed) {
             self.along_path(state, &to, log);
@@ -151,10 +149,5 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.limit(Status::EventLimit);
         }
         settle(&self.scene, to, &mut state.contact, log);
-    }
-
-    /// Contacts glide.
-    pub(super) const fn glides(&self) -> bool {
-        <Scene<R, V, S, M> as World<R>>::GLIDES
     }
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::contact::Pair;
 use crate::fixtures::{sampled, scene, searches};
 use crate::hand::Hand;
+use crate::world::World;
 use core::f64::consts::FRAC_PI_2;
 
 /// Boxes and rods that are dragged, turned and pushed into a corner, with searches that give up after one step, two steps and so on.

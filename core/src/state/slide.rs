@@ -32,7 +32,7 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> bool {
         let load = self.pivot.load(scene, to);
-        if load.swings(scene) || !load.is_representable() {
+        if load.swings(scene) || !load.is_representable_sliding() {
             return false;
         }
         let (surface, edge) = self.sliding(scene, sign);
