@@ -270,7 +270,9 @@ fn opens<R: Real, W: World<R>>(
         .next();
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
-        s.slide_on(scene, path.0, along);
+        if !s.slide_on(scene, path.0, (along, other)) {
+            return Outcome::Next(Next::Relax(None));
+        }
         if path.0.swings(scene) {
             // A single vertex that slides bears nothing: it may stick instead.
             s.begin(scene, path);

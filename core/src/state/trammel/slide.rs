@@ -217,7 +217,7 @@ impl<R: Real> Slides<R> {
         let [v1, v2] = start.velocities.map(|v| v.value.abs());
         let left = start.rest + start.drive.times(self.unit);
         start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
-            || left.value < -R::of_searches(left.error)
+            || left.value < -R::beyond_doubt(left.error)
     }
 
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
@@ -267,8 +267,13 @@ impl<R: Real> Slides<R> {
             return (nowhere, R::ZERO, SlideEnding::Halts);
         }
         let remembers = self.has_stiction() && !self.is_pressed(start, &standing);
-        let (mut x, mut ending, unsure) =
-            self.first_ending(self.window(start, &standing), remembers);
+        // What drives it back by a rounding leaves it where it is.
+        let is_driven = start.drive.value > R::ZERO;
+        let (mut x, mut ending, unsure) = if is_driven {
+            self.first_ending(self.window(start, &standing), remembers)
+        } else {
+            (R::ZERO, SlideEnding::Arrives, false)
+        };
         let mut arrival = None;
         if let SlideEnding::Arrives = ending {
             let (polished, last) = self.polished(x);
