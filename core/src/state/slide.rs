@@ -247,7 +247,12 @@ impl<R: Real> SingleVertex<R> {
     ) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
-        let is_balanced = self.rest(scene, grip, &edge);
+        let is_balanced = if grip.swings(scene) {
+            self.pivot.slide(scene, grip, &edge);
+            self.swing(scene, grip, sign).is_balanced()
+        } else {
+            self.rest(scene, grip, &edge)
+        };
         let inside = self.pivot.placed(scene).touching(scene, -R::TOUCH);
         let slides = is_balanced && inside.iter().all(|pair| *pair == other);
         if slides {

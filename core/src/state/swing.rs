@@ -62,9 +62,8 @@ impl<R: Real> Swing<R> {
 
     /// The bearing lever points away from the surface: it turns out of the way at once.
     pub(super) fn topples(&self) -> bool {
-        let (normal, _) = self.surface.reaction(self.load.force);
         let rounding = self.load.rounding_with_foot();
-        normal > rounding && self.load.lever.dot(self.edge.reaction) > rounding
+        !self.is_unloaded() && self.load.lever.dot(self.edge.reaction) > rounding
     }
 
     /// The turn that lays the lever on the edge of the cone, into the surface.
@@ -130,12 +129,23 @@ impl<R: Real> Swing<R> {
         self.along(displacement.hand, along(self.side, self.sign))
     }
 
+    /// The vertex bears nothing but rounding.
+    fn is_unloaded(&self) -> bool {
+        let (normal, _) = self.surface.reaction(self.load.force);
+        normal <= self.load.rounding_with_foot()
+    }
+
+    /// A slide is in balance: the vertex bears nothing, or bears on the edge of the cone.
+    pub(super) fn is_balanced(&self) -> bool {
+        self.is_unloaded() || self.bears()
+    }
+
     /// At a frozen hand, in a direction: to where the vertex bears nothing, or to where the lever bears on the edge of the cone.
     fn downhill(&self, direction: R) -> R {
-        let (normal, _) = self.surface.reaction(self.load.force);
-        if normal <= self.load.rounding_with_foot() {
+        if self.is_unloaded() {
             return R::ZERO;
         }
+        let (normal, _) = self.surface.reaction(self.load.force);
         let ahead = |turn: R| {
             let turn = along(direction, turn);
             if turn < R::ZERO { turn + R::TAU } else { turn }
