@@ -270,7 +270,7 @@ fn opens<R: Real, W: World<R>>(
         .next();
     if let (ContactState::SingleVertex(s), Some(other)) = (&mut *state, other) {
         let along = sliding.unwrap_or(sign);
-        if !s.slide_on(scene, path.0, (along, other)) {
+        if !s.slide_on(scene, path.0, along) {
             return Outcome::Next(Next::Relax(None));
         }
         if path.0.swings(scene) {

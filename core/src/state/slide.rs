@@ -5,7 +5,7 @@
 use super::SingleVertex;
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::contact::{Pair, Regime};
+use crate::contact::Regime;
 use crate::detect::PointPath;
 use crate::friction::SlidingEdge;
 use crate::geometry::Vec2;
@@ -239,12 +239,7 @@ impl<R: Real> SingleVertex<R> {
     /// Slides on along sign·t, where another contact has let go, in balance: to what two contacts bear together a slide is found less
     /// exactly than to the balance of one. False, and it sticks where it is, if there is no such balance, or if it is inside a surface:
     /// a soft grip turns far to it.
-    pub(crate) fn slide_on(
-        &mut self,
-        scene: &impl World<R>,
-        grip: &Grip<R>,
-        (sign, other): (R, Pair),
-    ) -> bool {
+    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
         let is_balanced = if grip.swings(scene) {
@@ -254,7 +249,7 @@ impl<R: Real> SingleVertex<R> {
             self.rest(scene, grip, &edge)
         };
         let inside = self.pivot.placed(scene).touching(scene, -R::TOUCH);
-        let slides = is_balanced && inside.iter().all(|pair| *pair == other);
+        let slides = is_balanced && inside.is_empty();
         if slides {
             self.regime = Regime::Slide(sign);
         } else {

@@ -174,11 +174,12 @@ impl<R: Real> Trammel<R> {
         self.sense.signs
     }
 
-    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone.
+    /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone: from the force alone where that says more
+    /// than force and moment together.
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {
         let [f1, f2] = self.sense.reactions;
         let spread = f1.cross(f2);
-        if spread.abs() > R::spread() {
+        if spread.abs() > R::spread().min((self.sense.resistance * self.per_load).abs()) {
             // What balances the force does so to the last digit.
             let force = self.load.force;
             let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];

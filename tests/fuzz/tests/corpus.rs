@@ -3,10 +3,15 @@
 use std::fs;
 use std::path::Path;
 
-/// Checks every input of a target, in the order of their names.
+/// Checks every input of a target that a search begins with.
 fn kept(target: &str, check: fn(&[u8])) {
+    all_of("corpus", target, check);
+}
+
+/// In the order of their names.
+fn all_of(folder: &str, target: &str, check: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("corpus")
+        .join(folder)
         .join(target);
     let mut files: Vec<_> = fs::read_dir(&folder)
         .expect("a corpus")
@@ -14,7 +19,7 @@ fn kept(target: &str, check: fn(&[u8])) {
         .collect();
     files.sort();
     assert!(
-        files.len() > 10,
+        files.len() > 5,
         "{} has {} inputs",
         folder.display(),
         files.len()
@@ -43,4 +48,5 @@ fn hand_path() {
 #[test]
 fn solver() {
     kept("solver", stiction_fuzz::solver);
+    all_of("finds", "solver", stiction_fuzz::solver);
 }
