@@ -140,7 +140,8 @@ fn yields<R: Real, W: World<R>>(
             }
             if path.0.swings(scene) && !s.is_leaning(scene, path.0, sign) {
                 s.begin(scene, path);
-                return if s.regime.slide().is_some() {
+                let slide = s.regime.slide();
+                return if slide.is_some_and(|sign| s.swings_in_balance(scene, path.0, sign)) {
                     Outcome::Next(Next::Rest)
                 } else {
                     Outcome::Release

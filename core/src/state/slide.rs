@@ -244,7 +244,7 @@ impl<R: Real> SingleVertex<R> {
         let (_, edge) = self.sliding(scene, sign);
         let is_balanced = if grip.swings(scene) {
             self.pivot.slide(scene, grip, &edge);
-            self.swing(scene, grip, sign).is_balanced()
+            self.swings_in_balance(scene, grip, sign)
         } else {
             self.rest(scene, grip, &edge)
         };

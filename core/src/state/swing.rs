@@ -307,6 +307,11 @@ impl<R: Real> SingleVertex<R> {
         self.swing(scene, grip, sign).bears()
     }
 
+    /// True if a slide along sign·t is in balance.
+    pub(crate) fn swings_in_balance(&self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> bool {
+        self.swing(scene, grip, sign).is_balanced()
+    }
+
     /// True if it slides and bears.
     pub(crate) fn leans(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
         let slide = self.regime.slide();
