@@ -1,6 +1,6 @@
 //! The contact that holds the pose: a vertex at a place of its surface and the angle of the body about it.
 
-use crate::contact::Pair;
+use crate::contact::{Pair, Regime};
 use crate::detect::Placed;
 use crate::friction::SlidingEdge;
 use crate::geometry::{Orientation, Pose, Vec2};
@@ -59,6 +59,13 @@ impl<R: Real> Pivot<R> {
         let surface = self.surface(scene);
         let (normal, _) = surface.reaction(self.load(scene, grip).force);
         surface.friction.is_pressed(normal)
+    }
+
+    /// What is pressed so hard sticks with stiction from here on (rule 3).
+    pub(crate) fn renew(&self, scene: &impl World<R>, grip: &Grip<R>, regime: &mut Regime<R>) {
+        if self.is_pressed(scene, grip) {
+            *regime = Regime::Stick { stiction: true };
+        }
     }
 
     /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).

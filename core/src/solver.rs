@@ -162,16 +162,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
         let mut log = Log::default();
         let mut state = self.placed_at_start();
-        match self.non_dimensional(&hand) {
-            Err(status) => log.limit(status),
-            Ok((position, angle)) => {
-                state.hand = hand;
-                if hand.tilted {
-                    log.limit(Status::Twist);
-                }
-                if hand.held {
-                    self.take_hold(&mut state, (position, angle), &mut log);
-                }
+        if let Some(target) = self.usable(&hand, &mut log) {
+            state.hand = hand;
+            if hand.held {
+                self.take_hold(&mut state, target, &mut log);
             }
         }
         let output = self.output(&state, log);
@@ -183,25 +177,19 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// range of the number type. The next good one is followed from the last good one.
     pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
         let mut log = Log::default();
-        match self.non_dimensional(&hand) {
-            Err(status) => log.limit(status),
-            Ok(target) => {
-                if hand.tilted {
-                    log.limit(Status::Twist);
-                }
-                self.switch(state, &hand, target, &mut log);
-                if self.go_to(state, target, &mut log) {
-                    state.hand = hand;
-                } else {
-                    log.limit(Status::Saturated);
-                }
+        if let Some(target) = self.usable(&hand, &mut log) {
+            self.switch(state, &hand, target, &mut log);
+            if self.go_to(state, target, &mut log) {
+                state.hand = hand;
+            } else {
+                log.limit(Status::Saturated);
             }
         }
         self.output(state, log)
     }
 
-    /// p_h / L and phi of a sample, or why it cannot be used.
-    fn non_dimensional(&self, hand: &Hand<R::Si>) -> Result<(Vec2<R>, Angle<R>), Status> {
+    /// p_h / L and phi of a sample that can be used; the log says why it cannot, and where it does not tell the twist.
+    fn usable(&self, hand: &Hand<R::Si>, log: &mut Log<R>) -> Option<(Vec2<R>, Angle<R>)> {
         let position: Vec2<R> = self.scene.units.point_from_si(hand.position);
         let (turns, rest) = hand.angle.rest.turns();
         // False for what is not a number, too; a remainder of more than a turn is of more turns than can be counted.
@@ -210,17 +198,21 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             && rest.abs() <= R::Si::TAU
             && hand.depth.is_finite();
         if !is_usable {
-            return Err(if hand.is_finite() {
+            log.limit(if hand.is_finite() {
                 Status::Saturated
             } else {
                 Status::HeldLast
             });
+            return None;
+        }
+        if hand.tilted {
+            log.limit(Status::Twist);
         }
         let angle = Angle {
             turns: hand.angle.turns.saturating_add(turns),
             rest: R::from_si(rest, R::Si::ONE),
         };
-        Ok((position, angle))
+        Some((position, angle))
     }
 
     /// The body at its start pose, seated on the surfaces that it touches.

@@ -165,13 +165,10 @@ impl<R: Real> ContactState<R> {
 
     /// One vertex or an edge that sticks has stiction where it is pressed hard enough (rule 3).
     pub(crate) fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
-        let (Self::SingleVertex(SingleVertex { pivot, regime, .. })
-        | Self::Edge(Edge { pivot, regime, .. })) = self
-        else {
-            return;
-        };
-        if pivot.is_pressed(scene, grip) {
-            *regime = Regime::Stick { stiction: true };
+        if let Self::SingleVertex(SingleVertex { pivot, regime, .. })
+        | Self::Edge(Edge { pivot, regime, .. }) = self
+        {
+            pivot.renew(scene, grip, regime);
         }
     }
 

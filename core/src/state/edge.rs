@@ -263,9 +263,7 @@ impl<R: Real> Edge<R> {
         if W::GLIDES {
             return self.glide_down(scene, grip);
         }
-        if self.pivot.is_pressed(scene, grip) {
-            self.regime = Regime::Stick { stiction: true };
-        }
+        self.pivot.renew(scene, grip, &mut self.regime);
         Moved::by(self.test(scene, grip, sliding))
     }
 

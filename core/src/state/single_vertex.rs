@@ -225,17 +225,10 @@ impl<R: Real> SingleVertex<R> {
             && self.has_room_to_turn(scene, &certified)
         {
             self.pivot.orientation = certified.orientation;
-            self.renew(scene, grip);
+            self.pivot.renew(scene, grip, &mut self.regime);
             return Moved::by(self.test(scene, &self.pivot.load(scene, grip)));
         }
         self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill())
-    }
-
-    /// At a frozen hand it has stiction where it is pressed hard enough (rule 3).
-    fn renew(&mut self, scene: &impl World<R>, grip: &Grip<R>) {
-        if self.pivot.is_pressed(scene, grip) {
-            self.regime = Regime::Stick { stiction: true };
-        }
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
@@ -273,7 +266,7 @@ impl<R: Real> SingleVertex<R> {
         let lasting = self.contacts();
         let mut moved = Segment::<R>::turn_downhill(scene, &mut self.pivot, &lasting, downhill);
         if moved.trigger == Trigger::Balanced {
-            self.renew(scene, grip);
+            self.pivot.renew(scene, grip, &mut self.regime);
             moved.trigger = self.test(scene, &self.pivot.load(scene, grip));
         }
         moved

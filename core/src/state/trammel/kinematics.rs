@@ -36,25 +36,28 @@ pub(super) struct Kinematics<R> {
     pub(super) velocities: [Bounded<R>; 2],
 }
 
-/// What is linear in a load: (E6) and N_1, N_2, all times the resistance.
-pub(super) struct Response<R> {
-    pub(super) imbalance: Bounded<R>,
-    pub(super) normals: [Bounded<R>; 2],
-}
-
 impl<R: Real> Kinematics<R> {
-    /// (E6) is cited here: delta times the resistance.
-    pub(super) fn response(&self, (force, moment): Wrench<R>) -> Response<R> {
+    /// (E6) of a load, delta times the resistance.
+    pub(super) fn imbalance(&self, (force, moment): Wrench<R>) -> Bounded<R> {
+        let [f1, _] = self.reactions;
+        moment * self.spread - self.second * f1.cross(force)
+    }
+
+    /// N_1 and N_2 that a load adds, times the resistance.
+    pub(super) fn normals(&self, (force, moment): Wrench<R>) -> [Bounded<R>; 2] {
         let [f1, f2] = self.reactions;
-        Response {
-            imbalance: moment * self.spread - self.second * f1.cross(force),
-            normals: [
-                self.second * force.cross(self.drag)
-                    - moment * f2.cross(self.drag)
-                    - self.drag_moment * force.cross(f2),
-                moment * f1.cross(self.drag) - self.drag_moment * f1.cross(force),
-            ],
-        }
+        [
+            self.second * force.cross(self.drag)
+                - moment * f2.cross(self.drag)
+                - self.drag_moment * force.cross(f2),
+            moment * f1.cross(self.drag) - self.drag_moment * f1.cross(force),
+        ]
+    }
+
+    /// The same in balance, of the force alone, times f_1×f_2.
+    pub(super) fn balanced_normals(&self, (force, _): Wrench<R>) -> [Bounded<R>; 2] {
+        let [f1, f2] = self.reactions;
+        [f2.cross(force), force.cross(f1)]
     }
 
     /// The derivative of (E6) by x, of a wrench that changes: `swing` is that of r.
@@ -133,10 +136,10 @@ impl<R: Real> Trammel<R> {
 
     pub(super) fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
         let place = self.kinematics(p, window);
-        let Response { imbalance, normals } = place.response(self.load_at(p, window));
+        let load = self.load_at(p, window);
         Quantities {
-            imbalance,
-            normals,
+            imbalance: place.imbalance(load),
+            normals: place.normals(load),
             resistance: place.resistance,
             velocities: place.velocities,
         }

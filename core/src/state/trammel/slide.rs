@@ -63,15 +63,16 @@ struct Progress<R> {
     /// Their derivatives by x.
     rest_slope: Bounded<R>,
     drive_slope: Bounded<R>,
-    /// The same of N_1 and N_2 as of E, times the size of the resistance.
+    /// The same of N_1 and N_2 as of E, times the scale.
     normals: [[Bounded<R>; 2]; 2],
     velocities: [Bounded<R>; 2],
-    /// How much of E a friction along the slide is worth at each contact, and the size of the resistance.
+    /// How much of E a friction along the slide is worth at each contact.
     frictions: [Bounded<R>; 2],
-    resistance: Bounded<R>,
+    /// The size of f_1×f_2 where that is large, so that the force alone says N_i; else that of the resistance.
+    scale: Bounded<R>,
 }
 
-/// The stability -dE/dx at the frozen hand, and N_i times the size of the resistance; both times a common factor.
+/// The stability -dE/dx at the frozen hand, and N_i times the scale; both times a common factor.
 struct Standing<R> {
     stability: Bounded<R>,
     normals: [Bounded<R>; 2],
@@ -86,7 +87,6 @@ impl<R: Real> Progress<R> {
         let rate = trammel.sense.curve.rate_bounded();
         let swing = trammel.swing(&p);
         let load = trammel.load_at(&p, window);
-        let before = place.response(load);
         let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
         let force = BoundedVec::constant(displaced.force);
         let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
@@ -94,22 +94,34 @@ impl<R: Real> Progress<R> {
         let couple = Bounded::constant(displaced.couple);
         let added = (force, couple + of(lever));
         let added_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
-        let change = place.response(added);
         let change_slope = place.slope(swing, added, added_slope);
+        let (scale, normals) = if place.spread.value.abs() > R::spread() {
+            (
+                place.spread,
+                [load, added].map(|load| place.balanced_normals(load)),
+            )
+        } else {
+            (
+                place.resistance,
+                [load, added].map(|load| place.normals(load)),
+            )
+        };
+        let presses = scale.value.sign();
         let sense = trammel.sense.resistance.sign();
         let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
         let falling_on = |change: Bounded<R>| change.times(sense * displaced.gain).within(window);
-        let ([n1, n2], [c1, c2]) = (before.normals, change.normals);
+        let [rest, on] = [(normals[0], R::ONE), (normals[1], displaced.gain)]
+            .map(|(n, gain)| n.map(|n| n.times(presses * gain).within(window)));
         let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
         Self {
-            rest: falling(before.imbalance),
-            drive: falling_on(change.imbalance),
+            rest: falling(place.imbalance(load)),
+            drive: falling_on(place.imbalance(added)),
             rest_slope: falling(before_slope),
             drive_slope: falling_on(change_slope),
-            normals: [[n1, c1], [n2, c2]].map(|[rest, on]| [falling(rest), falling_on(on)]),
+            normals: [[rest[0], on[0]], [rest[1], on[1]]],
             velocities: place.velocities,
             frictions: [f1.times(sense * s1), f2.times(sense * s2)],
-            resistance: falling(place.resistance),
+            scale: scale.times(presses).within(window),
         }
     }
 
@@ -185,14 +197,14 @@ impl<R: Real> Slides<R> {
         Progress::at(&self.trammel, &self.displaced, (x, window))
     }
 
-    /// What a slip that began there lacks of the memory of each contact (E14), times stability and resistance.
+    /// What a slip that began there lacks of the memory of each contact (E14), times stability and scale.
     fn lacks(&self, at: &Progress<R>, standing: &Standing<R>) -> [Bounded<R>; 2] {
         let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
         let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
         // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
         let [d1, d2] = [first, second].map(|f| f.drop() * f.sliding_edge(R::ZERO).0);
         let jump = n1 * f1.times(d1) + n2 * f2.times(d2);
-        let falls = standing.stability * at.resistance;
+        let falls = standing.stability * at.scale;
         let ([v1, v2], [s1, s2]) = (at.velocities, self.trammel.sense.signs);
         [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
             falls.times(friction.memory()) - velocity.times(sign) * jump

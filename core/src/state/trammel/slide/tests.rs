@@ -110,7 +110,7 @@ fn slide_is_in_balance_all_along() {
             let hand = sliding.hand.on(sliding.way, tau);
             let (normals, left) = ladder.balance(&hand, theta);
             assert!(left.abs() < 1e-9, "{seed} {i}: {left}");
-            let per = at.drive.value * at.resistance.value * per_load;
+            let per = at.drive.value * at.scale.value * per_load;
             for (k, normal) in normals.into_iter().enumerate() {
                 let edge = libm::hypot(1.0, ladder.mu_d[k]);
                 let found = at.balanced().normals[k].value / (per * edge);
