@@ -236,25 +236,29 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    /// Slides on along sign·t, where another contact has let go, in balance: to what two contacts bear together a slide is found less
-    /// exactly than to the balance of one. False, and it sticks where it is, if there is no such balance, or if it is inside a surface:
-    /// a soft grip turns far to it.
+    /// Slides on along sign·t, where another contact has let go: to what two contacts bear together a slide is found less exactly than
+    /// to the balance of one, which is not far, but for a soft grip, and not inside a surface. False, and it sticks where it is, if there is
+    /// no such balance, or if it is farther than a search may end.
     pub(crate) fn slide_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
-        let is_balanced = if grip.swings(scene) {
+        let mut slides = if grip.swings(scene) {
             self.pivot.slide(scene, grip, &edge);
             self.swings_in_balance(scene, grip, sign)
         } else {
             self.rest(scene, grip, &edge)
         };
-        let inside = self.pivot.placed(scene).touching(scene, -R::TOUCH);
-        let slides = is_balanced && inside.is_empty();
-        if slides {
-            self.regime = Regime::Slide(sign);
-        } else {
-            (self.pivot, self.regime) = (begin, Regime::LOOSE);
+        if !(self.pivot.placed(scene).touching(scene, -R::TOUCH)).is_empty() {
+            self.pivot = begin;
+            let found_to = Self::found_to(&self.pivot.load(scene, grip));
+            slides &= self.sliding_moment(scene, grip, sign).now().abs() <= found_to;
         }
+        self.regime = if slides {
+            Regime::Slide(sign)
+        } else {
+            self.pivot = begin;
+            Regime::LOOSE
+        };
         slides
     }
 
