@@ -1,5 +1,5 @@
 //! A quantity on a motion with its slope and bounds of its size, slope and curvature, so that products of such quantities
-//! come with the bound that the certified search needs.
+//! come with the bound that the certified search needs. What is asked for its value alone is reckoned with numbers, to the same bits.
 
 use crate::geometry::Vec2;
 use crate::real::{Real, along};
@@ -15,17 +15,67 @@ pub(crate) struct Bounded<R> {
     pub(crate) bounds: [R; 3],
 }
 
-impl<R: Real> Bounded<R> {
+/// A quantity with its slope and bounds, or its value alone.
+pub(crate) trait Quantity<R: Real>:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+    /// A value, and what else is known of it.
+    fn known(value: R, else_known: impl FnOnce() -> Known<R>) -> Self;
+    /// The same with the suprema of no more than a window from here.
+    fn within(self, window: R) -> Self;
     /// The same everywhere.
-    pub(crate) fn constant(value: R) -> Self {
-        Self {
-            value,
+    fn constant(value: R) -> Self {
+        Self::known(value, || Known {
             slope: R::ZERO,
             error: R::rounding(value.abs()),
             bounds: [value.abs(), R::ZERO, R::ZERO],
+        })
+    }
+}
+
+/// What is known of a quantity besides its value.
+pub(crate) struct Known<R> {
+    pub(crate) slope: R,
+    pub(crate) error: R,
+    pub(crate) bounds: [R; 3],
+}
+
+/// The value alone.
+impl<R: Real> Quantity<R> for R {
+    fn known(value: R, _: impl FnOnce() -> Known<R>) -> Self {
+        value
+    }
+    fn within(self, _: R) -> Self {
+        self
+    }
+}
+
+impl<R: Real> Quantity<R> for Bounded<R> {
+    fn known(value: R, else_known: impl FnOnce() -> Known<R>) -> Self {
+        let Known {
+            slope,
+            error,
+            bounds,
+        } = else_known();
+        Self {
+            value,
+            slope,
+            error,
+            bounds,
         }
     }
+    fn within(self, window: R) -> Self {
+        let [most, fastest, bent] = self.bounds;
+        let fastest = fastest.min(self.slope.abs() + window * bent);
+        let most = most.min(self.value.abs() + window * fastest);
+        Self {
+            bounds: [most, fastest, bent],
+            ..self
+        }
+    }
+}
 
+impl<R: Real> Bounded<R> {
     /// The same `k` times as large.
     pub(crate) fn times(self, k: R) -> Self {
         let size = k.abs();
@@ -34,17 +84,6 @@ impl<R: Real> Bounded<R> {
             slope: self.slope * k,
             error: self.error * size,
             bounds: self.bounds.map(|bound| bound * size),
-        }
-    }
-
-    /// The same with the suprema of no more than a window from here.
-    pub(crate) fn within(self, window: R) -> Self {
-        let [most, fastest, bent] = self.bounds;
-        let fastest = fastest.min(self.slope.abs() + window * bent);
-        let most = most.min(self.value.abs() + window * fastest);
-        Self {
-            bounds: [most, fastest, bent],
-            ..self
         }
     }
 
@@ -113,29 +152,38 @@ impl<R: Real> Mul for Bounded<R> {
 
 /// A vector of such quantities.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct BoundedVec<R> {
-    pub(crate) x: Bounded<R>,
-    pub(crate) y: Bounded<R>,
+pub(crate) struct QuantityVec<Q> {
+    pub(crate) x: Q,
+    pub(crate) y: Q,
 }
 
-impl<R: Real> BoundedVec<R> {
-    pub(crate) fn constant(v: Vec2<R>) -> Self {
+impl<Q> QuantityVec<Q> {
+    pub(crate) fn constant<R: Real>(v: Vec2<R>) -> Self
+    where
+        Q: Quantity<R>,
+    {
         Self {
-            x: Bounded::constant(v.x),
-            y: Bounded::constant(v.y),
+            x: Q::constant(v.x),
+            y: Q::constant(v.y),
         }
     }
     /// The same with the suprema of no more than a window from here.
-    pub(crate) fn within(self, window: R) -> Self {
+    pub(crate) fn within<R: Real>(self, window: R) -> Self
+    where
+        Q: Quantity<R>,
+    {
         Self {
             x: self.x.within(window),
             y: self.y.within(window),
         }
     }
-    pub(crate) fn cross(self, b: Self) -> Bounded<R> {
+}
+
+impl<Q: Copy + Sub<Output = Q> + Mul<Output = Q>> QuantityVec<Q> {
+    pub(crate) fn cross(self, b: Self) -> Q {
         self.x * b.y - self.y * b.x
     }
-    pub(crate) fn scaled(self, k: Bounded<R>) -> Self {
+    pub(crate) fn scaled(self, k: Q) -> Self {
         Self {
             x: self.x * k,
             y: self.y * k,
@@ -143,7 +191,7 @@ impl<R: Real> BoundedVec<R> {
     }
 }
 
-impl<R: Real> Add for BoundedVec<R> {
+impl<Q: Add<Output = Q>> Add for QuantityVec<Q> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
         Self {
@@ -153,7 +201,7 @@ impl<R: Real> Add for BoundedVec<R> {
     }
 }
 
-impl<R: Real> Sub for BoundedVec<R> {
+impl<Q: Sub<Output = Q>> Sub for QuantityVec<Q> {
     type Output = Self;
     fn sub(self, b: Self) -> Self {
         Self {
@@ -231,7 +279,7 @@ mod tests {
     #[test]
     fn vectors_go_by_part() {
         let x = -0.4;
-        let vector = |a: f64| BoundedVec {
+        let vector = |a: f64| QuantityVec {
             x: exponential(2.0, a, x),
             y: exponential(3.0, 2.0 * a, x),
         };
@@ -242,7 +290,7 @@ mod tests {
         same((u + v).y, u.y + v.y);
         same((u - v).x, u.x - v.x);
         same((u - v).y, u.y - v.y);
-        let still = BoundedVec::constant(Vec2::new(2.0, -3.0));
+        let still = QuantityVec::constant(Vec2::new(2.0, -3.0));
         same(still.y, Bounded::constant(-3.0));
         assert_eq!((still.x.value, still.x.bounds), (2.0, [2.0, 0.0, 0.0]));
     }

@@ -1,7 +1,7 @@
 //! Where the foot of a slide comes to a halt: the first zero of its velocity along the hand's displacement (STATICS 3.6).
 
 use super::{BalanceCurve, Extent, Margin, Place};
-use crate::bounded::Bounded;
+use crate::bounded::{Bounded, Quantity};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
@@ -69,7 +69,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         let h_slope = quantity(p.h_slope, h2, [most, bent, bends]);
         let d = quantity(p.d, p.d_slope, [R::ONE + zp * window, zp, rate * zp]);
         let d_slope = quantity(p.d_slope, d2, [zp, rate * zp, rate * rate * zp]);
-        let (cos, sin) = self.rotation_bounded(p);
+        let (cos, sin): (Bounded<R>, Bounded<R>) = self.rotation_as(p);
         let [u, v] = [margin.turning.x, margin.turning.y].map(|k| Bounded::constant(self.rate * k));
         let along = Bounded::constant(margin.along);
         along * (h_slope * d - h * d_slope) + (v * cos - u * sin) * (d * d)

@@ -2,7 +2,7 @@
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
 use crate::balance_curve::{BalanceCurve, Extent};
-use crate::bounded::Bounded;
+use crate::bounded::{Bounded, Quantity};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
@@ -17,6 +17,8 @@ use crate::world::{Surface, World};
 mod certified;
 mod kinematics;
 mod slide;
+
+use kinematics::Quantities;
 
 pub(crate) use certified::certified_slide;
 pub(crate) use slide::{SlideEnding, Slides};
@@ -185,19 +187,17 @@ impl<R: Real> Trammel<R> {
             let sizes = [-force.cross(f2) / spread, force.cross(f1) / spread];
             return on_edges((&self.surfaces, self.sense.signs), sizes);
         }
-        let found = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
-        let per = found.resistance.value * self.per_load;
-        let sizes = found.normals.map(|size| size.value / per);
+        let found: Quantities<R> = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
+        let per = found.resistance * self.per_load;
+        let sizes = found.normals.map(|size| size / per);
         on_edges((&self.surfaces, self.sense.signs), sizes)
     }
 
     /// Slide along t1 and turn, per unit of the motion.
     pub(super) fn twist(&self) -> (R, R) {
         let start = self.sense.curve.at(R::ZERO);
-        (
-            self.sense.curve.part_velocity(&start).value,
-            self.sense.curve.rate_bounded().value,
-        )
+        let curve = &self.sense.curve;
+        (curve.part_velocity_as(&start), curve.rate_as())
     }
 
     /// n2·(s t1 + (R(ϑ) - 1) r) = 0 solved for the slide s of contact 1, both over the length of the twist.
@@ -228,12 +228,20 @@ impl<R: Real> Trammel<R> {
     fn meets_friction(&mut self, demand: Demand) -> bool {
         let start = self.sense.curve.at(R::ZERO);
         let standstill = R::standstill();
-        self.sense.signs = self.velocities(&start).map(|v| {
+        let velocities: [R; 2] = self.velocities(&start);
+        let mut ahead = velocities;
+        if velocities.iter().any(|v| v.abs() <= standstill) {
             // A contact at the turning point of its motion is about to go on the other way.
-            let is_turning = v.value.abs() <= standstill;
-            let ahead = if is_turning { v.slope } else { v.value };
-            if ahead.abs() > standstill {
-                ahead.sign()
+            let turning: [Bounded<R>; 2] = self.velocities(&start);
+            for (ahead, v) in ahead.iter_mut().zip(turning) {
+                if v.value.abs() <= standstill {
+                    *ahead = v.slope;
+                }
+            }
+        }
+        self.sense.signs = ahead.map(|v| {
+            if v.abs() > standstill {
+                v.sign()
             } else {
                 R::ZERO
             }
@@ -244,17 +252,15 @@ impl<R: Real> Trammel<R> {
         ];
         self.sense.reactions = [(first, s1), (second, s2)]
             .map(|(surface, sign)| surface.direction(surface.friction.sliding_edge(sign)));
-        let found = self.quantities(&start, R::ONE);
-        self.sense.resistance = found.resistance.value;
+        let found: Quantities<R> = self.quantities(&start, R::ONE);
+        self.sense.resistance = found.resistance;
         let [first, second] = self.sense.reactions;
         // In units of this, the size of the facet's normal, the excess is what the test of the contacts sees.
         let facet = first.cross(second).hypot(self.arm.cross(second));
         let resolved = R::of_sums(facet);
         let rounding = (self.load.rounding() * self.per_load * facet).max(resolved);
-        let [n1, n2] = found
-            .normals
-            .map(|n| n.value * self.sense.resistance.sign());
-        self.sense.excess = found.imbalance.value * self.sense.resistance.sign();
+        let [n1, n2] = found.normals.map(|n| n * self.sense.resistance.sign());
+        self.sense.excess = found.imbalance * self.sense.resistance.sign();
         self.sense.rounding = rounding;
         let pressed = n1 >= -rounding && n2 >= -rounding;
         self.sense.resistance.abs() > standstill
@@ -265,7 +271,7 @@ impl<R: Real> Trammel<R> {
     /// At a fold of (E6), where it and its slope are zero: up to here it grows with the curvature ahead.
     pub(crate) fn clear_of_fold(&self) -> R {
         let p = self.sense.curve.at(R::ZERO);
-        let curved = self.imbalance_slope(&p, R::ONE);
+        let curved: Bounded<R> = self.imbalance_slope(&p, R::ONE);
         let ahead = curved.slope * self.sense.resistance.sign();
         if ahead > R::ZERO {
             (R::ONE + R::HALF) * ahead / curved.bounds[2].max(ahead)
@@ -283,10 +289,10 @@ impl<R: Real> Trammel<R> {
     ) -> (Run<R>, Ending<R>) {
         let window = R::ONE;
         let sense = self.sense.resistance.sign();
-        let begin = self.velocities(&self.sense.curve.at(R::ZERO));
-        let are_turning = begin.map(|v| v.value.abs() <= R::standstill());
+        let begin: [R; 2] = self.velocities(&self.sense.curve.at(R::ZERO));
+        let are_turning = begin.map(|v| v.abs() <= R::standstill());
         let found = first_zero(window, |x| {
-            let q = self.quantities(&self.sense.curve.at(x), window);
+            let q: Quantities<Bounded<R>> = self.quantities(&self.sense.curve.at(x), window);
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
                 Demand::Pressed => normal.as_slope(sense),

@@ -15,11 +15,11 @@ fn quantities_are_bounded() {
         };
         let once = (0.0, core::f64::consts::TAU / curve.rate.abs());
         let bounded = [
-            |m: &BalanceCurve<f64>, x: f64| m.rotation_bounded(&m.at(x)).0,
-            |m: &BalanceCurve<f64>, x: f64| m.rotation_bounded(&m.at(x)).1,
-            |m: &BalanceCurve<f64>, x: f64| m.turn_bounded(&m.at(x), WINDOW),
-            |m: &BalanceCurve<f64>, x: f64| m.part_bounded(&m.at(x), WINDOW),
-            |m: &BalanceCurve<f64>, x: f64| m.part_velocity(&m.at(x)),
+            |m: &BalanceCurve<f64>, x: f64| m.rotation_as(&m.at(x)).0,
+            |m: &BalanceCurve<f64>, x: f64| m.rotation_as(&m.at(x)).1,
+            |m: &BalanceCurve<f64>, x: f64| m.turn_as(&m.at(x), WINDOW),
+            |m: &BalanceCurve<f64>, x: f64| m.part_as(&m.at(x), WINDOW),
+            |m: &BalanceCurve<f64>, x: f64| m.part_velocity_as(&m.at(x)),
         ];
         for (i, bounded) in bounded.into_iter().enumerate() {
             let at = |x: f64| bounded(&curve, x);
@@ -54,7 +54,8 @@ fn quantities_are_bounded() {
                 "{most} {part_bound}"
             );
         }
-        assert_eq!(curve.rate_bounded().value, curve.rate);
-        assert_eq!(curve.rate_bounded().bounds, [curve.rate.abs(), 0.0, 0.0]);
+        let rate: Bounded<f64> = curve.rate_as();
+        assert_eq!(rate.value, curve.rate);
+        assert_eq!(rate.bounds, [curve.rate.abs(), 0.0, 0.0]);
     }
 }

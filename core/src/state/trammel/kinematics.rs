@@ -1,50 +1,51 @@
-//! What the trammel motion is at a place: the velocities, what balances a load (E6) and the reactions, with the bounds that certified
-//! searches need.
+//! What the trammel motion is at a place: the velocities, what balances a load (E6) and the reactions, as values or with the bounds
+//! that certified searches need.
 
 use super::Trammel;
 use crate::balance_curve::Place;
-use crate::bounded::{Bounded, BoundedVec};
+use crate::bounded::{Quantity, QuantityVec};
 use crate::geometry::Vec2;
 use crate::real::Real;
+use core::ops::{Add, Mul, Sub};
 
 /// The quantities of the motion at a place.
-pub(super) struct Quantities<R> {
+pub(super) struct Quantities<Q> {
     /// (E6), delta times the resistance: zero in balance.
-    pub(super) imbalance: Bounded<R>,
+    pub(super) imbalance: Q,
     /// N_1, N_2 times the resistance.
-    pub(super) normals: [Bounded<R>; 2],
+    pub(super) normals: [Q; 2],
     /// det [w1 w2 drag]
-    pub(super) resistance: Bounded<R>,
+    pub(super) resistance: Q,
     /// Velocities of the contacts along their tangents.
-    pub(super) velocities: [Bounded<R>; 2],
+    pub(super) velocities: [Q; 2],
 }
 
 /// What a place of the motion is, whatever the load.
-pub(super) struct Kinematics<R> {
+pub(super) struct Kinematics<Q> {
     /// f_1, f_2
-    pub(super) reactions: [BoundedVec<R>; 2],
+    pub(super) reactions: [QuantityVec<Q>; 2],
     /// r×f_2
-    pub(super) second: Bounded<R>,
+    pub(super) second: Q,
     /// -(the force and the moment of a drag along the motion)
-    pub(super) drag: BoundedVec<R>,
-    pub(super) drag_moment: Bounded<R>,
+    pub(super) drag: QuantityVec<Q>,
+    pub(super) drag_moment: Q,
     /// (E6), times the resistance, of a force along each tangent at its contact.
-    pub(super) frictions: [Bounded<R>; 2],
+    pub(super) frictions: [Q; 2],
     /// f_1×f_2
-    pub(super) spread: Bounded<R>,
-    pub(super) resistance: Bounded<R>,
-    pub(super) velocities: [Bounded<R>; 2],
+    pub(super) spread: Q,
+    pub(super) resistance: Q,
+    pub(super) velocities: [Q; 2],
 }
 
-impl<R: Real> Kinematics<R> {
+impl<Q: Copy + Add<Output = Q> + Sub<Output = Q> + Mul<Output = Q>> Kinematics<Q> {
     /// (E6) of a load, delta times the resistance.
-    pub(super) fn imbalance(&self, (force, moment): Wrench<R>) -> Bounded<R> {
+    pub(super) fn imbalance(&self, (force, moment): Wrench<Q>) -> Q {
         let [f1, _] = self.reactions;
         moment * self.spread - self.second * f1.cross(force)
     }
 
     /// N_1 and N_2 that a load adds, times the resistance.
-    pub(super) fn normals(&self, (force, moment): Wrench<R>) -> [Bounded<R>; 2] {
+    pub(super) fn normals(&self, (force, moment): Wrench<Q>) -> [Q; 2] {
         let [f1, f2] = self.reactions;
         [
             self.second * force.cross(self.drag)
@@ -55,7 +56,7 @@ impl<R: Real> Kinematics<R> {
     }
 
     /// The same in balance, of the force alone, times f_1×f_2.
-    pub(super) fn balanced_normals(&self, (force, _): Wrench<R>) -> [Bounded<R>; 2] {
+    pub(super) fn balanced_normals(&self, (force, _): Wrench<Q>) -> [Q; 2] {
         let [f1, f2] = self.reactions;
         [f2.cross(force), force.cross(f1)]
     }
@@ -63,10 +64,10 @@ impl<R: Real> Kinematics<R> {
     /// The derivative of (E6) by x, of a wrench that changes: `swing` is that of r.
     pub(super) fn slope(
         &self,
-        swing: BoundedVec<R>,
-        (force, _): Wrench<R>,
-        (force_slope, moment_slope): Wrench<R>,
-    ) -> Bounded<R> {
+        swing: QuantityVec<Q>,
+        (force, _): Wrench<Q>,
+        (force_slope, moment_slope): Wrench<Q>,
+    ) -> Q {
         let [f1, f2] = self.reactions;
         moment_slope * self.spread
             - swing.cross(f2) * f1.cross(force)
@@ -75,32 +76,32 @@ impl<R: Real> Kinematics<R> {
 }
 
 impl<R: Real> Trammel<R> {
-    pub(super) fn velocities(&self, p: &Place<R>) -> [Bounded<R>; 2] {
+    pub(super) fn velocities<Q: Quantity<R>>(&self, p: &Place<R>) -> [Q; 2] {
         let [first, second] = self.surfaces;
-        let rate = self.sense.curve.rate_bounded();
-        let slide = self.sense.curve.part_velocity(p);
-        let turning = self.rotated(p, self.arm.turned());
+        let rate: Q = self.sense.curve.rate_as();
+        let slide: Q = self.sense.curve.part_velocity_as(p);
+        let turning: QuantityVec<Q> = self.rotated(p, self.arm.turned());
         let along = second.tangent.dot(first.tangent);
-        let swing = turning.x * Bounded::constant(second.tangent.x)
-            + turning.y * Bounded::constant(second.tangent.y);
-        [slide, slide * Bounded::constant(along) + swing * rate]
+        let swing =
+            turning.x * Q::constant(second.tangent.x) + turning.y * Q::constant(second.tangent.y);
+        [slide, slide * Q::constant(along) + swing * rate]
     }
 
-    pub(super) fn rotated(&self, p: &Place<R>, v: Vec2<R>) -> BoundedVec<R> {
-        let (cos, sin) = self.sense.curve.rotation_bounded(p);
-        let at = BoundedVec::constant(v);
-        BoundedVec {
+    pub(super) fn rotated<Q: Quantity<R>>(&self, p: &Place<R>, v: Vec2<R>) -> QuantityVec<Q> {
+        let (cos, sin): (Q, Q) = self.sense.curve.rotation_as(p);
+        let at = QuantityVec::<Q>::constant(v);
+        QuantityVec {
             x: at.x * cos - at.y * sin,
             y: at.x * sin + at.y * cos,
         }
     }
 
     /// What the place is whatever the load.
-    pub(super) fn kinematics(&self, p: &Place<R>, window: R) -> Kinematics<R> {
+    pub(super) fn kinematics<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Kinematics<Q> {
         let arm = self.rotated(p, self.arm).within(window);
-        let [f1, f2] = self.sense.reactions.map(BoundedVec::constant);
-        let [t1, t2] = self.surfaces.map(|s| BoundedVec::constant(s.tangent));
-        let velocities = self.velocities(p).map(|v| v.within(window));
+        let [f1, f2] = self.sense.reactions.map(QuantityVec::<Q>::constant);
+        let [t1, t2] = self.surfaces.map(|s| QuantityVec::<Q>::constant(s.tangent));
+        let velocities = self.velocities(p).map(|v: Q| v.within(window));
         let second = arm.cross(f2).within(window);
         let drag = (t1.scaled(velocities[0]) + t2.scaled(velocities[1])).within(window);
         let tangent_moment = arm.cross(t2).within(window);
@@ -122,19 +123,19 @@ impl<R: Real> Trammel<R> {
     }
 
     /// The derivative of (E6) by x at the frozen hand.
-    pub(super) fn imbalance_slope(&self, p: &Place<R>, window: R) -> Bounded<R> {
+    pub(super) fn imbalance_slope<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Q {
         let load = self.load_at(p, window);
         let slope = self.load_slope_at(p, window);
         self.kinematics(p, window).slope(self.swing(p), load, slope)
     }
 
     /// How fast r changes along x.
-    pub(super) fn swing(&self, p: &Place<R>) -> BoundedVec<R> {
-        let rate = self.sense.curve.rate_bounded();
+    pub(super) fn swing<Q: Quantity<R>>(&self, p: &Place<R>) -> QuantityVec<Q> {
+        let rate: Q = self.sense.curve.rate_as();
         self.rotated(p, self.arm.turned()).scaled(rate)
     }
 
-    pub(super) fn quantities(&self, p: &Place<R>, window: R) -> Quantities<R> {
+    pub(super) fn quantities<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Quantities<Q> {
         let place = self.kinematics(p, window);
         let load = self.load_at(p, window);
         Quantities {
@@ -146,47 +147,46 @@ impl<R: Real> Trammel<R> {
     }
 
     /// The hand from contact 1.
-    fn hand_at(&self, p: &Place<R>, window: R) -> BoundedVec<R> {
-        let slide = self.sense.curve.part_bounded(p, window);
+    fn hand_at<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> QuantityVec<Q> {
+        let slide: Q = self.sense.curve.part_as(p, window);
         let hand = self.relative(self.load.spring + self.load.lever);
         (hand - self.relative(self.surfaces[0].tangent).scaled(slide)).within(window)
     }
 
-    fn relative(&self, v: Vec2<R>) -> BoundedVec<R> {
-        BoundedVec::constant(v * self.per_load)
+    fn relative<Q: Quantity<R>>(&self, v: Vec2<R>) -> QuantityVec<Q> {
+        QuantityVec::constant(v * self.per_load)
     }
 
     /// Force and moment about contact 1.
-    pub(super) fn load_at(&self, p: &Place<R>, window: R) -> Wrench<R> {
-        let turn = self.sense.curve.turn_bounded(p, window);
+    pub(super) fn load_at<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Wrench<Q> {
+        let turn: Q = self.sense.curve.turn_as(p, window);
         let lever = self.rotated(p, self.load.lever);
         let centroid = self.rotated(p, self.load.centroid);
         let hand = self.hand_at(p, window);
         let weight = self.relative(self.weight);
-        let force = hand - lever.scaled(Bounded::constant(self.per_load)) + weight;
-        let couple = Bounded::constant(self.load.couple * self.per_load)
-            - turn * Bounded::constant(self.load.stiffness * self.per_load);
+        let force = hand - lever.scaled(Q::constant(self.per_load)) + weight;
+        let couple = Q::constant(self.load.couple * self.per_load)
+            - turn * Q::constant(self.load.stiffness * self.per_load);
         let moment = couple + lever.cross(hand) + centroid.cross(weight);
         (force.within(window), moment.within(window))
     }
 
     /// How fast these change along x.
-    pub(super) fn load_slope_at(&self, p: &Place<R>, window: R) -> Wrench<R> {
-        let rate = self.sense.curve.rate_bounded();
-        let slide = self.sense.curve.part_velocity(p);
+    pub(super) fn load_slope_at<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Wrench<Q> {
+        let rate: Q = self.sense.curve.rate_as();
+        let slide: Q = self.sense.curve.part_velocity_as(p);
         let lever = self.rotated(p, self.load.lever);
         let swing = self.rotated(p, self.load.lever.turned()).scaled(rate);
         let dip = self.rotated(p, self.load.centroid.turned()).scaled(rate);
         let back = self.relative(self.surfaces[0].tangent).scaled(slide);
-        let couple = rate * Bounded::constant(self.load.stiffness * self.per_load);
+        let couple = rate * Q::constant(self.load.stiffness * self.per_load);
         let moment = swing.cross(self.hand_at(p, window)) - lever.cross(back) - couple
             + dip.cross(self.relative(self.weight));
-        let force = BoundedVec::constant(Vec2::ZERO)
-            - back
-            - swing.scaled(Bounded::constant(self.per_load));
+        let force =
+            QuantityVec::constant(Vec2::ZERO) - back - swing.scaled(Q::constant(self.per_load));
         (force.within(window), moment.within(window))
     }
 }
 
 /// A force and its moment about contact 1, in units of the load.
-pub(super) type Wrench<R> = (BoundedVec<R>, Bounded<R>);
+pub(super) type Wrench<Q> = (QuantityVec<Q>, Q);

@@ -3,7 +3,7 @@
 
 use super::{Run, Trammel};
 use crate::balance_curve::Extent;
-use crate::bounded::{Bounded, BoundedVec};
+use crate::bounded::{Bounded, Quantity, QuantityVec};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
@@ -84,16 +84,16 @@ impl<R: Real> Progress<R> {
     fn at(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self {
         let p = trammel.sense.curve.at(x);
         let place = trammel.kinematics(&p, window);
-        let rate = trammel.sense.curve.rate_bounded();
+        let rate = trammel.sense.curve.rate_as();
         let swing = trammel.swing(&p);
         let load = trammel.load_at(&p, window);
         let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
-        let force = BoundedVec::constant(displaced.force);
+        let force = QuantityVec::constant(displaced.force);
         let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
         let lever = trammel.load.lever;
         let couple = Bounded::constant(displaced.couple);
         let added = (force, couple + of(lever));
-        let added_slope = (BoundedVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
+        let added_slope = (QuantityVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
         let change_slope = place.slope(swing, added, added_slope);
         let (scale, normals) = if place.spread.value.abs() > R::spread() {
             (

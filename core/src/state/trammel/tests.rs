@@ -121,7 +121,7 @@ fn driven(demand: Demand, mut look: impl FnMut(&Case, &Trammel<f64>, u64)) -> us
 /// Slide, turn and velocities, N_1, N_2 and delta at x of a trammel.
 fn quantities(trammel: &Trammel<f64>, x: f64) -> ([f64; 2], [f64; 2], [f64; 3]) {
     let p = trammel.sense.curve.at(x);
-    let found = trammel.quantities(&p, 1.0);
+    let found: Quantities<Bounded<f64>> = trammel.quantities(&p, 1.0);
     let per = 1.0 / (found.resistance.value * trammel.per_load);
     let [n1, n2] = found.normals.map(|n| n.value * per);
     let velocities = found.velocities.map(|v| v.value);
@@ -199,13 +199,23 @@ fn contacts_stay_on_their_surfaces() {
 fn slopes_are_derivatives_and_bounds_hold() {
     driven(Demand::AtTheEnd, |_, trammel, seed| {
         let all = |x: f64| {
-            let q = trammel.quantities(&trammel.sense.curve.at(x), 1.0);
+            let q: Quantities<Bounded<f64>> = trammel.quantities(&trammel.sense.curve.at(x), 1.0);
             let [n1, n2] = q.normals;
             let [v1, v2] = q.velocities;
             [q.imbalance, n1, n2, q.resistance, v1, v2]
         };
         for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
             let (before, at, after) = (all(x - 1e-5), all(x), all(x + 1e-5));
+            // To the same bits without slopes and bounds.
+            let alone: Quantities<f64> = trammel.quantities(&trammel.sense.curve.at(x), 1.0);
+            let Quantities {
+                imbalance,
+                normals: [n1, n2],
+                resistance,
+                velocities: [v1, v2],
+            } = alone;
+            let alone = [imbalance, n1, n2, resistance, v1, v2];
+            assert_eq!(at.map(|bounded| bounded.value), alone, "{seed}");
             for (i, bounded) in at.iter().enumerate() {
                 let slope = (after[i].value - before[i].value) * 0.5e5;
                 let curved = (after[i].slope - before[i].slope) * 0.5e5;
