@@ -188,7 +188,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.output(state, log)
     }
 
-    /// p_h / L and phi of a sample that can be used; the log says why it cannot, and where it does not tell the twist.
+    /// p_h / L and phi of a sample. The log says why one cannot be used, and that the twist of one is not known.
     fn usable(&self, hand: &Hand<R::Si>, log: &mut Log<R>) -> Option<(Vec2<R>, Angle<R>)> {
         let position: Vec2<R> = self.scene.units.point_from_si(hand.position);
         let (turns, rest) = hand.angle.rest.turns();
