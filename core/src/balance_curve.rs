@@ -14,7 +14,7 @@
 use crate::geometry::Vec2;
 use crate::moment::{Drive, Moment, Pinned, SecondHarmonic};
 use crate::real::Real;
-use crate::search::{Found, Samples, Slope, first_zero};
+use crate::search::{Found, Looks, Samples, Slope, first_zero};
 
 mod bounded;
 mod margin;
@@ -73,6 +73,8 @@ pub(crate) struct Extent<R> {
     pub(crate) rises: bool,
     pub(crate) folds: bool,
     pub(crate) unsure: bool,
+    /// What is left to the searches for an end.
+    pub(crate) looks: Looks,
 }
 
 impl<R: Real> Extent<R> {
@@ -237,7 +239,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             }
         };
         let (per_change, per_changes) = (per(change), per(changes));
-        let found = first_zero(R::HUGE, |x| {
+        let mut looks = Looks::ALL;
+        let found = first_zero(R::HUGE, &mut looks, |x| {
             let p = self.at(x);
             let mut window = R::ONE + x.doubled();
             // Before the end H < D, so that dtau/dx D = H' - tau D' > 0 as long as neither H' nor H' - D' falls to zero.
@@ -278,6 +281,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rises: true,
             folds: which == 0,
             unsure,
+            looks,
         };
         let margin = margin.as_ref().map(|(margin, _)| margin);
         let ends = which == 1 || margin.is_some_and(|m| !extent.folds && m.is_used_up(&extent));
@@ -309,6 +313,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rises: false,
             folds: false,
             unsure: false,
+            looks: Looks::ALL,
         }
     }
 }

@@ -114,9 +114,6 @@ pub enum Status {
     /// Nothing.
     #[default]
     Ok,
-    /// More events than [`Solver::with_event_limit`](crate::Solver::with_event_limit) distinguishes: the rest of the frame was one
-    /// jump of the hand. Or, after 100 slips in a frame, slips too short to be distinguished became a slide at mu_d (STATICS 7).
-    EventLimit,
     /// The hand is tilted out of the plane by more than 170 degrees, so that its angle in the plane is hardly known
     /// ([`Hand::tilted`](crate::Hand::tilted)); the body follows what the sample says.
     Twist,
@@ -125,6 +122,9 @@ pub enum Status {
     /// The contacts hold the body, but only with reactions beyond 64 k_h L: it stays (STATICS 6). What is reported of these
     /// reactions is not exact.
     Jammed,
+    /// The budget of the step was used up: the body is behind the hand, and goes on from there with the next step
+    /// ([`Solver::with_budget`](crate::Solver::with_budget)).
+    Behind,
     /// No mode of motion is consistent with the friction laws: the body stayed, out of balance. Said in every frame until the
     /// hand moves (STATICS 9, rule 8).
     Ambiguous,
@@ -138,10 +138,10 @@ impl Status {
     /// All statuses, the gravest last.
     pub const ALL: [Self; 8] = [
         Self::Ok,
-        Self::EventLimit,
         Self::Twist,
         Self::IterationLimit,
         Self::Jammed,
+        Self::Behind,
         Self::Ambiguous,
         Self::Saturated,
         Self::HeldLast,
@@ -151,10 +151,10 @@ impl Status {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
-            Self::EventLimit => "event-limit",
             Self::Twist => "twist",
             Self::IterationLimit => "iteration-limit",
             Self::Jammed => "jammed",
+            Self::Behind => "behind",
             Self::Ambiguous => "ambiguous",
             Self::Saturated => "saturated",
             Self::HeldLast => "held-last",

@@ -132,7 +132,6 @@ pub(crate) mod searches {
     extern crate std;
 
     use core::cell::Cell;
-    use core::iter;
 
     #[derive(Clone, Copy, Debug, Default)]
     pub(crate) struct Counts {
@@ -153,14 +152,29 @@ pub(crate) mod searches {
         COUNTS.set(counts);
     }
 
-    /// The steps of a search.
-    pub(crate) fn steps(most: usize) -> impl Iterator<Item = usize> {
+    /// The steps of a search that are left.
+    pub(crate) struct Steps {
+        left: usize,
+    }
+
+    /// A search.
+    pub(crate) fn begin() -> Steps {
         count(|c| c.searches += 1);
-        let steps = (0..most.min(MOST.get())).inspect(|_| count(|c| c.steps += 1));
-        steps.chain(iter::from_fn(|| {
+        Steps { left: MOST.get() }
+    }
+
+    impl Steps {
+        pub(crate) fn goes_on(&mut self) -> bool {
+            let goes_on = self.left > 0;
+            if goes_on {
+                self.left -= 1;
+                count(|c| c.steps += 1);
+            }
+            goes_on
+        }
+        pub(crate) fn gives_up(&self) {
             count(|c| c.unsure += 1);
-            None
-        }))
+        }
     }
 
     /// Runs with searches that give up after so many steps.

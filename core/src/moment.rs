@@ -3,7 +3,7 @@
 
 use crate::geometry::Vec2;
 use crate::real::Real;
-use crate::search::{Found, Samples, Slope, first_zero};
+use crate::search::{Found, Looks, Samples, Slope, first_zero};
 
 mod second_harmonic;
 
@@ -16,8 +16,9 @@ pub(crate) struct Downhill<R> {
     pub(crate) turn: R,
     /// The turn led over a fold: the moment grew before it fell to zero.
     pub(crate) snapped: bool,
-    /// The bound of steps was hit before the balance.
+    /// No look was left before the balance.
     pub(crate) unsure: bool,
+    pub(crate) looks: Looks,
 }
 
 /// The moment on a body about a point that is pinned: M(ϑ) = couple - k ϑ + Im(e^{-iϑ} z), (E1) relative to the
@@ -38,6 +39,13 @@ pub(crate) struct Drive<R> {
     pub(crate) couple: R,
     /// zp = Yp + iXp as (Yp, Xp).
     pub(crate) hold: Vec2<R>,
+}
+
+impl<R> Downhill<R> {
+    /// The looks that it took to find it, in units of work.
+    pub(crate) fn work(&self) -> u32 {
+        self.looks.taken()
+    }
 }
 
 impl<R: Real> Drive<R> {
@@ -171,7 +179,8 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         };
         let start = start.max(certain);
         let mut snapped = false;
-        let found = first_zero(R::HUGE, |y| {
+        let mut looks = Looks::ALL;
+        let found = first_zero(R::HUGE, &mut looks, |y| {
             let turn = direction * (start + y);
             let (half_sin, half_cos) = turn.halved().sin_cos();
             let versine = (half_sin * half_sin).doubled();
@@ -197,6 +206,7 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
             turn: direction * (start + x),
             snapped,
             unsure,
+            looks,
         }
     }
 }

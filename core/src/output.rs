@@ -64,6 +64,11 @@ pub struct Output<F> {
     pub longest_slip: F,
     /// What limited the answer.
     pub status: Status,
+    /// The part of the hand's displacement that is left to follow, 0 to 1: more than 0 where the status is [`Status::Behind`], or graver
+    /// while it was.
+    pub behind: F,
+    /// The units of work that the step took ([`Solver::with_budget`](crate::Solver::with_budget)).
+    pub work: u32,
     /// The arms of the transition table taken in this frame.
     pub transitions: Transitions,
     pub(crate) events: Vec<Event, MAX_EVENTS>,

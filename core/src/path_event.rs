@@ -6,7 +6,7 @@ use crate::event::{Event, StateKind};
 use crate::grip::Grip;
 use crate::log::Log;
 use crate::real::Real;
-use crate::settle::{Next, apply, keep, log_slide, run, touch};
+use crate::settle::{Next, Settling, apply, keep, touch};
 use crate::state::{ContactState, Free};
 use crate::transition::{clear_arm, fold_arm};
 use crate::verb::{Moved, Trigger};
@@ -23,16 +23,16 @@ enum Outcome<R> {
     Release,
 }
 
-/// The state after a trigger of `advance`, in balance or settled.
+/// What follows from a trigger of `advance`: the state in balance, or how it settles.
 pub(crate) fn happens<R: Real, W: World<R>>(
     scene: &W,
     (at, to): (&mut Grip<R>, &Grip<R>),
     state: &mut ContactState<R>,
     trigger: Trigger<R>,
     log: &mut Log<R>,
-) {
+) -> Settling<R> {
     log.ambiguous = false;
-    let before = (state.kind(), state.regime().slide().is_some());
+    let before = state.motion();
     let next = match outcome(scene, (at, to), state, trigger, log) {
         Outcome::Next(next) => next,
         Outcome::Release => {
@@ -40,8 +40,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
             Next::Relax(None)
         }
     };
-    run(scene, at, state, next, log);
-    log_slide(state, before, log);
+    Settling::of(before, next)
 }
 
 fn outcome<R: Real, W: World<R>>(

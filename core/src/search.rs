@@ -3,9 +3,36 @@
 
 use crate::real::Real;
 
-/// Every search ends after this many steps. A simple zero takes 3 to 9; past the place of a double root, which the
-/// search may not jump, the steps first halve and then double again.
-const MAX_STEPS: usize = 256;
+/// The looks at a motion that are left to the searches for what ends it, which share them. A simple zero takes 3 to 9; past the place of
+/// a double root, which a search may not jump, the steps first halve and then double again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Looks {
+    most: u8,
+    left: u8,
+}
+
+impl Looks {
+    /// So many looks at the motion of a single contact, or of none.
+    pub(crate) const MOST: u8 = 64;
+    /// At a motion of that kind that was not looked at yet.
+    pub(crate) const ALL: Self = Self::at_most(Self::MOST);
+
+    pub(crate) const fn at_most(most: u8) -> Self {
+        Self { most, left: most }
+    }
+
+    /// One more, if there is one.
+    fn take(&mut self) -> bool {
+        let is_left = self.left > 0;
+        self.left = self.left.saturating_sub(1);
+        is_left
+    }
+
+    /// So many were taken.
+    pub(crate) fn taken(self) -> u32 {
+        u32::from(self.most.saturating_sub(self.left))
+    }
+}
 
 /// A function at one place: its value E, its slope, a bound of |E''| from here on, and the rounding of E.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +93,7 @@ pub(crate) enum Found<R> {
     Nothing { x: R },
     /// Function number `which` is the first to become zero, at `x`.
     Zero { x: R, which: usize },
-    /// The bound of steps was hit at `x`, up to which there is no zero; `which` is the nearest to one.
+    /// No look was left at `x`, up to which there is no zero; `which` is the nearest to one.
     Unsure { x: R, which: usize },
 }
 
@@ -92,15 +119,19 @@ impl<R: Real, const M: usize> Samples<R, M> {
 /// first listed counts.
 pub(crate) fn first_zero<R: Real, const M: usize>(
     limit: R,
+    looks: &mut Looks,
     mut sample: impl FnMut(R) -> Samples<R, M>,
 ) -> Found<R> {
     let mut x = R::ZERO;
     let mut nearest = 0;
-    #[cfg(not(test))]
-    let steps = 0..MAX_STEPS;
     #[cfg(test)]
-    let steps = crate::fixtures::searches::steps(MAX_STEPS);
-    for i in steps {
+    let mut search = crate::fixtures::searches::begin();
+    let mut is_first = true;
+    while looks.take() {
+        #[cfg(test)]
+        if !search.goes_on() {
+            break;
+        }
         let Samples { functions, window } = sample(x);
         let mut step = window;
         let mut closest = None;
@@ -109,7 +140,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
             if function.is_clear_of(step) {
                 continue;
             }
-            let safe = if i == 0 {
+            let safe = if is_first {
                 function.first_step()
             } else {
                 function.safe_step()
@@ -124,13 +155,16 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         }
         if let Some((which, function)) = closest {
             nearest = which;
-            let leaves = i == 0 && function.value <= function.rounding && step > R::ZERO;
+            let leaves = is_first && function.value <= function.rounding && step > R::ZERO;
             if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
                 return Found::Zero { x: x + step, which };
             }
         }
         x = x + step;
+        is_first = false;
     }
+    #[cfg(test)]
+    search.gives_up();
     Found::Unsure { x, which: nearest }
 }
 

@@ -7,7 +7,7 @@ use crate::grip::Grip;
 use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::state::{ContactState, Free};
+use crate::state::{ContactState, Free, TwoSlip};
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
 };
@@ -28,67 +28,102 @@ pub(crate) enum Next<R> {
 }
 
 /// After this many transitions at one hand pose no consistent mode is left to try.
-const MAX_TRANSITIONS: usize = 256;
+const MAX_TRANSITIONS: u16 = 256;
 
-/// Brings the body to rest at a frozen hand that has jumped there: what slid sticks or slips first.
-pub(crate) fn settle<R: Real>(
-    scene: &impl World<R>,
-    grip: &Grip<R>,
-    state: &mut ContactState<R>,
-    log: &mut Log<R>,
-) {
-    log.ambiguous = false;
-    let before = (state.kind(), state.regime().slide().is_some());
-    run(scene, grip, state, Next::Relax(None), log);
-    log_slide(state, before, log);
+/// A body that comes to rest at a frozen hand, verb by verb.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Settling<R> {
+    next: Next<R>,
+    /// How many verbs there were.
+    transitions: u16,
+    tried: Tried,
+    /// The state in which it began, and whether it slid.
+    before: (StateKind, bool),
+    /// A slip of two vertices that is under way.
+    under_way: Option<TwoSlip<R>>,
 }
 
-/// One verb after another at a frozen hand, until the body rests.
-pub(crate) fn run<R: Real>(
-    scene: &impl World<R>,
-    grip: &Grip<R>,
-    state: &mut ContactState<R>,
-    mut next: Next<R>,
-    log: &mut Log<R>,
-) {
-    let mut tried = Tried::default();
-    for _ in 0..MAX_TRANSITIONS {
+impl<R: Real> Settling<R> {
+    /// Of a body that was in a state, and what it does first.
+    pub(crate) fn of(before: (StateKind, bool), next: Next<R>) -> Self {
+        Self {
+            next,
+            transitions: 0,
+            tried: Tried::default(),
+            before,
+            under_way: None,
+        }
+    }
+
+    /// At a frozen hand that has jumped there: what slid sticks or slips first.
+    pub(crate) fn after_jump(state: &ContactState<R>) -> Self {
+        Self::of(state.motion(), Next::Relax(None))
+    }
+
+    /// The next verb. What it took, in units of work; nothing where the body rests.
+    pub(crate) fn go_on(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        state: &mut ContactState<R>,
+        log: &mut Log<R>,
+    ) -> Option<u32> {
+        let next = self.next;
+        if next != Next::Rest && self.transitions < MAX_TRANSITIONS {
+            self.transitions = self.transitions.saturating_add(1);
+            return Some(self.verb(scene, grip, state, log));
+        }
+        if next != Next::Rest {
+            stays(log);
+        } else if state.regime() == Regime::LOOSE {
+            state.renew(scene, grip);
+        }
+        log_slide(state, self.before, log);
+        None
+    }
+
+    fn verb(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        state: &mut ContactState<R>,
+        log: &mut Log<R>,
+    ) -> u32 {
+        let work = state.verb_work();
         let had_stiction = state.regime().has_stiction();
-        let begin = tried.any().then(|| state.placed(scene));
-        let moved = match next {
-            Next::Rest => {
-                if state.regime() == Regime::LOOSE {
-                    state.renew(scene, grip);
-                }
-                return;
-            }
+        let begin = self.tried.any().then(|| state.placed(scene));
+        let under_way = &mut self.under_way;
+        let moved = match self.next {
+            Next::Rest => Moved::by(Trigger::Balanced),
             Next::Relax(sliding) => {
                 if !had_stiction {
                     state.set_regime(Regime::LOOSE);
                 }
-                let tried = tried.next(state.kind());
+                let tried = self.tried.next(state.kind());
                 state.relax(scene, grip, Relax { sliding, tried })
             }
-            Next::Slip(sign) => state.slip(scene, grip, sign),
-            Next::Snap(direction) => state.snap(scene, grip, direction),
+            Next::Slip(sign) => state.slip(scene, grip, (sign, under_way)),
+            Next::Snap(direction) => state.snap(scene, grip, (direction, under_way)),
         };
         if begin.is_some_and(|begin| !state.placed(scene).is_near(&begin, R::MICRO)) {
-            tried = Tried::default();
+            self.tried = Tried::default();
         }
-        record(state, &moved, &next, log);
-        let sliding = match next {
-            Next::Slip(sign) => sign,
-            _ => R::ZERO,
-        };
-        // What slides on has not slipped; what moved and sticks has, with stiction or without.
-        let sticks = state.regime().slide().is_none() && moved.slip.abs() > R::MICRO;
-        if moved.trigger == Trigger::Stopped && (had_stiction || sticks) {
-            log.transitions.add(slip_arm(state));
-            log.slip(moved.slip);
+        if moved.trigger != Trigger::GoesOn {
+            record(state, &moved, &self.next, log);
+            let sliding = match self.next {
+                Next::Slip(sign) => sign,
+                _ => R::ZERO,
+            };
+            // What slides on has not slipped; what moved and sticks has, with stiction or without.
+            let sticks = state.regime().slide().is_none() && moved.slip.abs() > R::MICRO;
+            if moved.trigger == Trigger::Stopped && (had_stiction || sticks) {
+                log.transitions.add(slip_arm(state));
+                log.slip(moved.slip);
+            }
+            self.next = apply(scene, state, &moved, sliding, log);
         }
-        next = apply(scene, state, &moved, sliding, log);
+        work.saturating_add(moved.work)
     }
-    stays(log);
 }
 
 /// Says where a slide begins and ends, of a body that was in a state and perhaps slid.
@@ -111,10 +146,10 @@ pub(crate) fn log_slide<R: Real>(
 }
 
 /// How many motions of contacts that fix the pose were tried since a verb last moved the body: those did not move it.
-#[derive(Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 struct Tried {
-    two_vertex: usize,
-    locked: usize,
+    two_vertex: u8,
+    locked: u8,
 }
 
 impl Tried {
@@ -131,7 +166,7 @@ impl Tried {
         };
         let before = *tried;
         *tried = before.saturating_add(1);
-        before
+        usize::from(before)
     }
 }
 
@@ -170,7 +205,7 @@ pub(crate) fn apply<R: Real, W: World<R>>(
             rests(state, log);
             Next::Rest
         }
-        Trigger::Pressed | Trigger::Halts | Trigger::Bears => Next::Rest,
+        Trigger::Pressed | Trigger::Halts | Trigger::Bears | Trigger::GoesOn => Next::Rest,
         Trigger::Stopped => {
             if moved.unsure || moved.unbalanced {
                 return Next::Relax(Some(sliding));

@@ -12,12 +12,13 @@ use crate::output::Output;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::Scene;
-use crate::settle::settle;
 use crate::state::{ContactState, Free};
+use crate::work::{Work, least};
 
 mod answer;
 mod evolve;
 
+use evolve::Errand;
 pub use evolve::Evolution;
 
 /// The solver of one scene. It holds no state of a run: one solver serves many.
@@ -67,11 +68,8 @@ pub use evolve::Evolution;
 pub struct Solver<R: Real, const V: usize, const S: usize, M: Model = Full> {
     scene: Scene<R, V, S, M>,
     evolution: Evolution,
-    event_limit: u8,
+    budget: u32,
 }
-
-/// The most events of one frame that are distinguished; see [`Solver::with_event_limit`].
-pub const MAX_EVENT_LIMIT: u8 = 128;
 
 /// The state of a run: plain data, at most 256 bytes in every number type. A copy of it is a snapshot; assigned back, the
 /// run repeats bit for bit, on every machine. It belongs to the scene of the solver that made it.
@@ -120,6 +118,7 @@ pub struct State<R: Real> {
     hand: Hand<R::Si>,
     /// What keeps the pose from being a balance: of the grip, not of the frame, and so reported until the hand moves.
     unrest: Status,
+    errand: Errand<R>,
 }
 
 impl<R: Real> State<R> {
@@ -131,12 +130,12 @@ impl<R: Real> State<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// A solver for a scene, exact and with [`MAX_EVENT_LIMIT`] events to a frame.
+    /// A solver for a scene. Its steps take as much work as there is.
     pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
             scene,
             evolution,
-            event_limit: MAX_EVENT_LIMIT,
+            budget: u32::MAX,
         }
     }
 
@@ -147,28 +146,37 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// A bound on the work of a frame of path evolution: so many events of it are told apart, then the rest of it is one jump
-    /// of the hand, to a balance all the same, and the status is [`Status::EventLimit`]. From 1 to [`MAX_EVENT_LIMIT`],
-    /// which it is without this; what is beyond is taken as the nearer end.
+    /// The least budget of a step: what a solver of this type may need at once, with at most four contacts, in units of work.
+    pub const LEAST_BUDGET: u32 = least(S > 1);
+
+    /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
+    /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
+    /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
+    /// sample leads straight from where the body stands. A budget below [`Self::LEAST_BUDGET`] is taken as that.
     #[must_use]
-    pub fn with_event_limit(mut self, events: u8) -> Self {
-        self.event_limit = events.clamp(1, MAX_EVENT_LIMIT);
+    pub fn with_budget(mut self, units: u32) -> Self {
+        self.budget = units.max(Self::LEAST_BUDGET);
         self
+    }
+
+    /// The budget of a step, in units of work.
+    pub fn budget(&self) -> u32 {
+        self.budget
     }
 
     /// A new run and its first answer: the equilibrium reached from the scene's start pose with the hand at its first pose. A hand
     /// that is not finite or out of range is taken as absent: the body stays at its start until a good one takes hold; so it does
     /// while the hand's switch is off.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
-        let mut log = Log::default();
+        let (mut work, mut log) = (Work::of(self.budget), Log::default());
         let mut state = self.placed_at_start();
         if let Some(target) = self.usable(&hand, &mut log) {
             state.hand = hand;
             if hand.held {
-                self.take_hold(&mut state, target, &mut log);
+                self.take_hold(&mut state, target, (&mut work, &mut log));
             }
         }
-        let output = self.output(&state, log);
+        let output = self.output(&state, (work, log));
         (state, output)
     }
 
@@ -176,16 +184,19 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// as it is, and the status says so: [`Status::HeldLast`] for one that is not finite, [`Status::Saturated`] for one beyond the
     /// range of the number type. The next good one is followed from the last good one.
     pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
-        let mut log = Log::default();
+        let (mut work, mut log) = (Work::of(self.budget), Log::default());
         if let Some(target) = self.usable(&hand, &mut log) {
-            self.switch(state, &hand, target, &mut log);
-            if self.go_to(state, target, &mut log) {
+            let again = hand == state.hand;
+            let was_held = state.held;
+            self.switch(state, &hand, target, (&mut work, &mut log));
+            let is_there = !was_held;
+            if is_there || self.go_to(state, (target, again), (&mut work, &mut log)) {
                 state.hand = hand;
             } else {
                 log.limit(Status::Saturated);
             }
         }
-        self.output(state, log)
+        self.output(state, (work, log))
     }
 
     /// p_h / L and phi of a sample. The log says why one cannot be used, and that the twist of one is not known.
@@ -235,6 +246,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             was_held: false,
             hand: Hand::default(),
             unrest: Status::Ok,
+            errand: Errand::NONE,
         }
     }
 
@@ -244,13 +256,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state: &mut State<R>,
         hand: &Hand<R::Si>,
         target: (Vec2<R>, Angle<R>),
-        log: &mut Log<R>,
+        (work, log): (&mut Work, &mut Log<R>),
     ) {
         if state.held && !hand.held {
             state.held = false;
+            state.errand = Errand::NONE;
             log.event(Event::Release);
         } else if !state.held && hand.held {
-            self.take_hold(state, target, log);
+            self.take_hold(state, target, (work, log));
         }
     }
 
@@ -259,7 +272,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         &self,
         state: &mut State<R>,
         (position, angle): (Vec2<R>, Angle<R>),
-        log: &mut Log<R>,
+        (work, log): (&mut Work, &mut Log<R>),
     ) {
         let pose = state.contact.pose(&self.scene);
         let given = (self.scene.holding_point).filter(|_| !state.was_held);
@@ -291,8 +304,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.grip = grip;
         state.contact.set_regime(Regime::LOOSE);
         state.contact.press(&self.scene, &state.grip);
-        settle(&self.scene, &state.grip, &mut state.contact, log);
-        self.rest(state, log);
+        self.settle(state, (work, log));
     }
 }
 

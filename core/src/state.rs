@@ -42,7 +42,8 @@ pub(crate) use edge::Edge;
 pub(crate) use free::Free;
 pub(crate) use locked::Locked;
 pub(crate) use single_vertex::SingleVertex;
-pub(crate) use two_vertex::TwoVertex;
+pub(crate) use trammel::MOST_OF_RUN;
+pub(crate) use two_vertex::{TwoSlip, TwoVertex};
 
 /// The contact state with its memory.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,6 +149,11 @@ impl<R: Real> ContactState<R> {
                 Regime::Stick { stiction }
             }
         }
+    }
+
+    /// The state and whether its contacts slide.
+    pub(crate) fn motion(&self) -> (StateKind, bool) {
+        (self.kind(), self.regime().slide().is_some())
     }
 
     /// The same state, sticking or sliding; what cannot slide sticks.
@@ -259,7 +265,7 @@ impl<R: Real> ContactState<R> {
         &mut self,
         scene: &W,
         grip: &Grip<R>,
-        direction: R,
+        (direction, under_way): (R, &mut Option<TwoSlip<R>>),
     ) -> Moved<R> {
         match self {
             Self::Free(s) if W::GLIDES => s.snap::<Sliding<R>>(scene, grip, direction),
@@ -269,18 +275,24 @@ impl<R: Real> ContactState<R> {
                 Regime::Slide(sign) => s.snap_sliding(scene, grip, (direction, sign)),
                 Regime::Stick { .. } => s.snap(scene, grip, direction),
             },
-            Self::TwoVertex(s) if W::SURFACES => s.snap(scene, grip, direction),
+            Self::TwoVertex(s) if W::SURFACES => s.snap(scene, grip, direction, under_way),
             Self::Corner(s) if W::SURFACES => s.snap(scene, grip, direction),
             other => other.relax(scene, grip, Relax::default()),
         }
     }
 
-    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first.
-    pub(crate) fn slip<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
+    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first. That of two vertices may take
+    /// several goes: `under_way` remembers it.
+    pub(crate) fn slip<W: World<R>>(
+        &mut self,
+        scene: &W,
+        grip: &Grip<R>,
+        (sign, under_way): (R, &mut Option<TwoSlip<R>>),
+    ) -> Moved<R> {
         match self {
             Self::SingleVertex(s) if !W::GLIDES => s.slip(scene, grip, sign),
             Self::Edge(s) if W::EDGES && !W::GLIDES => s.slip(scene, grip, sign),
-            Self::TwoVertex(s) if W::SURFACES => s.slip(scene, grip),
+            Self::TwoVertex(s) if W::SURFACES => s.slip(scene, grip, under_way),
             _ => absent(),
         }
     }

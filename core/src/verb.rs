@@ -36,6 +36,8 @@ pub(crate) enum Trigger<R> {
     Clear,
     /// No motion is driven although friction gives way.
     Undriven,
+    /// Nothing has happened so far: the verb goes on from where it came to.
+    GoesOn,
 }
 
 /// How a state comes to balance.
@@ -61,6 +63,8 @@ pub(crate) struct Moved<R> {
     pub(crate) unsure: bool,
     /// A slip ended elsewhere than in balance: one that began out of balance, when another contact opened, or was blocked.
     pub(crate) unbalanced: bool,
+    /// The looks of its searches, in units of work.
+    pub(crate) work: u32,
 }
 
 impl<R: Real> Moved<R> {
@@ -72,6 +76,7 @@ impl<R: Real> Moved<R> {
             snapped: false,
             unsure: false,
             unbalanced: false,
+            work: 0,
         }
     }
 }

@@ -178,11 +178,11 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     }
 
     /// The first zero of a margin on an extent.
-    fn curved_zero(&self, margin: &Margin<R>, extent: &Extent<R>) -> Found<R> {
+    fn curved_zero(&self, margin: &Margin<R>, extent: &mut Extent<R>) -> Found<R> {
         let margin = &margin.scaled();
         let curvature_bound = self.curvature_bound(margin);
         let limit = extent.end.x;
-        let found = first_zero(limit, |x| {
+        let found = first_zero(limit, &mut extent.looks, |x| {
             Samples::far([self.slope(margin, &self.at(x), (&curvature_bound, limit - x))])
         });
         match found {

@@ -32,7 +32,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             };
             return true;
         }
-        let found = first_zero(limit, |x| {
+        let found = first_zero(limit, &mut extent.looks, |x| {
             Samples::far([self.advance_of(&foot, &self.at(x), limit).as_slope(R::ONE)])
         });
         let (x, unsure) = match found {

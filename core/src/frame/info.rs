@@ -49,6 +49,8 @@ pub struct Info<'a> {
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
+    /// The budget of a step in units of work, see [`Solver::with_budget`](crate::Solver::with_budget): it follows from the tick.
+    pub budget: u32,
     /// Below these k_h (N/m) and k_theta (N·m/rad) its haptic device is passive at its tick rate; infinite without actuators.
     pub stiffest: [f32; 2],
     /// k_h (N/m) and k_theta (N·m/rad) now.
@@ -64,7 +66,7 @@ pub struct Info<'a> {
 }
 
 impl<'a> Info<'a> {
-    const HEAD_BYTES: usize = 40 + Mode::BYTES;
+    const HEAD_BYTES: usize = 44 + Mode::BYTES;
     /// With the longest name.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
@@ -77,6 +79,7 @@ impl<'a> Info<'a> {
         sink.parts(&[friction, weight << 1, actuators << 2]);
         sink.u16(self.longest_frame);
         sink.u16(self.fastest_tick);
+        sink.u32(self.budget);
         for pair in [self.stiffest, self.stiffness, self.friction_now] {
             sink.f32s(&pair);
         }
@@ -103,6 +106,7 @@ impl<'a> Info<'a> {
             actuators: has & 4 != 0,
             longest_frame: fields.u16(),
             fastest_tick: fields.u16(),
+            budget: fields.u32(),
             stiffest: fields.f32s(),
             stiffness: fields.f32s(),
             friction_now: fields.f32s(),

@@ -3,7 +3,7 @@
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink, require};
 use crate::hand::Axis;
-use crate::solver::{Evolution, MAX_EVENT_LIMIT};
+use crate::solver::Evolution;
 
 /// When a board makes a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -71,9 +71,6 @@ pub struct Mode {
     pub forces_every: u16,
     /// Health every so many milliseconds; 0: never.
     pub health_every: u16,
-    /// So many events of a step are told apart, 1 to 128, see
-    /// [`Solver::with_event_limit`](crate::Solver::with_event_limit).
-    pub event_limit: u8,
 }
 
 /// +x, +y, +z, nothing, -x, -y, -z: bit 2 is the sign.
@@ -96,10 +93,9 @@ impl Mode {
         pose_every: 1,
         forces_every: 0,
         health_every: 1000,
-        event_limit: MAX_EVENT_LIMIT,
     };
 
-    pub(super) const BYTES: usize = 14;
+    pub(super) const BYTES: usize = 13;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Evolution::ALL, &self.evolution);
@@ -116,7 +112,6 @@ impl Mode {
         sink.u16(self.pose_every);
         sink.u16(self.forces_every);
         sink.u16(self.health_every);
-        sink.byte(self.event_limit);
     }
 
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
@@ -134,7 +129,6 @@ impl Mode {
             pose_every: fields.u16(),
             forces_every: fields.u16(),
             health_every: fields.u16(),
-            event_limit: fields.u8(),
         })
     }
 }

@@ -177,7 +177,7 @@ impl Pose {
 const fn status_code(status: Status) -> u8 {
     match status {
         Status::Ok => 0,
-        Status::EventLimit => 1,
+        Status::Behind => 1,
         Status::IterationLimit => 2,
         Status::Ambiguous => 3,
         Status::Saturated => 4,

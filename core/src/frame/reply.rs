@@ -72,8 +72,6 @@ pub enum Subject {
     TickRate,
     /// What is sent would not fit the line (bytes per second).
     LineRate,
-    /// The events of a step.
-    EventLimit,
 }
 
 /// The answer to a command.
@@ -210,7 +208,6 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
         },
         Subject::TickRate => (32, [0; 2]),
         Subject::LineRate => (33, [0; 2]),
-        Subject::EventLimit => (34, [0; 2]),
     }
 }
 
@@ -238,7 +235,6 @@ fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
         15 => Parameter::Memory(i),
         32 => return Ok(Subject::TickRate),
         33 => return Ok(Subject::LineRate),
-        34 => return Ok(Subject::EventLimit),
         _ => return Err(FaultKind::Value),
     };
     Ok(Subject::Scene(parameter))

@@ -9,6 +9,18 @@ use crate::state::{Edge, SingleVertex};
 
 mod edge;
 
+/// What follows from a trigger, to where the body rests.
+fn happens<R: Real>(
+    scene: &impl World<R>,
+    (at, to): (&mut Grip<R>, &Grip<R>),
+    state: &mut ContactState<R>,
+    trigger: Trigger<R>,
+    log: &mut Log<R>,
+) {
+    let mut settling = super::happens(scene, (at, to), state, trigger, log);
+    while settling.go_on(scene, at, state, log).is_some() {}
+}
+
 const STICTION: Regime<f64> = Regime::Stick { stiction: true };
 
 /// A vertex that bears (N, T), parts of N* and of mu_d N or mu_s N, and where the hand goes.

@@ -85,9 +85,9 @@ fn first_listed_of_two_zeros_counts() {
     };
     for (begins, which) in [([1.0, 1.0], 0), ([1.5, 1.0], 1), ([1.0, 1.5], 0)] {
         let sample = |x: f64| Samples::far(begins.map(|from| falls(x, from)));
-        let found = first_zero(8.0, sample);
+        let found = first_zero(8.0, &mut { Looks::ALL }, sample);
         assert_eq!(found, Found::Zero { x: 1.0, which });
-        let found = first_zero(0.5, sample);
+        let found = first_zero(0.5, &mut { Looks::ALL }, sample);
         assert_eq!(found, Found::Nothing { x: 0.0 });
     }
 }
@@ -110,7 +110,7 @@ fn search_that_gives_up_says_so() {
     };
     let mut last = 0.0;
     for most in 1..20 {
-        let search = || first_zero(8.0, |x| Samples::far([flat, falls(x)]));
+        let search = || first_zero(8.0, &mut { Looks::ALL }, |x| Samples::far([flat, falls(x)]));
         let (found, counts) = searches::giving_up(most, search);
         let Found::Unsure { x, which: 1 } = found else {
             panic!("{most}: {found:?}");

@@ -8,9 +8,14 @@ use crate::log::Log;
 use crate::model::Model;
 use crate::output::Output;
 use crate::real::Real;
+use crate::work::Work;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    pub(super) fn output(&self, state: &State<R>, log: Log<R>) -> Output<R::Si> {
+    pub(super) fn output(
+        &self,
+        state: &State<R>,
+        (work, log): (Work, Log<R>),
+    ) -> Output<R::Si> {
         let pose = state.contact.pose(&self.scene);
         let angle = pose.orientation.angle();
         Output {
@@ -25,6 +30,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             slips: log.slips,
             longest_slip: self.scene.units.length_to_si(log.longest_slip),
             status: log.final_status(),
+            behind: state.errand.left().to_si(R::Si::ONE),
+            work: work.done(),
             transitions: log.transitions,
             events: log.events,
         }

@@ -9,8 +9,9 @@ use crate::log::Log;
 use crate::model::Model;
 use crate::path_event::happens;
 use crate::real::Real;
-use crate::settle::{rests, settle};
+use crate::settle::{Settling, rests};
 use crate::verb::Trigger;
+use crate::work::Work;
 
 /// How a frame is evolved (STATICS 7).
 ///
@@ -69,17 +70,80 @@ impl Evolution {
     }
 }
 
-/// So many events of a frame are told apart in frame evolution: the first one happens where the hand reaches it.
-const FRAME_EVENTS: u8 = 1;
+/// Where the following of the hand stands.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Stage<R> {
+    /// In balance on the path of the hand.
+    OnPath,
+    /// At an event on it.
+    AtEvent(Trigger<R>),
+    /// It comes to rest at a frozen hand.
+    Settling(Settling<R>),
+}
+
+/// What is left to do of the hand's path.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Errand<R> {
+    stage: Stage<R>,
+    /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
+    left: R,
+    /// In so many pieces it was followed.
+    pieces: u16,
+    /// There was an event on it.
+    has_event: bool,
+    /// The next piece goes the part 4^-k of what is left: where the looks at a path do not suffice, those at a shorter one do.
+    quarters: u8,
+    /// What limited it so far.
+    limited: Status,
+}
+
+impl<R: Real> Errand<R> {
+    /// Nothing is left to do.
+    pub(super) const NONE: Self = Self {
+        stage: Stage::OnPath,
+        left: R::ZERO,
+        pieces: 0,
+        has_event: false,
+        quarters: 0,
+        limited: Status::Ok,
+    };
+
+    /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
+    pub(super) fn left(&self) -> R {
+        self.left
+    }
+
+    fn is_done(&self) -> bool {
+        self.left == R::ZERO
+    }
+
+    /// The hand goes to a new place. What settles settles first.
+    fn begin(&mut self) {
+        if let Stage::AtEvent(_) = self.stage {
+            // The body is in balance there, wherever the hand goes on to.
+            self.stage = Stage::OnPath;
+        }
+        *self = Self {
+            stage: core::mem::replace(&mut self.stage, Stage::OnPath),
+            left: R::ONE,
+            ..Self::NONE
+        };
+    }
+}
+
+/// After so many pieces of one displacement the hand jumps: a body that goes on from event to event without end comes to rest there.
+const MAX_PIECES: u16 = 1024;
+/// On pieces shorter than 4^-8 of the displacement the searches do not get away from where they are.
+const MAX_QUARTERS: u8 = 8;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// The hand goes to `target` and the body with it, if it holds it. False, and nothing has moved, where it is out of
-    /// range.
+    /// The hand goes to `target` and the body with it, if it holds it, as far as the work goes; `again`: it has been on the way there.
+    /// False, and nothing has moved, where it is out of range.
     pub(super) fn go_to(
         &self,
         state: &mut State<R>,
-        (hand, angle): (Vec2<R>, Angle<R>),
-        log: &mut Log<R>,
+        ((hand, angle), again): ((Vec2<R>, Angle<R>), bool),
+        (work, log): (&mut Work, &mut Log<R>),
     ) -> bool {
         if !state.held {
             return true;
@@ -89,65 +153,164 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             hand,
             angle: angle.offset_from(state.rest_offset),
         };
-        if to == state.grip {
-            log.limit(state.unrest);
-            return true;
-        }
-        if (state.contact).follow(&self.scene, (&state.grip, &to)) {
-            rests(&state.contact, log);
-            state.grip = to;
-            state.unrest = Status::Ok;
-            return true;
+        if state.errand.is_done() {
+            if to == state.grip {
+                log.limit(state.unrest);
+                return true;
+            }
+            work.spend(state.contact.certified_work());
+            if (state.contact).follow(&self.scene, (&state.grip, &to)) {
+                rests(&state.contact, log);
+                state.grip = to;
+                state.unrest = Status::Ok;
+                return true;
+            }
         }
         if !state.contact.can_be_held(&self.scene, &to) {
             return false;
-        } else if matches!(state.unrest, Status::Ok | Status::Jammed) {
-            self.along_path(state, &to, log);
-        } else {
-            // A path begins in balance: out of it there is only a jump.
-            settle(&self.scene, &to, &mut state.contact, log);
         }
-        state.grip = to;
-        self.rest(state, log);
+        if again && !state.errand.is_done() {
+            log.limit(state.errand.limited);
+        } else {
+            state.errand.begin();
+        }
+        self.follow_hand(state, &to, (work, log));
         true
     }
 
-    /// How the body rests at the end of a frame.
-    pub(super) fn rest(&self, state: &mut State<R>, log: &mut Log<R>) {
-        if state.contact.is_jammed(&self.scene, &state.grip) {
-            log.limit(Status::Jammed);
-        }
-        state.unrest = log.unrest();
+    /// Brings the body to rest at a hand that takes hold of it.
+    pub(super) fn settle(&self, state: &mut State<R>, (work, log): (&mut Work, &mut Log<R>)) {
+        let to = state.grip;
+        state.errand = Errand {
+            stage: Stage::Settling(Settling::after_jump(&state.contact)),
+            left: R::ONE,
+            ..Errand::NONE
+        };
+        self.follow_hand(state, &to, (work, log));
     }
 
-    /// Event by event along the straight path of the hand (STATICS 7); after the last one that counts the hand jumps.
-    fn along_path(&self, state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
-        let events = match self.evolution {
-            Evolution::Path => self.event_limit,
-            Evolution::Frame => FRAME_EVENTS,
+    /// Piece by piece to the end of the hand's path, or until the work that is left is less than the next piece may take.
+    fn follow_hand(
+        &self,
+        state: &mut State<R>,
+        to: &Grip<R>,
+        (work, log): (&mut Work, &mut Log<R>),
+    ) {
+        // The least budget allows one piece.
+        let mut is_first = true;
+        while is_first || work.allows(state.contact.most_work(&self.scene)) {
+            is_first = false;
+            let stage = core::mem::replace(&mut state.errand.stage, Stage::OnPath);
+            match stage {
+                Stage::OnPath if state.grip == *to => {
+                    work.spend(state.contact.verb_work());
+                    if state.contact.is_jammed(&self.scene, &state.grip) {
+                        log.limit(Status::Jammed);
+                    }
+                    state.unrest = log.unrest();
+                    state.errand = Errand::NONE;
+                    return;
+                }
+                Stage::OnPath => self.along_path(state, to, (work, log)),
+                Stage::AtEvent(trigger) => {
+                    work.spend(state.contact.verb_work());
+                    let path = (&mut state.grip, to);
+                    let settling = happens(&self.scene, path, &mut state.contact, trigger, log);
+                    state.errand.stage = Stage::Settling(settling);
+                }
+                Stage::Settling(mut settling) => {
+                    let (grip, contact) = (&state.grip, &mut state.contact);
+                    match settling.go_on(&self.scene, grip, contact, log) {
+                        Some(units) => {
+                            work.spend(units);
+                            state.errand.stage = Stage::Settling(settling);
+                        }
+                        // Out of balance there is no path, only a jump.
+                        None if log.unrest() != Status::Ok => Self::jump(state, to, log),
+                        None => {}
+                    }
+                }
+            }
+        }
+        state.errand.left = state.errand.left.max(R::EPSILON);
+        let is_settled = state.grip == *to && state.errand.stage == Stage::OnPath;
+        state.errand.limited = if is_settled {
+            log.final_status()
+        } else {
+            log.status
         };
-        for event in 0..events {
-            if log.unrest() != Status::Ok {
-                // Out of balance there is no path, only a jump.
-                return settle(&self.scene, to, &mut state.contact, log);
-            }
-            if event > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
-                return rests(&state.contact, log);
-            }
-            let moved = state.contact.advance(&self.scene, &state.grip, to);
-            if moved.trigger == Trigger::Balanced && !moved.unsure {
-                return rests(&state.contact, log);
-            }
-            state.grip = state.grip.lerp(to, moved.part);
-            // Up to where a search gave up nothing has happened: on from there.
-            if !moved.unsure {
-                let path = (&mut state.grip, to);
-                happens(&self.scene, path, &mut state.contact, moved.trigger, log);
-            }
+        log.limit(Status::Behind);
+    }
+
+    /// Along the straight path of the hand to the next event (STATICS 7); after the last one that counts the hand jumps.
+    fn along_path(
+        &self,
+        state: &mut State<R>,
+        to: &Grip<R>,
+        (work, log): (&mut Work, &mut Log<R>),
+    ) {
+        let is_endless =
+            state.errand.pieces >= MAX_PIECES || state.errand.quarters > MAX_QUARTERS;
+        if is_endless {
+            log.limit(Status::IterationLimit);
         }
-        if self.evolution == Evolution::Path {
-            log.limit(Status::EventLimit);
+        // The first event of a displacement happens where the hand reaches it in frame evolution, too.
+        let has_happened = self.evolution == Evolution::Frame && state.errand.has_event;
+        let is_balanced = matches!(state.unrest, Status::Ok | Status::Jammed);
+        if is_endless || has_happened || !is_balanced {
+            return Self::jump(state, to, log);
         }
-        settle(&self.scene, to, &mut state.contact, log);
+        work.spend(state.contact.verb_work());
+        if state.errand.pieces > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
+            rests(&state.contact, log);
+            state.grip = *to;
+            return;
+        }
+        let quarters = state.errand.quarters;
+        let piece = (0..quarters).fold(R::ONE, |piece, _| piece.halved().halved());
+        let end = if quarters == 0 {
+            *to
+        } else {
+            state.grip.lerp(to, piece)
+        };
+        let moved = state.contact.advance(&self.scene, &state.grip, &end);
+        work.spend(moved.work);
+        let arrives = moved.trigger == Trigger::Balanced && !moved.unsure;
+        if arrives && quarters == 0 {
+            rests(&state.contact, log);
+            state.grip = *to;
+            return;
+        }
+        state.errand.pieces = state.errand.pieces.saturating_add(1);
+        state.errand.quarters = if moved.unsure && moved.part == R::ZERO {
+            quarters.saturating_add(1)
+        } else {
+            0
+        };
+        state.grip = if arrives {
+            end
+        } else {
+            state.grip.lerp(&end, moved.part)
+        };
+        state.errand.left = state.errand.left * (R::ONE - piece * moved.part);
+        if arrives || moved.trigger == Trigger::GoesOn {
+            return;
+        }
+        state.errand.has_event = true;
+        // Up to where a search gave up nothing has happened: on from there.
+        if !moved.unsure {
+            state.errand.stage = Stage::AtEvent(moved.trigger);
+        }
+    }
+
+    /// The hand jumps to the end of its path, and the body settles there.
+    fn jump(state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
+        if state.grip == *to {
+            return;
+        }
+        log.ambiguous = false;
+        state.unrest = Status::Ok;
+        state.grip = *to;
+        state.errand.stage = Stage::Settling(Settling::after_jump(&state.contact));
     }
 }

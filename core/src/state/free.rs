@@ -8,6 +8,7 @@ use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Pinned, SecondHarmonic};
 use crate::real::Real;
+use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
@@ -147,13 +148,17 @@ impl<R: Real> Free<R> {
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
         let mut moved = self.straight::<H>(scene, grip, downhill.turn, R::ONE);
+        let mut work = moved.work.saturating_add(downhill.work());
         if moved.trigger != Trigger::Balanced && begin.has_just_opened(scene) {
             *self = begin;
             moved = self.straight::<H>(scene, grip, R::ZERO, R::ONE);
+            work = work.saturating_add(moved.work);
             if moved.trigger == Trigger::Balanced {
                 moved = self.straight::<H>(scene, grip, downhill.turn, R::ZERO);
+                work = work.saturating_add(moved.work);
             }
         }
+        moved.work = work;
         if moved.trigger == Trigger::Balanced {
             *self = Self::balance::<H>(scene, grip, near);
         }
@@ -180,6 +185,7 @@ impl<R: Real> Free<R> {
                 turn: grip.angle.minus(self.pose.orientation.angle()),
                 snapped: false,
                 unsure: false,
+                looks: Looks::ALL,
             }
         } else {
             self.load(scene, grip).pinned::<H>().downhill()

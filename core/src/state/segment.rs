@@ -122,10 +122,16 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.extent.end.turn
     }
 
+    /// The looks at it, in units of work.
+    pub(super) fn work(&self) -> u32 {
+        self.extent.looks.taken()
+    }
+
     pub(super) fn moved(&self) -> Moved<R> {
         Moved {
             part: self.part(),
             unsure: self.extent.unsure,
+            work: self.work(),
             ..Moved::by(self.trigger)
         }
     }
@@ -164,6 +170,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         Moved {
             snapped: downhill.snapped,
             unsure: moved.unsure || downhill.unsure,
+            work: moved.work.saturating_add(downhill.work()),
             ..moved
         }
     }

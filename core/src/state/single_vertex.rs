@@ -314,7 +314,9 @@ impl<R: Real> SingleVertex<R> {
         // To look no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
         let (mut slip, mut segment) = self.slip_segment(scene, &load, sign * near);
+        let mut work = 0;
         if segment.goes_on() && near < farthest {
+            work = segment.work();
             (slip, segment) = self.slip_segment(scene, &load, sign * farthest);
         }
         self.pivot = self.pivot.moved(slip, R::ZERO);
@@ -332,6 +334,7 @@ impl<R: Real> SingleVertex<R> {
         Moved {
             slip,
             unbalanced,
+            work: moved.work.saturating_add(work),
             ..moved
         }
     }

@@ -140,9 +140,11 @@ impl<R: Real> SingleVertex<R> {
             self.pivot.slide(scene, &from.lerp(to, moved.part), &edge);
         } else if !self.rest(scene, to, &edge) && W::GLIDES {
             // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
+            let down = self.glide_down(scene, to);
             return Moved {
                 part: R::ONE,
-                ..self.glide_down(scene, to)
+                work: down.work.saturating_add(moved.work),
+                ..down
             };
         }
         moved
@@ -232,6 +234,7 @@ impl<R: Real> SingleVertex<R> {
         Moved {
             snapped: downhill.snapped,
             unsure: moved.unsure || downhill.unsure,
+            work: moved.work.saturating_add(downhill.work()),
             ..moved
         }
     }

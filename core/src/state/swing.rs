@@ -12,6 +12,7 @@ use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Drive, Moment, Pinned};
 use crate::real::{Real, along};
+use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
@@ -359,6 +360,7 @@ impl<R: Real> SingleVertex<R> {
             turn: swing.downhill(direction.unwrap_or(down)),
             snapped: direction.is_some(),
             unsure: false,
+            looks: Looks::ALL,
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::grip::Grip;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::search::{Found, Samples, first_zero};
+use crate::search::{Found, Looks, Samples, first_zero};
 use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
@@ -22,6 +22,15 @@ use kinematics::Quantities;
 
 pub(crate) use certified::certified_slide;
 pub(crate) use slide::{SlideEnding, Slides};
+
+/// A look at the motion of two contacts takes as long as so many at that of one.
+const LOOK: u32 = 8;
+
+/// So many looks at a motion of two contacts: from where they lead it goes on with others.
+const MOST_LOOKS: u8 = 12;
+
+/// The most units of work that a run takes.
+pub(crate) const MOST_OF_RUN: u32 = LOOK * MOST_LOOKS as u32 + Looks::MOST as u32;
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +78,8 @@ pub(crate) struct Run<R> {
     pub(crate) slide: R,
     pub(crate) turn: R,
     pub(crate) unsure: bool,
+    /// The looks for its end, in units of work.
+    pub(crate) work: u32,
 }
 
 /// What ended a run.
@@ -291,7 +302,8 @@ impl<R: Real> Trammel<R> {
         let sense = self.sense.resistance.sign();
         let begin: [R; 2] = self.velocities(&self.sense.curve.at(R::ZERO));
         let are_turning = begin.map(|v| v.abs() <= R::standstill());
-        let found = first_zero(window, |x| {
+        let mut looks = Looks::at_most(MOST_LOOKS);
+        let found = first_zero(window, &mut looks, |x| {
             let q: Quantities<Bounded<R>> = self.quantities(&self.sense.curve.at(x), window);
             let never = Bounded::constant(R::ONE).as_slope(R::ONE);
             let [n1, n2] = q.normals.map(|normal| match demand {
@@ -326,7 +338,7 @@ impl<R: Real> Trammel<R> {
             Found::Nothing { .. } => (window, Ending::Window, false),
             Found::Zero { x, which } => (x, self.ending(which), false),
             // So far nothing ended it: it goes on from there.
-            Found::Unsure { x, .. } => (x, Ending::Window, true),
+            Found::Unsure { x, .. } => (x, Ending::Window, x == R::ZERO),
         };
         let mut extent = Extent {
             unsure,
@@ -344,6 +356,7 @@ impl<R: Real> Trammel<R> {
             slide: extent.part(),
             turn: extent.end.turn,
             unsure: extent.unsure,
+            work: work_of(looks, &extent),
         };
         (run, ending)
     }
@@ -376,6 +389,11 @@ pub(crate) fn sliding_reactions<R: Real>(
     }
     let trammel = Trammel::in_sense(scene, contacts, grip, direction);
     (trammel.reactions(), trammel.signs())
+}
+
+/// The units of work of the looks at the two contacts, and of those for a touch.
+fn work_of<R>(looks: Looks, extent: &Extent<R>) -> u32 {
+    (looks.taken().saturating_mul(LOOK)).saturating_add(extent.looks.taken())
 }
 
 /// (N, T) of contacts that slide from the parts of their reactions along the edges of the dynamic cones.

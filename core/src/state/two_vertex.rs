@@ -26,8 +26,20 @@ pub(crate) struct TwoVertex<R> {
     pub(super) room: R,
 }
 
-/// A slip goes at most this many times its window of one body size or radian.
-const WINDOWS: usize = 16;
+/// A slip on two surfaces that is under way, window by window.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct TwoSlip<R> {
+    begin: Pivot<R>,
+    /// So far the first contact has slid along its tangent, and the body has turned.
+    slide: R,
+    turn: R,
+    /// The sign of the twist: it goes one way.
+    sense: R,
+    demand: Demand,
+    /// What ends it where nothing drives it on.
+    ends: Trigger<R>,
+    unsure: bool,
+}
 
 impl<R: Real> TwoVertex<R> {
     pub(crate) fn new(pivot: Pivot<R>, other: Pair) -> Self {
@@ -101,7 +113,7 @@ impl<R: Real> TwoVertex<R> {
         Slides::new(trammel, &from.displacement_to(to))
     }
 
-    /// Slides on both surfaces as the hand moves, to the first of halt, fold, touch, N_i = 0, stiction.
+    /// Slides on both surfaces as the hand moves, to the first of halt, fold, touch, N_i = 0, stiction, or as far as the bounds hold.
     fn advance_sliding(
         &mut self,
         scene: &impl World<R>,
@@ -109,36 +121,26 @@ impl<R: Real> TwoVertex<R> {
         sense: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        let mut done = R::ZERO;
-        let mut at = *from;
-        for _ in 0..WINDOWS {
-            let slides = self.sliding(scene, (&at, to), sense);
-            let (run, part, ending) = slides.run(scene, &self.contacts());
-            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
-            at = at.lerp(to, part);
-            done = done + (R::ONE - done) * part;
-            let trigger = match ending {
-                SlideEnding::Window => continue,
-                SlideEnding::Arrives => Trigger::Balanced,
-                SlideEnding::Halts => Trigger::Halts,
-                SlideEnding::Folds => Trigger::Fold(sense),
-                SlideEnding::Pressed => Trigger::Pressed,
-                SlideEnding::Touches(pair) => Trigger::Touch(pair),
-                SlideEnding::Opens { lasts, sliding } => Trigger::Keep {
-                    contacts: [lasts, lasts],
-                    sliding: Some(sliding),
-                },
-            };
-            return Moved {
-                part: done,
-                ..Moved::by(trigger)
-            };
-        }
-        // So far nothing ended it: it goes on from there.
+        let slides = self.sliding(scene, (from, to), sense);
+        let (run, part, ending) = slides.run(scene, &self.contacts());
+        self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+        let trigger = match ending {
+            SlideEnding::Window if !run.unsure => Trigger::GoesOn,
+            SlideEnding::Window | SlideEnding::Arrives => Trigger::Balanced,
+            SlideEnding::Halts => Trigger::Halts,
+            SlideEnding::Folds => Trigger::Fold(sense),
+            SlideEnding::Pressed => Trigger::Pressed,
+            SlideEnding::Touches(pair) => Trigger::Touch(pair),
+            SlideEnding::Opens { lasts, sliding } => Trigger::Keep {
+                contacts: [lasts, lasts],
+                sliding: Some(sliding),
+            },
+        };
         Moved {
-            part: done,
-            unsure: true,
-            ..Moved::by(Trigger::Balanced)
+            part,
+            unsure: run.unsure,
+            work: run.work,
+            ..Moved::by(trigger)
         }
     }
 
@@ -197,78 +199,124 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
-    /// its memory, else they slide on with the hand (rule 10d).
-    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
-        self.slip_on(scene, grip, None)
+    /// its memory, else they slide on with the hand (rule 10d). It goes as far as the bounds hold; what is under way then goes on.
+    pub(crate) fn slip(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        under_way: &mut Option<TwoSlip<R>>,
+    ) -> Moved<R> {
+        let contacts = (&self.pivot, self.other);
+        // It goes one way.
+        let (senses, demand) = match under_way {
+            Some(slip) => ([slip.sense; 2], slip.demand),
+            None => ([R::ONE, -R::ONE], Demand::Pressed),
+        };
+        let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
+        match any(demand).or_else(|| any(Demand::AtTheEnd)) {
+            Some(trammel) => self.slip_on(scene, grip, (&trammel, R::ZERO), under_way),
+            None => match under_way.take() {
+                // Nothing drives it beyond what was looked at.
+                Some(slip) => self.end_slip(scene, grip, (&slip, true)),
+                None => Moved::by(Trigger::Undriven),
+            },
+        }
     }
 
     /// From a fold of a slide, on in the same sense.
-    pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Moved<R> {
-        self.slip_on(scene, grip, Some(sense))
+    pub(crate) fn snap(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        sense: R,
+        under_way: &mut Option<TwoSlip<R>>,
+    ) -> Moved<R> {
+        if under_way.is_some() {
+            return self.slip(scene, grip, under_way);
+        }
+        let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
+        let clear = trammel.clear_of_fold();
+        self.slip_on(scene, grip, (&trammel, clear), under_way)
     }
 
-    /// In the sense that is driven most, or over a fold in the sense of the slide.
-    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, over_fold: Option<R>) -> Moved<R> {
+    /// Slips as far as the bounds hold; balance does not end it before `clear`.
+    fn slip_on(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (trammel, clear): (&Trammel<R>, R),
+        under_way: &mut Option<TwoSlip<R>>,
+    ) -> Moved<R> {
         self.room = R::ZERO;
-        let mut moved = Moved::by(Trigger::Undriven);
-        let (begin, mut turn) = (self.pivot, R::ZERO);
-        let (mut sense, mut folds) = (over_fold, over_fold.is_some());
-        let mut demand = Demand::Pressed;
-        for _ in 0..WINDOWS {
-            // It goes one way.
-            let senses = sense.map_or([R::ONE, -R::ONE], |sense| [sense; 2]);
-            let contacts = (&self.pivot, self.other);
-            let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
-            let trammel = match sense {
-                Some(sense) if folds => Some(Trammel::in_sense(scene, contacts, grip, sense)),
-                _ => any(demand).or_else(|| any(Demand::AtTheEnd)),
-            };
-            let Some(trammel) = trammel else {
-                break;
-            };
-            sense = Some(trammel.direction());
-            let clear = if folds {
-                trammel.clear_of_fold()
-            } else {
-                R::ZERO
-            };
-            folds = false;
-            let (run, ending) = trammel.run(scene, &self.contacts(), (clear, demand));
-            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
-            moved.slip = moved.slip + run.slide;
-            turn = turn + run.turn;
-            moved.unsure |= run.unsure;
-            moved.unbalanced = ending != Ending::Stopped || demand == Demand::AtTheEnd;
-            moved.trigger = match ending {
-                Ending::Window | Ending::Reverses | Ending::Stopped => Trigger::Stopped,
-                Ending::Touches(pair) => Trigger::Touch(pair),
-                Ending::Opens { lasts, sliding } => Trigger::Keep {
-                    contacts: [lasts, lasts],
-                    sliding: Some(sliding),
-                },
-            };
-            match ending {
-                Ending::Window | Ending::Reverses => {}
-                Ending::Opens { lasts, sliding } if !self.can_open(scene, grip, lasts, sliding) => {
-                    demand = Demand::AtTheEnd;
-                }
-                _ => break,
+        let mut slip = under_way.take().unwrap_or(TwoSlip {
+            begin: self.pivot,
+            slide: R::ZERO,
+            turn: R::ZERO,
+            sense: trammel.direction(),
+            demand: Demand::Pressed,
+            ends: Trigger::Stopped,
+            unsure: false,
+        });
+        let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
+        self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+        slip.slide = slip.slide + run.slide;
+        slip.turn = slip.turn + run.turn;
+        slip.unsure |= run.unsure;
+        slip.ends = match ending {
+            Ending::Window | Ending::Reverses | Ending::Stopped => Trigger::Stopped,
+            Ending::Touches(pair) => Trigger::Touch(pair),
+            Ending::Opens { lasts, sliding } => Trigger::Keep {
+                contacts: [lasts, lasts],
+                sliding: Some(sliding),
+            },
+        };
+        let unbalanced = ending != Ending::Stopped || slip.demand == Demand::AtTheEnd;
+        let goes_on = match ending {
+            Ending::Window | Ending::Reverses => true,
+            Ending::Opens { lasts, sliding } if !self.can_open(scene, grip, lasts, sliding) => {
+                slip.demand = Demand::AtTheEnd;
+                true
             }
+            _ => false,
+        };
+        let moved = if goes_on {
+            *under_way = Some(slip);
+            Moved::by(Trigger::GoesOn)
+        } else {
+            self.end_slip(scene, grip, (&slip, unbalanced))
+        };
+        Moved {
+            work: run.work,
+            ..moved
+        }
+    }
+
+    /// What a slip leaves behind that goes no farther.
+    fn end_slip(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (slip, unbalanced): (&TwoSlip<R>, bool),
+    ) -> Moved<R> {
+        let mut moved = Moved {
+            slip: slip.slide,
+            unsure: slip.unsure,
+            unbalanced,
+            ..Moved::by(slip.ends)
+        };
+        if moved.trigger != Trigger::Stopped {
+            return moved;
         }
         // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
-        if moved.trigger == Trigger::Stopped && !self.fixed_pose(scene).is_at_rest(scene, grip) {
+        if !self.fixed_pose(scene).is_at_rest(scene, grip) {
             moved.unbalanced = true;
-            if moved.slip.abs() + turn.abs() <= R::MICRO {
-                self.pivot = begin;
+            if slip.slide.abs() + slip.turn.abs() <= R::MICRO {
+                self.pivot = slip.begin;
                 moved.trigger = Trigger::Undriven;
             }
         }
-        if let Some(sense) = sense
-            && moved.trigger == Trigger::Stopped
-            && !moved.unsure
-            && !moved.unbalanced
-        {
-            self.regime = Regime::after_slip(self.has_renewed(scene, &begin), sense);
+        if !moved.unsure && !moved.unbalanced {
+            self.regime = Regime::after_slip(self.has_renewed(scene, &slip.begin), slip.sense);
         }
         moved
     }
@@ -329,6 +377,21 @@ fn slides<R: Real>(trigger: Trigger<R>) -> Trigger<R> {
             sliding: Some(sign),
         } if a != b => Trigger::Slide(sign),
         other => other,
+    }
+}
+
+#[cfg(test)]
+impl<R: Real> TwoVertex<R> {
+    /// A slip to its end, in as many goes as it takes.
+    pub(super) fn slip_to_the_end(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
+        let mut under_way = None;
+        for _ in 0..1000 {
+            let moved = self.slip(scene, grip, &mut under_way);
+            if moved.trigger != Trigger::GoesOn {
+                return moved;
+            }
+        }
+        panic!("a slip without end");
     }
 }
 

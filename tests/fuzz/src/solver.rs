@@ -29,7 +29,8 @@ fn follow<R: Number>(case: &Case) {
     let Ok(scene) = case.setup.scene::<R>() else {
         return;
     };
-    let solver = Solver::new(scene, case.evolution).with_event_limit(case.event_limit);
+    let solver = Solver::new(scene, case.evolution);
+    let cut = solver.clone().with_budget(0);
     let frame = |state: &State<R>, output| Frame::new(&solver, state, &output);
     let (mut state, output) = solver.start(hand::<R>(case.home));
     let mut judge = judge_within::<R>(&case.setup, case.evolution, bounds::<R>());
@@ -42,11 +43,16 @@ fn follow<R: Number>(case: &Case) {
         is_clamped,
     );
     for (i, to) in (1..).zip(case.hands()) {
-        let mut twin = state.clone();
+        let (mut twin, mut pieces) = (state.clone(), state.clone());
         let output = solver.step(&mut state, hand::<R>(to));
         let next = frame(&state, output);
         let output = solver.step(&mut twin, hand::<R>(to));
         assert_eq!(next, frame(&twin, output), "the same bits again");
+        if case.is_cut {
+            let zero = Default::default();
+            while cut.step(&mut pieces, hand::<R>(to)).behind > zero {}
+            assert_eq!(pieces, state, "the same bits within a budget");
+        }
         is_clamped = clamps::<R>(case, &next) || (is_clamped && shared(&next, &last) > 1);
         holds::<R>(
             case,

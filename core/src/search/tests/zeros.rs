@@ -6,7 +6,7 @@ use super::*;
 #[test]
 fn first_zero_is_the_first() {
     for shift in [0.3, 1.0, 1.7, 2.9_f64] {
-        let found = first_zero(100.0, |x| {
+        let found = first_zero(100.0, &mut { Looks::ALL }, |x| {
             Samples::far([Slope {
                 value: libm::sin(shift + x) + 0.2 * libm::sin(7.0 * (shift + x)) + 0.1,
                 slope: libm::cos(shift + x) + 1.4 * libm::cos(7.0 * (shift + x)),
@@ -31,7 +31,7 @@ fn first_zero_is_the_first() {
 #[test]
 fn rising_start_is_no_zero() {
     // Zero at 1.
-    let found = first_zero(2.0, |x: f64| {
+    let found = first_zero(2.0, &mut { Looks::ALL }, |x: f64| {
         Samples::far([Slope {
             value: 1e-6 * (1.0 - x) + x * (1.0 - x),
             slope: 1.0 - 1e-6 - 2.0 * x,

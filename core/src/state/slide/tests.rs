@@ -2,6 +2,7 @@
 //! cone, and passes nothing that ends a slide.
 
 use super::*;
+use crate::search::Looks;
 use crate::fixtures::bench::{Bench, HandAt, Plain};
 use crate::fixtures::{Random, sampled};
 use crate::real::Fixed;
@@ -131,7 +132,11 @@ fn slide_lasts_to_its_first_event<R: Plain>(digits: f64) -> [usize; 6] {
         let mut state = case.state::<R>();
         let [from, to] = case.grips(1.0);
         let moved = state.advance_sliding(&scene, (&from, &to), R::of(case.sign));
-        assert!(!moved.unsure, "{seed}");
+        if moved.unsure {
+            // So many looks it is not given at once.
+            assert!(moved.work >= u32::from(Looks::MOST), "{seed}");
+            continue;
+        }
         let part = moved.part.plain();
         let lasted = case.lasts(part, digits);
         let theta = state.pivot.orientation.angle().radians().plain();

@@ -41,9 +41,9 @@ fn point_on_one_surface_has_one_contact() {
             let moved = [
                 state.advance(&scene, &before, &grip),
                 state.relax(&scene, &grip, Relax::default()),
-                state.snap(&scene, &grip, 1.0),
-                state.slip(&scene, &grip, 1.0),
-                state.slip(&scene, &grip, -1.0),
+                state.snap(&scene, &grip, (1.0, &mut None)),
+                state.slip(&scene, &grip, (1.0, &mut None)),
+                state.slip(&scene, &grip, (-1.0, &mut None)),
             ];
             for moved in moved {
                 assert_eq!(moved.trigger, Trigger::Undriven, "{begin:?}");
@@ -68,7 +68,7 @@ fn what_glides_does_not_slip() {
     ];
     for mut state in begin {
         let before = state.clone();
-        let moved = state.slip(&rod, &grip((2.0, -1.0)), 1.0);
+        let moved = state.slip(&rod, &grip((2.0, -1.0)), (1.0, &mut None));
         assert_eq!(moved.trigger, Trigger::Undriven);
         assert_eq!(state, before);
     }

@@ -1,7 +1,7 @@
 //! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
-use super::{Run, Trammel};
+use super::{MOST_LOOKS, Run, Trammel, work_of};
 use crate::balance_curve::Extent;
 use crate::bounded::{Bounded, Quantity, QuantityVec};
 use crate::contact::Pair;
@@ -9,7 +9,7 @@ use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
 use crate::grip::Displacement;
 use crate::real::Real;
-use crate::search::{Found, Samples, first_zero};
+use crate::search::{Found, Looks, Samples, first_zero};
 use crate::thresholds::Thresholds;
 use crate::world::World;
 
@@ -271,6 +271,7 @@ impl<R: Real> Slides<R> {
             slide: R::ZERO,
             turn: R::ZERO,
             unsure: false,
+            work: 0,
         };
         if standing.stability.value <= R::ZERO {
             return (nowhere, R::ZERO, SlideEnding::Folds);
@@ -281,8 +282,9 @@ impl<R: Real> Slides<R> {
         let remembers = self.has_stiction() && !self.is_pressed(start, &standing);
         // What drives it back by a rounding leaves it where it is.
         let is_driven = start.drive.value > R::ZERO;
+        let mut looks = Looks::at_most(MOST_LOOKS);
         let (mut x, mut ending, unsure) = if is_driven {
-            self.first_ending(self.window(start, &standing), remembers)
+            self.first_ending((self.window(start, &standing), &mut looks), remembers)
         } else {
             (R::ZERO, SlideEnding::Arrives, false)
         };
@@ -315,6 +317,7 @@ impl<R: Real> Slides<R> {
             slide: extent.part(),
             turn: extent.end.turn,
             unsure: extent.unsure,
+            work: work_of(looks, &extent),
         };
         (run, part, ending)
     }
@@ -350,9 +353,13 @@ impl<R: Real> Slides<R> {
     }
 
     /// The first ending but a touch, within a window.
-    fn first_ending(&self, window: R, remembers: bool) -> (R, SlideEnding<R>, bool) {
+    fn first_ending(
+        &self,
+        (window, looks): (R, &mut Looks),
+        remembers: bool,
+    ) -> (R, SlideEnding<R>, bool) {
         let [s1, s2] = self.trammel.sense.signs;
-        let found = first_zero(window, |x| {
+        let found = first_zero(window, looks, |x| {
             let at = self.at(x, window);
             let standing = at.balanced();
             let arrives = (at.rest + at.drive.times(self.unit)).as_slope(R::ONE);
@@ -376,7 +383,7 @@ impl<R: Real> Slides<R> {
         });
         match found {
             Found::Nothing { .. } => (window, SlideEnding::Window, false),
-            Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
+            Found::Unsure { x, .. } => (x, SlideEnding::Window, x == R::ZERO),
             Found::Zero { x, which } => {
                 let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
                 let ending = match which {

@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use stiction_core::{Evolution, MAX_EVENT_LIMIT};
+use stiction_core::Evolution;
 use stiction_tests::Setup;
 
 /// At most so many frames.
@@ -13,7 +13,8 @@ const FRAMES: usize = 400;
 pub(super) struct Case {
     pub(super) setup: Setup,
     pub(super) evolution: Evolution,
-    pub(super) event_limit: u8,
+    /// Its steps are repeated within budgets, too.
+    pub(super) is_cut: bool,
     /// x, y (m), phi (rad) of the hand at the start, and whether it holds.
     pub(super) home: ([f64; 3], bool),
     moves: Vec<Move>,
@@ -32,7 +33,7 @@ impl Case {
     pub(super) fn read(bytes: &[u8]) -> Option<Self> {
         let mut draw = Draw::new(bytes);
         let evolution = draw.one_of([Evolution::Path, Evolution::Frame]);
-        let (memory, event_limit) = dials(&mut draw);
+        let (memory, is_cut) = dials(&mut draw);
         let mut setup = scene(&mut draw);
         if draw.is_empty() {
             return None;
@@ -60,7 +61,7 @@ impl Case {
         Some(Self {
             setup,
             evolution,
-            event_limit,
+            is_cut,
             home,
             moves,
         })
@@ -111,8 +112,7 @@ impl Case {
             hand += &format!("{t:?},{x:?},{y:?},{phi:?},{held}\n");
         }
         let evolution = self.evolution.name();
-        let events = self.event_limit.clamp(1, MAX_EVENT_LIMIT);
-        let options = format!("--evolution {evolution} --events {events}");
+        let options = format!("--evolution {evolution}");
         (scene, hand, options)
     }
 }
@@ -147,12 +147,13 @@ fn moved(draw: &mut Draw<'_>, [x, y, phi]: [f64; 3], l: f64) -> [f64; 3] {
     [x + far * dx, y + far * dy, phi + turn]
 }
 
-/// Memory length of all surfaces, in body sizes, and event limit: mostly those of a solver as it is.
-fn dials(draw: &mut Draw<'_>) -> (Option<f64>, u8) {
+/// Memory length of all surfaces, in body sizes: mostly that of a solver as it is; and whether steps are cut by budgets, too.
+fn dials(draw: &mut Draw<'_>) -> (Option<f64>, bool) {
     match draw.byte() {
-        0..200 => (None, MAX_EVENT_LIMIT),
-        200..225 => (Some(draw.power(-6.0, -2.0)), MAX_EVENT_LIMIT),
-        _ => (None, draw.byte()),
+        0..200 => (None, false),
+        200..225 => (Some(draw.power(-6.0, -2.0)), true),
+        // A byte that older inputs have here.
+        _ => (None, draw.byte() < u8::MAX),
     }
 }
 

@@ -237,7 +237,7 @@ fn slide_of_two_lasts_to_its_first_ending() {
             part += (1.0 - part) * moved.part;
             at = at.lerp(&to, moved.part);
             // So far nothing has ended it: towards a fold the runs become short.
-            if !moved.unsure {
+            if !moved.unsure && moved.trigger != Trigger::GoesOn {
                 break moved;
             }
         };

@@ -33,7 +33,7 @@ fn what_is_driven_moves() {
             }
         }
     });
-    assert!(cfg!(miri) || count > 1000, "{count}");
+    assert!(cfg!(miri) || count > 900, "{count}");
 }
 
 /// Where a slip does not get away, the body stays to the bit.
@@ -44,7 +44,7 @@ fn slip_that_leads_nowhere_leaves_the_body_where_it_was() {
         let mut state = case.state.clone();
         for _ in 0..4 {
             let begin = state.clone();
-            let moved = state.slip(&case.scene, &case.grip);
+            let moved = state.slip_to_the_end(&case.scene, &case.grip);
             if moved.trigger == Trigger::Undriven {
                 assert_eq!(state, begin, "{seed}");
                 count += 1;

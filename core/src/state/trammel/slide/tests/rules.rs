@@ -123,7 +123,7 @@ fn slip_is_as_long_as_it_is_said_to_be() {
                 .with_memory(memory)
                 .case(&hand)
                 .map(|mut case| {
-                    let moved = case.state.slip(&case.scene, &case.grip);
+                    let moved = case.state.slip_to_the_end(&case.scene, &case.grip);
                     (moved, case)
                 })
         };
