@@ -114,6 +114,8 @@ pub enum Status {
     /// Nothing.
     #[default]
     Ok,
+    /// More than 128 events since the body was last with the hand: the rest of the way was one jump of the hand (STATICS 7).
+    EventLimit,
     /// The hand is tilted out of the plane by more than 170 degrees, so that its angle in the plane is hardly known
     /// ([`Hand::tilted`](crate::Hand::tilted)); the body follows what the sample says.
     Twist,
@@ -136,8 +138,9 @@ pub enum Status {
 
 impl Status {
     /// All statuses, the gravest last.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Ok,
+        Self::EventLimit,
         Self::Twist,
         Self::IterationLimit,
         Self::Jammed,
@@ -151,6 +154,7 @@ impl Status {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Ok => "ok",
+            Self::EventLimit => "event-limit",
             Self::Twist => "twist",
             Self::IterationLimit => "iteration-limit",
             Self::Jammed => "jammed",

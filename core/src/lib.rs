@@ -116,6 +116,7 @@ mod scene;
 mod search;
 mod settle;
 mod si;
+mod sign;
 mod solver;
 mod state;
 mod thresholds;

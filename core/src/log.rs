@@ -42,7 +42,7 @@ impl<R: Real> Log<R> {
     /// The status, where the body was not brought to balance.
     pub(crate) fn unrest(&self) -> Status {
         match self.final_status() {
-            Status::Ok | Status::Twist => Status::Ok,
+            Status::Ok | Status::EventLimit | Status::Twist => Status::Ok,
             grave => grave,
         }
     }

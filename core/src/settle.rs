@@ -7,6 +7,7 @@ use crate::grip::Grip;
 use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::sign::Sign;
 use crate::state::{ContactState, Free, TwoSlip};
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
@@ -14,7 +15,7 @@ use crate::transition::{
 use crate::verb::{Moved, Relax, Trigger};
 use crate::world::World;
 
-/// What is to be done in a state at a frozen hand.
+/// What is to be done in a state at a frozen hand, in which direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Next<R> {
     /// It rests.
@@ -27,15 +28,26 @@ pub(crate) enum Next<R> {
     Slip(R),
 }
 
+impl<A> Next<A> {
+    fn map<B>(self, sign: impl Fn(A) -> B) -> Next<B> {
+        match self {
+            Self::Rest => Next::Rest,
+            Self::Relax(sliding) => Next::Relax(sliding.map(sign)),
+            Self::Snap(direction) => Next::Snap(sign(direction)),
+            Self::Slip(along) => Next::Slip(sign(along)),
+        }
+    }
+}
+
 /// After this many transitions at one hand pose no consistent mode is left to try.
-const MAX_TRANSITIONS: u16 = 256;
+const MAX_TRANSITIONS: u8 = 255;
 
 /// A body that comes to rest at a frozen hand, verb by verb.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Settling<R> {
-    next: Next<R>,
+    next: Next<Sign>,
     /// How many verbs there were.
-    transitions: u16,
+    transitions: u8,
     tried: Tried,
     /// The state in which it began, and whether it slid.
     before: (StateKind, bool),
@@ -47,7 +59,7 @@ impl<R: Real> Settling<R> {
     /// Of a body that was in a state, and what it does first.
     pub(crate) fn of(before: (StateKind, bool), next: Next<R>) -> Self {
         Self {
-            next,
+            next: next.map(Sign::of),
             transitions: 0,
             tried: Tried::default(),
             before,
@@ -90,10 +102,11 @@ impl<R: Real> Settling<R> {
         log: &mut Log<R>,
     ) -> u32 {
         let work = state.verb_work();
+        let next = self.next.map(Sign::number);
         let had_stiction = state.regime().has_stiction();
         let begin = self.tried.any().then(|| state.placed(scene));
         let under_way = &mut self.under_way;
-        let moved = match self.next {
+        let moved = match next {
             Next::Rest => Moved::by(Trigger::Balanced),
             Next::Relax(sliding) => {
                 if !had_stiction {
@@ -109,8 +122,8 @@ impl<R: Real> Settling<R> {
             self.tried = Tried::default();
         }
         if moved.trigger != Trigger::GoesOn {
-            record(state, &moved, &self.next, log);
-            let sliding = match self.next {
+            record(state, &moved, &next, log);
+            let sliding = match next {
                 Next::Slip(sign) => sign,
                 _ => R::ZERO,
             };
@@ -120,7 +133,7 @@ impl<R: Real> Settling<R> {
                 log.transitions.add(slip_arm(state));
                 log.slip(moved.slip);
             }
-            self.next = apply(scene, state, &moved, sliding, log);
+            self.next = apply(scene, state, &moved, sliding, log).map(Sign::of);
         }
         work.saturating_add(moved.work)
     }

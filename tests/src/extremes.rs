@@ -241,7 +241,8 @@ pub fn outcome<R: Number>(sweep: &Sweep, value: f64, evolution: Evolution) -> Ou
         let frame = &run.frame;
         status = status.max(frame.status);
         let findings = judge::<R>(&setup, frame).into_iter();
-        let claimed = frame.status == Status::Ok;
+        // An event limit stands for a shorter memory of slips, not for a wrong balance.
+        let claimed = frame.status <= Status::EventLimit;
         let finding = worst(findings.filter(|f| claimed || f.law == crate::laws::FINITE));
         if finding.severity() > 1.0 {
             return Outcome::Broken(format!(
@@ -251,7 +252,7 @@ pub fn outcome<R: Number>(sweep: &Sweep, value: f64, evolution: Evolution) -> Ou
         }
         severity = severity.max(finding.severity());
     }
-    if status == Status::Ok {
+    if status <= Status::EventLimit {
         Outcome::Holds { severity }
     } else {
         Outcome::Says(status)

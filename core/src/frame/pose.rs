@@ -177,13 +177,14 @@ impl Pose {
 const fn status_code(status: Status) -> u8 {
     match status {
         Status::Ok => 0,
-        Status::Behind => 1,
+        Status::EventLimit => 1,
         Status::IterationLimit => 2,
         Status::Ambiguous => 3,
         Status::Saturated => 4,
         Status::HeldLast => 5,
         Status::Jammed => 6,
         Status::Twist => 7,
+        Status::Behind => 8,
     }
 }
 

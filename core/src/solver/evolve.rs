@@ -87,14 +87,25 @@ pub(super) struct Errand<R> {
     stage: Stage<R>,
     /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
     left: R,
-    /// In so many pieces it was followed.
-    pieces: u16,
-    /// There was an event on it.
-    has_event: bool,
+}
+
+/// How the hand was followed since the body was last with it. Apart from the errand, as that leaves the state small.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Course {
+    /// With so many events.
+    events: u8,
     /// The next piece goes the part 4^-k of what is left: where the looks at a path do not suffice, those at a shorter one do.
     quarters: u8,
-    /// What limited it so far.
+    /// What limited it.
     limited: Status,
+}
+
+impl Course {
+    pub(super) const NEW: Self = Self {
+        events: 0,
+        quarters: 0,
+        limited: Status::Ok,
+    };
 }
 
 impl<R: Real> Errand<R> {
@@ -102,10 +113,6 @@ impl<R: Real> Errand<R> {
     pub(super) const NONE: Self = Self {
         stage: Stage::OnPath,
         left: R::ZERO,
-        pieces: 0,
-        has_event: false,
-        quarters: 0,
-        limited: Status::Ok,
     };
 
     /// The part of the hand's displacement that is left, 0 to 1: 0 where nothing is left to do.
@@ -123,16 +130,15 @@ impl<R: Real> Errand<R> {
             // The body is in balance there, wherever the hand goes on to.
             self.stage = Stage::OnPath;
         }
-        *self = Self {
-            stage: core::mem::replace(&mut self.stage, Stage::OnPath),
-            left: R::ONE,
-            ..Self::NONE
-        };
+        self.left = R::ONE;
     }
 }
 
-/// After so many pieces of one displacement the hand jumps: a body that goes on from event to event without end comes to rest there.
-const MAX_PIECES: u16 = 1024;
+/// After so many events the hand jumps: a body that goes from event to event without end comes to rest, and one that cannot keep up
+/// with the hand is with it again.
+const MAX_PATH_EVENTS: u8 = 128;
+/// The first event happens where the hand reaches it in frame evolution, too.
+const MAX_FRAME_EVENTS: u8 = 1;
 /// On pieces shorter than 4^-8 of the displacement the searches do not get away from where they are.
 const MAX_QUARTERS: u8 = 8;
 
@@ -170,10 +176,11 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             return false;
         }
         if again && !state.errand.is_done() {
-            log.limit(state.errand.limited);
+            log.limit(state.course.limited);
         } else {
             state.errand.begin();
         }
+        state.course.limited = Status::Ok;
         self.follow_hand(state, &to, (work, log));
         true
     }
@@ -184,8 +191,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.errand = Errand {
             stage: Stage::Settling(Settling::after_jump(&state.contact)),
             left: R::ONE,
-            ..Errand::NONE
         };
+        state.course = Course::NEW;
         self.follow_hand(state, &to, (work, log));
     }
 
@@ -208,7 +215,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                         log.limit(Status::Jammed);
                     }
                     state.unrest = log.unrest();
-                    state.errand = Errand::NONE;
+                    (state.errand, state.course) = (Errand::NONE, Course::NEW);
                     return;
                 }
                 Stage::OnPath => self.along_path(state, to, (work, log)),
@@ -234,7 +241,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
         state.errand.left = state.errand.left.max(R::EPSILON);
         let is_settled = state.grip == *to && state.errand.stage == Stage::OnPath;
-        state.errand.limited = if is_settled {
+        state.course.limited = if is_settled {
             log.final_status()
         } else {
             log.status
@@ -249,24 +256,28 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         to: &Grip<R>,
         (work, log): (&mut Work, &mut Log<R>),
     ) {
-        let is_endless =
-            state.errand.pieces >= MAX_PIECES || state.errand.quarters > MAX_QUARTERS;
-        if is_endless {
-            log.limit(Status::IterationLimit);
-        }
-        // The first event of a displacement happens where the hand reaches it in frame evolution, too.
-        let has_happened = self.evolution == Evolution::Frame && state.errand.has_event;
+        let Course {
+            events, quarters, ..
+        } = state.course;
+        let most = match self.evolution {
+            Evolution::Path => MAX_PATH_EVENTS,
+            Evolution::Frame => MAX_FRAME_EVENTS,
+        };
         let is_balanced = matches!(state.unrest, Status::Ok | Status::Jammed);
-        if is_endless || has_happened || !is_balanced {
+        if events >= most || quarters > MAX_QUARTERS || !is_balanced {
+            if events >= MAX_PATH_EVENTS {
+                log.limit(Status::EventLimit);
+            } else if quarters > MAX_QUARTERS {
+                log.limit(Status::IterationLimit);
+            }
             return Self::jump(state, to, log);
         }
         work.spend(state.contact.verb_work());
-        if state.errand.pieces > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
+        if events > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
             rests(&state.contact, log);
             state.grip = *to;
             return;
         }
-        let quarters = state.errand.quarters;
         let piece = (0..quarters).fold(R::ONE, |piece, _| piece.halved().halved());
         let end = if quarters == 0 {
             *to
@@ -281,8 +292,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             state.grip = *to;
             return;
         }
-        state.errand.pieces = state.errand.pieces.saturating_add(1);
-        state.errand.quarters = if moved.unsure && moved.part == R::ZERO {
+        state.course.quarters = if moved.unsure && moved.part == R::ZERO {
             quarters.saturating_add(1)
         } else {
             0
@@ -296,7 +306,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if arrives || moved.trigger == Trigger::GoesOn {
             return;
         }
-        state.errand.has_event = true;
+        state.course.events = events.saturating_add(1);
         // Up to where a search gave up nothing has happened: on from there.
         if !moved.unsure {
             state.errand.stage = Stage::AtEvent(moved.trigger);

@@ -6,11 +6,13 @@ use super::trammel::{
     Demand, Ending, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
+use crate::geometry::{Angle, Orientation};
 use crate::grip::Grip;
 use crate::list::gather;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::sign::Sign;
 use crate::verb::{Moved, Relax, Trigger, seat_sliding};
 use crate::world::{Surface, World};
 
@@ -29,15 +31,14 @@ pub(crate) struct TwoVertex<R> {
 /// A slip on two surfaces that is under way, window by window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct TwoSlip<R> {
-    begin: Pivot<R>,
-    /// So far the first contact has slid along its tangent, and the body has turned.
-    slide: R,
-    turn: R,
+    /// Where it began: the first contact and the angle.
+    foot: R,
+    angle: Angle<R>,
     /// The sign of the twist: it goes one way.
-    sense: R,
+    sense: Sign,
     demand: Demand,
-    /// What ends it where nothing drives it on.
-    ends: Trigger<R>,
+    /// Where nothing drives it on a contact opens: whether the first one lasts, and the direction in which the one that lasts slides.
+    opens: Option<(bool, Sign)>,
     unsure: bool,
 }
 
@@ -131,10 +132,7 @@ impl<R: Real> TwoVertex<R> {
             SlideEnding::Folds => Trigger::Fold(sense),
             SlideEnding::Pressed => Trigger::Pressed,
             SlideEnding::Touches(pair) => Trigger::Touch(pair),
-            SlideEnding::Opens { lasts, sliding } => Trigger::Keep {
-                contacts: [lasts, lasts],
-                sliding: Some(sliding),
-            },
+            SlideEnding::Opens { lasts, sliding } => keep(lasts, sliding),
         };
         Moved {
             part,
@@ -209,7 +207,7 @@ impl<R: Real> TwoVertex<R> {
         let contacts = (&self.pivot, self.other);
         // It goes one way.
         let (senses, demand) = match under_way {
-            Some(slip) => ([slip.sense; 2], slip.demand),
+            Some(slip) => ([slip.sense.number(); 2], slip.demand),
             None => ([R::ONE, -R::ONE], Demand::Pressed),
         };
         let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
@@ -217,7 +215,13 @@ impl<R: Real> TwoVertex<R> {
             Some(trammel) => self.slip_on(scene, grip, (&trammel, R::ZERO), under_way),
             None => match under_way.take() {
                 // Nothing drives it beyond what was looked at.
-                Some(slip) => self.end_slip(scene, grip, (&slip, true)),
+                Some(slip) => {
+                    let opens = slip.opens.map(|(first_lasts, sliding)| {
+                        keep(usize::from(!first_lasts), sliding.number())
+                    });
+                    let trigger = opens.unwrap_or(Trigger::Stopped);
+                    self.end_slip(scene, grip, &slip, (trigger, true))
+                }
                 None => Moved::by(Trigger::Undriven),
             },
         }
@@ -249,41 +253,36 @@ impl<R: Real> TwoVertex<R> {
     ) -> Moved<R> {
         self.room = R::ZERO;
         let mut slip = under_way.take().unwrap_or(TwoSlip {
-            begin: self.pivot,
-            slide: R::ZERO,
-            turn: R::ZERO,
-            sense: trammel.direction(),
+            foot: self.pivot.foot,
+            angle: self.pivot.orientation.angle(),
+            sense: Sign::of(trammel.direction()),
             demand: Demand::Pressed,
-            ends: Trigger::Stopped,
+            opens: None,
             unsure: false,
         });
         let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
         self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
-        slip.slide = slip.slide + run.slide;
-        slip.turn = slip.turn + run.turn;
         slip.unsure |= run.unsure;
-        slip.ends = match ending {
-            Ending::Window | Ending::Reverses | Ending::Stopped => Trigger::Stopped,
-            Ending::Touches(pair) => Trigger::Touch(pair),
-            Ending::Opens { lasts, sliding } => Trigger::Keep {
-                contacts: [lasts, lasts],
-                sliding: Some(sliding),
-            },
+        slip.opens = None;
+        let ends = match ending {
+            Ending::Stopped => Some(Trigger::Stopped),
+            Ending::Touches(pair) => Some(Trigger::Touch(pair)),
+            Ending::Window | Ending::Reverses => None,
+            Ending::Opens { lasts, sliding } => {
+                slip.opens = Some((lasts == 0, Sign::of(sliding)));
+                let opens = self.can_open(scene, grip, lasts, sliding);
+                opens.then(|| keep(lasts, sliding))
+            }
         };
         let unbalanced = ending != Ending::Stopped || slip.demand == Demand::AtTheEnd;
-        let goes_on = match ending {
-            Ending::Window | Ending::Reverses => true,
-            Ending::Opens { lasts, sliding } if !self.can_open(scene, grip, lasts, sliding) => {
-                slip.demand = Demand::AtTheEnd;
-                true
-            }
-            _ => false,
-        };
-        let moved = if goes_on {
+        if slip.opens.is_some() {
+            slip.demand = Demand::AtTheEnd;
+        }
+        let moved = if let Some(trigger) = ends {
+            self.end_slip(scene, grip, &slip, (trigger, unbalanced))
+        } else {
             *under_way = Some(slip);
             Moved::by(Trigger::GoesOn)
-        } else {
-            self.end_slip(scene, grip, (&slip, unbalanced))
         };
         Moved {
             work: run.work,
@@ -296,13 +295,20 @@ impl<R: Real> TwoVertex<R> {
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
-        (slip, unbalanced): (&TwoSlip<R>, bool),
+        slip: &TwoSlip<R>,
+        (trigger, unbalanced): (Trigger<R>, bool),
     ) -> Moved<R> {
+        let begin = Pivot {
+            foot: slip.foot,
+            orientation: Orientation::new(slip.angle),
+            ..self.pivot
+        };
+        let slide = self.pivot.foot - begin.foot;
         let mut moved = Moved {
-            slip: slip.slide,
+            slip: slide,
             unsure: slip.unsure,
             unbalanced,
-            ..Moved::by(slip.ends)
+            ..Moved::by(trigger)
         };
         if moved.trigger != Trigger::Stopped {
             return moved;
@@ -310,13 +316,14 @@ impl<R: Real> TwoVertex<R> {
         // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
         if !self.fixed_pose(scene).is_at_rest(scene, grip) {
             moved.unbalanced = true;
-            if slip.slide.abs() + slip.turn.abs() <= R::MICRO {
-                self.pivot = slip.begin;
+            let turn = (self.pivot.orientation.angle()).minus(slip.angle);
+            if slide.abs() + turn.abs() <= R::MICRO {
+                self.pivot = begin;
                 moved.trigger = Trigger::Undriven;
             }
         }
         if !moved.unsure && !moved.unbalanced {
-            self.regime = Regime::after_slip(self.has_renewed(scene, &slip.begin), slip.sense);
+            self.regime = Regime::after_slip(self.has_renewed(scene, &begin), slip.sense.number());
         }
         moved
     }
@@ -366,6 +373,14 @@ impl<R: Real> TwoVertex<R> {
             return (gather(reactions), signs);
         }
         (self.fixed_pose(scene).reactions(scene, load), [R::ZERO; 2])
+    }
+}
+
+/// Only one of the contacts lasts, and slides.
+fn keep<R: Real>(lasts: usize, sliding: R) -> Trigger<R> {
+    Trigger::Keep {
+        contacts: [lasts, lasts],
+        sliding: Some(sliding),
     }
 }
 

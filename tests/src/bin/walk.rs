@@ -51,7 +51,7 @@ impl Tally {
         if let Some(i) = StateKind::ALL.iter().position(|&s| s == frame.state) {
             self.states[i] += 1;
         }
-        let claims = frame.status == Status::Ok;
+        let claims = frame.status <= Status::EventLimit;
         self.limited += u64::from(frame.status != Status::Ok);
         let findings = judge::<R>(setup, frame).into_iter();
         let finding = worst(findings.filter(|f| claims || f.law == FINITE));

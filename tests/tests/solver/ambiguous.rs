@@ -73,7 +73,7 @@ mod cases {
             let (before, mut twin) = (run.frame.status, run.state.clone());
             run.step(hand);
             lawful_or_said::<R>(&setup, &run.frame);
-            if before > Status::Ok {
+            if before > Status::EventLimit {
                 let output = jumps.step(&mut twin, planar::<R>(hand));
                 assert_eq!(run.frame, Frame::new(&jumps, &twin, &output), "{i}");
                 unbalanced += 1;
@@ -93,7 +93,7 @@ mod cases {
         let mut run = Run::<R>::start(&setup, evolution, [0.1, 0.0, 0.0]);
         for frame in run.lead([0.3, 0.01, 0.0], 4) {
             lawful_or_said::<R>(&setup, &frame);
-            assert!(frame.status == Status::Ok, "{frame:?}");
+            assert!(frame.status <= Status::EventLimit, "{frame:?}");
             let [fx, _, _] = frame.wrench;
             assert!(fx.abs() <= 1e3 * R::ROUNDING, "{}: {fx} N", R::NAME);
         }

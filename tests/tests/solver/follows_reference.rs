@@ -142,7 +142,7 @@ fn reference_at(setup: &Setup, frame: &Frame, stiction: bool) -> Reference {
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Same,
-    /// Slips without beginning (from a touch) or end (before lift-off): same state, phase of the slips open.
+    /// Slips without beginning (from a touch) or end (before lift-off), or the event limit: same state, phase of the slips open.
     OpenPhase,
     /// The reference or the solver found no motion that fits.
     Ambiguous,
@@ -155,7 +155,7 @@ fn verdict(size: f64, before: &Frame, frame: &Frame, reference: &Reference) -> (
     let difference = ((a[0] - b[0]).hypot(a[1] - b[1]) / size).max((a[2] - b[2]).abs());
     let same_state = frame.state.name() == reference.state();
     let ladder = before.state == StateKind::NonContact && frame.saw(Event::Slip);
-    let open = ladder || reference.skipped();
+    let open = ladder || reference.skipped() || frame.status == Status::EventLimit;
     let verdict = match (same_state, difference <= POSE) {
         (true, true) => Verdict::Same,
         _ if reference.ambiguous() || frame.status == Status::Ambiguous => Verdict::Ambiguous,
