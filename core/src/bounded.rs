@@ -1,49 +1,89 @@
-//! A quantity on a motion with its slope and bounds of its size, slope and curvature, so that products of such quantities
-//! come with the bound that the certified search needs. What is asked for its value alone is reckoned with numbers, to the same bits.
+//! A quantity on a motion: its value alone, with its slope, or with bounds of its size, slope and curvature as well, so that products of
+//! such quantities come with the bound that the certified search needs. The values are the same bits.
 
 use crate::geometry::Vec2;
 use crate::real::{Real, along};
 use crate::search::Slope;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Value and slope at a place, and what the value may be off by rounding; suprema of |f|, |f'|, |f''| over the motion.
+/// Value and slope at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sloped<R> {
+    pub(crate) value: R,
+    pub(crate) slope: R,
+}
+
+/// The same, with bounds that hold all along the motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bounded<R> {
     pub(crate) value: R,
     pub(crate) slope: R,
-    pub(crate) error: R,
-    pub(crate) bounds: [R; 3],
+    pub(crate) bounds: Bounds<R>,
 }
 
-/// A quantity with its slope and bounds, or its value alone.
+/// What the value may be off by rounding, at most, and suprema of |f|, |f'|, |f''|.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Bounds<R> {
+    pub(crate) error: R,
+    pub(crate) suprema: [R; 3],
+}
+
+/// A quantity of which more or less is known.
 pub(crate) trait Quantity<R: Real>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// A value, and what else is known of it.
-    fn known(value: R, else_known: impl FnOnce() -> Known<R>) -> Self;
+    fn known(
+        value: R,
+        slope: impl FnOnce() -> R,
+        bounds: impl FnOnce() -> Bounds<R>,
+    ) -> Self;
+    fn value(&self) -> R;
+    /// The same `k` times as large.
+    fn times(self, k: R) -> Self;
     /// The same with the suprema of no more than a window from here.
     fn within(self, window: R) -> Self;
     /// The same everywhere.
     fn constant(value: R) -> Self {
-        Self::known(value, || Known {
-            slope: R::ZERO,
+        let bounds = || Bounds {
             error: R::rounding(value.abs()),
-            bounds: [value.abs(), R::ZERO, R::ZERO],
-        })
+            suprema: [value.abs(), R::ZERO, R::ZERO],
+        };
+        Self::known(value, || R::ZERO, bounds)
     }
-}
-
-/// What is known of a quantity besides its value.
-pub(crate) struct Known<R> {
-    pub(crate) slope: R,
-    pub(crate) error: R,
-    pub(crate) bounds: [R; 3],
 }
 
 /// The value alone.
 impl<R: Real> Quantity<R> for R {
-    fn known(value: R, _: impl FnOnce() -> Known<R>) -> Self {
+    fn known(value: R, _: impl FnOnce() -> R, _: impl FnOnce() -> Bounds<R>) -> Self {
         value
+    }
+    fn value(&self) -> R {
+        *self
+    }
+    fn times(self, k: R) -> Self {
+        self * k
+    }
+    fn within(self, _: R) -> Self {
+        self
+    }
+}
+
+impl<R: Real> Quantity<R> for Sloped<R> {
+    fn known(value: R, slope: impl FnOnce() -> R, _: impl FnOnce() -> Bounds<R>) -> Self {
+        Self {
+            value,
+            slope: slope(),
+        }
+    }
+    fn value(&self) -> R {
+        self.value
+    }
+    fn times(self, k: R) -> Self {
+        Self {
+            value: self.value * k,
+            slope: self.slope * k,
+        }
     }
     fn within(self, _: R) -> Self {
         self
@@ -51,49 +91,109 @@ impl<R: Real> Quantity<R> for R {
 }
 
 impl<R: Real> Quantity<R> for Bounded<R> {
-    fn known(value: R, else_known: impl FnOnce() -> Known<R>) -> Self {
-        let Known {
-            slope,
-            error,
-            bounds,
-        } = else_known();
+    fn known(
+        value: R,
+        slope: impl FnOnce() -> R,
+        bounds: impl FnOnce() -> Bounds<R>,
+    ) -> Self {
         Self {
             value,
-            slope,
-            error,
-            bounds,
+            slope: slope(),
+            bounds: bounds(),
+        }
+    }
+    fn value(&self) -> R {
+        self.value
+    }
+    fn times(self, k: R) -> Self {
+        let size = k.abs();
+        Self {
+            value: self.value * k,
+            slope: self.slope * k,
+            bounds: Bounds {
+                error: self.bounds.error * size,
+                suprema: self.bounds.suprema.map(|bound| bound * size),
+            },
         }
     }
     fn within(self, window: R) -> Self {
-        let [most, fastest, bent] = self.bounds;
+        let Bounds {
+            error,
+            suprema: [most, fastest, bent],
+        } = self.bounds;
         let fastest = fastest.min(self.slope.abs() + window * bent);
         let most = most.min(self.value.abs() + window * fastest);
+        let suprema = [most, fastest, bent];
         Self {
-            bounds: [most, fastest, bent],
+            bounds: Bounds { error, suprema },
             ..self
         }
     }
 }
 
-impl<R: Real> Bounded<R> {
-    /// The same `k` times as large.
-    pub(crate) fn times(self, k: R) -> Self {
-        let size = k.abs();
-        Self {
-            value: self.value * k,
-            slope: self.slope * k,
-            error: self.error * size,
-            bounds: self.bounds.map(|bound| bound * size),
-        }
-    }
-
-    /// As a function whose first zero is searched for.
-    pub(crate) fn as_slope(&self, sign: R) -> Slope<R> {
+impl<R: Real> Sloped<R> {
+    /// As a function whose first zero is searched for, with what bounds it all along.
+    pub(crate) fn as_slope(self, sign: R, bounds: &Bounds<R>) -> Slope<R> {
+        let [.., curvature] = bounds.suprema;
         Slope {
             value: along(sign, self.value),
             slope: along(sign, self.slope),
-            curvature: self.bounds[2],
-            rounding: self.error,
+            curvature,
+            rounding: bounds.error,
+        }
+    }
+}
+
+impl<R: Real> Add for Sloped<R> {
+    type Output = Self;
+    fn add(self, b: Self) -> Self {
+        Self {
+            value: self.value + b.value,
+            slope: self.slope + b.slope,
+        }
+    }
+}
+
+impl<R: Real> Neg for Sloped<R> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            slope: -self.slope,
+        }
+    }
+}
+
+impl<R: Real> Sub for Sloped<R> {
+    type Output = Self;
+    fn sub(self, b: Self) -> Self {
+        self + (-b)
+    }
+}
+
+impl<R: Real> Mul for Sloped<R> {
+    type Output = Self;
+    fn mul(self, b: Self) -> Self {
+        Self {
+            value: self.value * b.value,
+            slope: self.slope * b.value + self.value * b.slope,
+        }
+    }
+}
+
+impl<R: Real> Bounded<R> {
+    fn sloped(self) -> Sloped<R> {
+        Sloped {
+            value: self.value,
+            slope: self.slope,
+        }
+    }
+
+    fn of(Sloped { value, slope }: Sloped<R>, bounds: Bounds<R>) -> Self {
+        Self {
+            value,
+            slope,
+            bounds,
         }
     }
 }
@@ -101,25 +201,19 @@ impl<R: Real> Bounded<R> {
 impl<R: Real> Add for Bounded<R> {
     type Output = Self;
     fn add(self, b: Self) -> Self {
-        let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds, b.bounds);
-        Self {
-            value: self.value + b.value,
-            slope: self.slope + b.slope,
-            error: self.error + b.error,
-            bounds: [f0 + g0, f1 + g1, f2 + g2],
-        }
+        let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds.suprema, b.bounds.suprema);
+        let bounds = Bounds {
+            error: self.bounds.error + b.bounds.error,
+            suprema: [f0 + g0, f1 + g1, f2 + g2],
+        };
+        Self::of(self.sloped() + b.sloped(), bounds)
     }
 }
 
 impl<R: Real> Neg for Bounded<R> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            slope: -self.slope,
-            error: self.error,
-            bounds: self.bounds,
-        }
+        Self::of(-self.sloped(), self.bounds)
     }
 }
 
@@ -133,20 +227,17 @@ impl<R: Real> Sub for Bounded<R> {
 impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
-        let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds, b.bounds);
-        let value = self.value * b.value;
-        Self {
-            value,
-            slope: self.slope * b.value + self.value * b.slope,
-            error: self.value.abs() * b.error
-                + b.value.abs() * self.error
-                + R::rounding(value.abs()),
-            bounds: [
-                f0 * g0,
+        let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds.suprema, b.bounds.suprema);
+        let most = f0 * g0;
+        let bounds = Bounds {
+            error: f0 * b.bounds.error + g0 * self.bounds.error + R::rounding(most),
+            suprema: [
+                most,
                 f1 * g0 + f0 * g1,
                 f2 * g0 + (f1 * g1).doubled() + f0 * g2,
             ],
-        }
+        };
+        Self::of(self.sloped() * b.sloped(), bounds)
     }
 }
 
@@ -222,8 +313,10 @@ mod tests {
         Bounded {
             value,
             slope: a * value,
-            error: f64::EPSILON * value.abs(),
-            bounds: [size, size * a, size * a * a],
+            bounds: Bounds {
+                error: f64::EPSILON * size,
+                suprema: [size, size * a, size * a * a],
+            },
         }
     }
 
@@ -232,7 +325,7 @@ mod tests {
         let numbers = |bounded: Bounded<f64>| {
             [bounded.value, bounded.slope]
                 .into_iter()
-                .chain(bounded.bounds)
+                .chain(bounded.bounds.suprema)
         };
         for (is, should) in numbers(is).zip(numbers(should)) {
             assert!((is - should).abs() < 1e-12, "{is} {should}");
@@ -248,7 +341,11 @@ mod tests {
                 let (f, g) = (exponential(c, a, x), exponential(d, b, x));
                 same(f * g, exponential(c * d, a + b, x));
                 let [sum, difference] = [f + g, f - g];
-                let bounds = [c + d, c * a + d * b, c * a * a + d * b * b];
+                let suprema = [c + d, c * a + d * b, c * a * a + d * b * b];
+                let bounds = Bounds {
+                    error: 0.0,
+                    suprema,
+                };
                 let (slope, other) = (f.slope + g.slope, f.slope - g.slope);
                 let value = f.value + g.value;
                 same(
@@ -256,7 +353,6 @@ mod tests {
                     Bounded {
                         value,
                         slope,
-                        error: 0.0,
                         bounds,
                     },
                 );
@@ -266,7 +362,6 @@ mod tests {
                     Bounded {
                         value,
                         slope,
-                        error: 0.0,
                         bounds,
                     },
                 );
@@ -292,15 +387,15 @@ mod tests {
         same((u - v).y, u.y - v.y);
         let still = QuantityVec::constant(Vec2::new(2.0, -3.0));
         same(still.y, Bounded::constant(-3.0));
-        assert_eq!((still.x.value, still.x.bounds), (2.0, [2.0, 0.0, 0.0]));
+        assert_eq!((still.x.value, still.x.bounds.suprema), (2.0, [2.0, 0.0, 0.0]));
     }
 
     #[test]
     fn zero_is_searched_for_in_the_direction_of_a_sign() {
         let bounded = exponential(-2.0, 0.5, -1.0);
-        let slope = bounded.as_slope(-1.0);
+        let slope = bounded.sloped().as_slope(-1.0, &bounded.bounds);
         assert_eq!((slope.value, slope.slope), (-bounded.value, -bounded.slope));
         assert_eq!(slope.curvature, 0.5);
-        assert_eq!(slope.rounding, bounded.error);
+        assert_eq!(slope.rounding, bounded.bounds.error);
     }
 }

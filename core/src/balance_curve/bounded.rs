@@ -1,7 +1,7 @@
 //! A motion's turn and slide as quantities, with their bounds or without, for the events of a trammel.
 
 use super::{BalanceCurve, Place};
-use crate::bounded::{Known, Quantity};
+use crate::bounded::{Bounds, Quantity};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
@@ -10,17 +10,16 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     /// cos ϑ and sin ϑ.
     pub(crate) fn rotation_as<Q: Quantity<R>>(&self, p: &Place<R>) -> (Q, Q) {
         let cosine = R::ONE - p.versine;
-        let known = |slope: R| {
+        let bounds = || {
             let rate = self.rate.abs();
-            Known {
-                slope,
+            Bounds {
                 error: R::of_coordinates(),
-                bounds: [R::ONE, rate, rate * rate],
+                suprema: [R::ONE, rate, rate * rate],
             }
         };
         (
-            Q::known(cosine, || known(-p.sine * self.rate)),
-            Q::known(p.sine, || known(cosine * self.rate)),
+            Q::known(cosine, || -p.sine * self.rate, bounds),
+            Q::known(p.sine, || cosine * self.rate, bounds),
         )
     }
 
@@ -31,35 +30,39 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
 
     /// ϑ, up to x = `window`.
     pub(crate) fn turn_as<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Q {
-        Q::known(p.turn, || Known {
-            slope: self.rate,
-            error: R::rounding(p.turn.abs()),
-            bounds: [self.rate.abs() * window, self.rate.abs(), R::ZERO],
-        })
+        let bounds = || {
+            let most = self.rate.abs() * window;
+            Bounds {
+                error: R::rounding(most),
+                suprema: [most, self.rate.abs(), R::ZERO],
+            }
+        };
+        Q::known(p.turn, || self.rate, bounds)
     }
 
     /// tau of a kinematic motion, up to x = `window`.
     pub(crate) fn part_as<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Q {
-        Q::known(p.part(), || {
-            let most = self.hold.length_bound();
-            Known {
-                slope: p.h_slope,
-                error: R::rounding(p.part().abs()).doubled(),
-                bounds: [most * window, most, most * self.rate.abs()],
+        let bounds = || {
+            let fastest = self.hold.length_bound();
+            let most = fastest * window;
+            Bounds {
+                error: R::rounding(most).doubled(),
+                suprema: [most, fastest, fastest * self.rate.abs()],
             }
-        })
+        };
+        Q::known(p.part(), || p.h_slope, bounds)
     }
 
     /// dtau/dx of a kinematic motion.
     pub(crate) fn part_velocity_as<Q: Quantity<R>>(&self, p: &Place<R>) -> Q {
-        Q::known(p.h_slope, || {
+        let bounds = || {
             let rate = self.rate.abs();
             let most = self.hold.length_bound();
-            Known {
-                slope: self.second(p).0,
+            Bounds {
                 error: R::rounding(most).doubled(),
-                bounds: [most, most * rate, most * rate * rate],
+                suprema: [most, most * rate, most * rate * rate],
             }
-        })
+        };
+        Q::known(p.h_slope, || self.second(p).0, bounds)
     }
 }

@@ -1,7 +1,7 @@
 //! Where the foot of a slide comes to a halt: the first zero of its velocity along the hand's displacement (STATICS 3.6).
 
 use super::{BalanceCurve, Extent, Margin, Place};
-use crate::bounded::{Bounded, Quantity};
+use crate::bounded::{Bounded, Bounds, Quantity, Sloped};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::search::{Found, Samples, first_zero};
@@ -19,10 +19,9 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
         foot.along = foot.along + slack;
         let foot = foot.scaled();
         let limit = extent.end.x;
-        let begin = self
-            .advance_of(&foot, &self.at(R::ZERO), limit)
-            .as_slope(R::ONE);
-        if begin.value < -begin.rounding {
+        let begin: Bounded<R> = self.advance_of(&foot, &self.at(R::ZERO), limit);
+        let bounds = &begin.bounds;
+        if begin.value < -bounds.error {
             // It goes back at once.
             *extent = Extent {
                 end: self.at(R::ZERO),
@@ -33,7 +32,8 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             return true;
         }
         let found = first_zero(limit, &mut extent.looks, |x| {
-            Samples::far([self.advance_of(&foot, &self.at(x), limit).as_slope(R::ONE)])
+            let advance: Sloped<R> = self.advance_of(&foot, &self.at(x), limit);
+            Samples::far([advance.as_slope(R::ONE, bounds)])
         });
         let (x, unsure) = match found {
             Found::Nothing { .. } => return false,
@@ -50,7 +50,7 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
     }
 
     /// The derivative of a margin by tau, times (H'D - HD') of (E7), which is positive up to the fold: up to x = `window`.
-    fn advance_of(&self, margin: &Margin<R>, p: &Place<R>, window: R) -> Bounded<R> {
+    fn advance_of<Q: Quantity<R>>(&self, margin: &Margin<R>, p: &Place<R>, window: R) -> Q {
         let rate = self.rate.abs();
         let (z0, zp) = (self.hold.length_bound(), self.drive.length_bound());
         let (h2, d2) = self.second(p);
@@ -59,19 +59,20 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             rate * self.harmonic.bound(z0, 2),
             rate * rate * self.harmonic.bound(z0, 3),
         );
-        let quantity = |value, slope, bounds: [R; 3]| Bounded {
-            value,
-            slope,
-            error: R::rounding(bounds[0]),
-            bounds,
+        let quantity = |value, slope, suprema: [R; 3]| {
+            let bounds = || Bounds {
+                error: R::rounding(suprema[0]),
+                suprema,
+            };
+            Q::known(value, || slope, bounds)
         };
         let h = quantity(p.h, p.h_slope, [most * window, most, bent]);
         let h_slope = quantity(p.h_slope, h2, [most, bent, bends]);
         let d = quantity(p.d, p.d_slope, [R::ONE + zp * window, zp, rate * zp]);
         let d_slope = quantity(p.d_slope, d2, [zp, rate * zp, rate * rate * zp]);
-        let (cos, sin): (Bounded<R>, Bounded<R>) = self.rotation_as(p);
-        let [u, v] = [margin.turning.x, margin.turning.y].map(|k| Bounded::constant(self.rate * k));
-        let along = Bounded::constant(margin.along);
+        let (cos, sin): (Q, Q) = self.rotation_as(p);
+        let [u, v] = [margin.turning.x, margin.turning.y].map(|k| Q::constant(self.rate * k));
+        let along = Q::constant(margin.along);
         along * (h_slope * d - h * d_slope) + (v * cos - u * sin) * (d * d)
     }
 }

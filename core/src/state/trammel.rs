@@ -2,7 +2,7 @@
 //! turn, regular for parallel surfaces too (STATICS 5, 10). Frictions oppose the velocities of the vertices.
 
 use crate::balance_curve::{BalanceCurve, Extent};
-use crate::bounded::{Bounded, Quantity};
+use crate::bounded::{Bounded, Bounds, Sloped};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
@@ -243,7 +243,7 @@ impl<R: Real> Trammel<R> {
         let mut ahead = velocities;
         if velocities.iter().any(|v| v.abs() <= standstill) {
             // A contact at the turning point of its motion is about to go on the other way.
-            let turning: [Bounded<R>; 2] = self.velocities(&start);
+            let turning: [Sloped<R>; 2] = self.velocities(&start);
             for (ahead, v) in ahead.iter_mut().zip(turning) {
                 if v.value.abs() <= standstill {
                     *ahead = v.slope;
@@ -284,8 +284,9 @@ impl<R: Real> Trammel<R> {
         let p = self.sense.curve.at(R::ZERO);
         let curved: Bounded<R> = self.imbalance_slope(&p, R::ONE);
         let ahead = curved.slope * self.sense.resistance.sign();
+        let [.., bent] = curved.bounds.suprema;
         if ahead > R::ZERO {
-            (R::ONE + R::HALF) * ahead / curved.bounds[2].max(ahead)
+            (R::ONE + R::HALF) * ahead / bent.max(ahead)
         } else {
             R::ZERO
         }
@@ -298,40 +299,37 @@ impl<R: Real> Trammel<R> {
         lasting: &[Pair],
         (clear, demand): (R, Demand),
     ) -> (Run<R>, Ending<R>) {
-        let window = R::ONE;
         let sense = self.sense.resistance.sign();
-        let begin: [R; 2] = self.velocities(&self.sense.curve.at(R::ZERO));
-        let are_turning = begin.map(|v| v.abs() <= R::standstill());
+        let window = self.window(clear);
+        let begin: Quantities<Bounded<R>> =
+            self.quantities(&self.sense.curve.at(R::ZERO), window);
+        let [of_n1, of_n2] = begin.normals.map(|normal| normal.bounds);
+        let [of_v1, of_v2] = begin.velocities.map(|velocity| velocity.bounds);
+        let mut of_balance = begin.imbalance.bounds;
+        // What drives it is not nothing to the search, whatever its bound.
+        of_balance.error = of_balance.error.min(self.sense.rounding);
+        // Who has just turned does not turn again within a window.
+        let [turns1, turns2] = [0, 1].map(|k| {
+            let (velocity, sign) = (begin.velocities[k].value, self.sense.signs[k]);
+            sign != R::ZERO && velocity.abs() > R::standstill()
+        });
+        let presses = demand == Demand::Pressed;
         let mut looks = Looks::at_most(MOST_LOOKS);
         let found = first_zero(window, &mut looks, |x| {
-            let q: Quantities<Bounded<R>> = self.quantities(&self.sense.curve.at(x), window);
-            let never = Bounded::constant(R::ONE).as_slope(R::ONE);
-            let [n1, n2] = q.normals.map(|normal| match demand {
-                Demand::Pressed => normal.as_slope(sense),
-                Demand::AtTheEnd => never,
-            });
-            // Who has just turned does not turn again within a window.
-            let turns = |k: usize, velocity: Bounded<R>, sign: R| {
-                if sign == R::ZERO || are_turning.get(k) == Some(&true) {
-                    never
-                } else {
-                    velocity.as_slope(sign)
-                }
+            let q: Quantities<Sloped<R>> = self.quantities(&self.sense.curve.at(x), window);
+            let look = |is_asked: bool, of: Sloped<R>, sign: R, bounds: &Bounds<R>| {
+                is_asked.then(|| of.as_slope(sign, bounds))
             };
-            let ([v1, v2], [s1, s2]) = (q.velocities, self.sense.signs);
-            let (turns1, turns2) = (turns(0, v1, s1), turns(1, v2, s2));
-            // What drives it is not nothing to the search, whatever its bound.
-            let mut imbalance = q.imbalance.as_slope(sense);
-            imbalance.rounding = imbalance.rounding.min(self.sense.rounding);
-            let (balance, window) = if x < clear {
-                (None, clear - x)
-            } else {
-                (Some(imbalance), R::HUGE)
-            };
-            let [n1, n2, turns1, turns2] = [n1, n2, turns1, turns2].map(Some);
+            let ([n1, n2], [v1, v2], [s1, s2]) = (q.normals, q.velocities, self.sense.signs);
             Samples {
-                functions: [balance, n1, n2, turns1, turns2],
-                window,
+                functions: [
+                    look(x >= clear, q.imbalance, sense, &of_balance),
+                    look(presses, n1, sense, &of_n1),
+                    look(presses, n2, sense, &of_n2),
+                    look(turns1, v1, s1, &of_v1),
+                    look(turns2, v2, s2, &of_v2),
+                ],
+                window: if x < clear { clear - x } else { R::HUGE },
             }
         });
         let (x, mut ending, unsure) = match found {
@@ -359,6 +357,16 @@ impl<R: Real> Trammel<R> {
             work: work_of(looks, &extent),
         };
         (run, ending)
+    }
+
+    /// Four times as far as it goes at its first rate, but from 2^-19 to 1, and beyond `clear`: over short ways the bounds of products are
+    /// close.
+    fn window(&self, clear: R) -> R {
+        let rate: Sloped<R> = self.imbalance_slope(&self.sense.curve.at(R::ZERO), R::ONE);
+        let falls = -rate.value * self.sense.resistance.sign();
+        let goes = self.sense.excess.doubled().doubled();
+        let window = if goes < falls { goes / falls } else { R::ONE };
+        window.max(clear.doubled()).max(R::MICRO).min(R::ONE)
     }
 
     fn ending(&self, which: usize) -> Ending<R> {

@@ -30,9 +30,9 @@ fn quantities_are_bounded() {
                 let velocity = cos * curve.hold.x + sin * curve.hold.y;
                 let should = [cos, sin, turn, formula(x), velocity];
                 close(value, should[i], curve.hold.length_bound());
-                close(slope, derivatives(|x| at(x).value, x)[0], at(x).bounds[1]);
+                close(slope, derivatives(|x| at(x).value, x)[0], at(x).bounds.suprema[1]);
             }
-            let [most, steepest, curvature] = at(0.0).bounds;
+            let [most, steepest, curvature] = at(0.0).bounds.suprema;
             let values = largest(|x| at(x).value, (0.0, WINDOW));
             let slopes = largest(|x| at(x).slope, once);
             let size = match i {
@@ -56,6 +56,6 @@ fn quantities_are_bounded() {
         }
         let rate: Bounded<f64> = curve.rate_as();
         assert_eq!(rate.value, curve.rate);
-        assert_eq!(rate.bounds, [curve.rate.abs(), 0.0, 0.0]);
+        assert_eq!(rate.bounds.suprema, [curve.rate.abs(), 0.0, 0.0]);
     }
 }

@@ -1,9 +1,10 @@
 //! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
+use super::kinematics::Kinematics;
 use super::{MOST_LOOKS, Run, Trammel, work_of};
 use crate::balance_curve::Extent;
-use crate::bounded::{Bounded, Quantity, QuantityVec};
+use crate::bounded::{Bounded, Quantity, QuantityVec, Sloped};
 use crate::contact::Pair;
 use crate::detect::{Moving, PointPath};
 use crate::geometry::Vec2;
@@ -40,8 +41,8 @@ pub(crate) struct Slides<R> {
     unit: R,
     /// The velocity of a contact, times the stability, below which it rests (rule 7).
     slack: R,
-    /// Where nothing is done yet.
-    start: Progress<R>,
+    /// Where nothing is done yet, with what bounds the slide within the longest window.
+    start: Progress<Bounded<R>>,
 }
 
 /// What the displacement adds to the load.
@@ -56,46 +57,53 @@ struct Displaced<R> {
 
 /// The slide at a place x.
 #[derive(Clone, Copy)]
-struct Progress<R> {
+struct Progress<Q> {
     /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
-    rest: Bounded<R>,
-    drive: Bounded<R>,
+    rest: Q,
+    drive: Q,
     /// Their derivatives by x.
-    rest_slope: Bounded<R>,
-    drive_slope: Bounded<R>,
+    rest_slope: Q,
+    drive_slope: Q,
     /// The same of N_1 and N_2 as of E, times the scale.
-    normals: [[Bounded<R>; 2]; 2],
-    velocities: [Bounded<R>; 2],
+    normals: [[Q; 2]; 2],
+    velocities: [Q; 2],
     /// How much of E a friction along the slide is worth at each contact.
-    frictions: [Bounded<R>; 2],
+    frictions: [Q; 2],
     /// The size of f_1×f_2 where that is large, so that the force alone says N_i; else that of the resistance.
-    scale: Bounded<R>,
+    scale: Q,
 }
 
 /// The stability -dE/dx at the frozen hand, and N_i times the scale; both times a common factor.
-struct Standing<R> {
-    stability: Bounded<R>,
-    normals: [Bounded<R>; 2],
+struct Standing<Q> {
+    stability: Q,
+    normals: [Q; 2],
 }
 
-impl<R: Real> Progress<R> {
-    /// At a place of a motion, with bounds for no more than a window from there. Once in an image.
+impl<Q> Progress<Q> {
+    /// At a place of a motion, with bounds for no more than a window from there. Once in an image, of every kind.
     #[inline(never)]
-    fn at(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self {
+    fn at<R: Real>(
+        trammel: &Trammel<R>,
+        displaced: &Displaced<R>,
+        (x, window): (R, R),
+    ) -> Self
+    where
+        Q: Quantity<R>,
+    {
         let p = trammel.sense.curve.at(x);
-        let place = trammel.kinematics(&p, window);
-        let rate = trammel.sense.curve.rate_as();
+        let place: Kinematics<Q> = trammel.kinematics(&p, window);
+        let rate: Q = trammel.sense.curve.rate_as();
         let swing = trammel.swing(&p);
         let load = trammel.load_at(&p, window);
         let before_slope = place.slope(swing, load, trammel.load_slope_at(&p, window));
         let force = QuantityVec::constant(displaced.force);
         let of = |lever: Vec2<R>| trammel.rotated(&p, lever).cross(force);
         let lever = trammel.load.lever;
-        let couple = Bounded::constant(displaced.couple);
+        let couple = Q::constant(displaced.couple);
         let added = (force, couple + of(lever));
         let added_slope = (QuantityVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
         let change_slope = place.slope(swing, added, added_slope);
-        let (scale, normals) = if place.spread.value.abs() > R::spread() {
+        let (scale, normals) = if place.spread.value().abs() > R::spread() {
             (
                 place.spread,
                 [load, added].map(|load| place.balanced_normals(load)),
@@ -106,10 +114,10 @@ impl<R: Real> Progress<R> {
                 [load, added].map(|load| place.normals(load)),
             )
         };
-        let presses = scale.value.sign();
+        let presses = scale.value().sign();
         let sense = trammel.sense.resistance.sign();
-        let falling = |quantity: Bounded<R>| quantity.times(sense).within(window);
-        let falling_on = |change: Bounded<R>| change.times(sense * displaced.gain).within(window);
+        let falling = |quantity: Q| quantity.times(sense).within(window);
+        let falling_on = |change: Q| change.times(sense * displaced.gain).within(window);
         let [rest, on] = [(normals[0], R::ONE), (normals[1], displaced.gain)]
             .map(|(n, gain)| n.map(|n| n.times(presses * gain).within(window)));
         let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
@@ -126,7 +134,10 @@ impl<R: Real> Progress<R> {
     }
 
     /// What the displacement changes, counted so many times.
-    fn gaining(self, gain: R) -> Self {
+    fn gaining<R: Real>(self, gain: R) -> Self
+    where
+        Q: Quantity<R>,
+    {
         Self {
             drive: self.drive.times(gain),
             drive_slope: self.drive_slope.times(gain),
@@ -135,25 +146,19 @@ impl<R: Real> Progress<R> {
         }
     }
 
-    /// So many times it may be counted: up to one at first, and its bounds up to eight.
-    fn gain(&self) -> R {
-        let [[_, first], [_, second]] = self.normals;
-        let sizes = [self.drive, self.drive_slope, first, second].map(|change| {
-            let bound = change.bounds.into_iter().fold(R::ZERO, R::max);
-            change.value.abs().max(bound / R::from_int(8))
-        });
-        let most = R::from_int(64);
-        let largest = sizes.into_iter().fold(R::ONE / most, R::max);
-        R::ONE / largest.min(R::ONE).unit()
-    }
-
     /// tau times the unit.
-    fn gone(&self) -> R {
-        -self.rest.value / self.drive.value
+    fn gone<R: Real>(&self) -> R
+    where
+        Q: Quantity<R>,
+    {
+        -self.rest.value() / self.drive.value()
     }
 
     /// Where nothing is done of the displacement yet.
-    fn begin(&self) -> Standing<R> {
+    fn begin<R: Real>(&self) -> Standing<Q>
+    where
+        Q: Quantity<R>,
+    {
         Standing {
             stability: -self.rest_slope,
             normals: self.normals.map(|[rest, _]| rest),
@@ -161,11 +166,28 @@ impl<R: Real> Progress<R> {
     }
 
     /// In balance, times the drive: what is linear in tau is so without a quotient.
-    fn balanced(&self) -> Standing<R> {
+    fn balanced<R: Real>(&self) -> Standing<Q>
+    where
+        Q: Quantity<R>,
+    {
         Standing {
             stability: self.rest * self.drive_slope - self.drive * self.rest_slope,
             normals: (self.normals).map(|[rest, drive]| rest * self.drive - drive * self.rest),
         }
+    }
+}
+
+impl<R: Real> Progress<Bounded<R>> {
+    /// So many times the displacement may be counted: its changes up to one at first, and their bounds up to eight.
+    fn gain(&self) -> R {
+        let [[_, first], [_, second]] = self.normals;
+        let sizes = [self.drive, self.drive_slope, first, second].map(|change| {
+            let bound = change.bounds.suprema.into_iter().fold(R::ZERO, R::max);
+            change.value.abs().max(bound / R::from_int(8))
+        });
+        let most = R::from_int(64);
+        let largest = sizes.into_iter().fold(R::ONE / most, R::max);
+        R::ONE / largest.min(R::ONE).unit()
     }
 }
 
@@ -181,7 +203,9 @@ impl<R: Real> Slides<R> {
             couple: trammel.load.stiffness * turn * per_load,
             gain: R::ONE,
         };
-        let start = Progress::at(&trammel, &displaced, (R::ZERO, R::ONE));
+        let window = Self::longest_window();
+        let start: Progress<Bounded<R>> =
+            Progress::at(&trammel, &displaced, (R::ZERO, window));
         displaced.gain = start.gain();
         Self {
             displaced,
@@ -192,13 +216,17 @@ impl<R: Real> Slides<R> {
         }
     }
 
-    /// At a place, with bounds for no more than a window from there.
-    fn at(&self, x: R, window: R) -> Progress<R> {
-        Progress::at(&self.trammel, &self.displaced, (x, window))
+    /// In units of x the bounds hold so far.
+    fn longest_window() -> R {
+        R::HALF.halved().halved()
+    }
+
+    fn at(&self, x: R) -> Progress<Sloped<R>> {
+        Progress::at(&self.trammel, &self.displaced, (x, R::ZERO))
     }
 
     /// What a slip that began there lacks of the memory of each contact (E14), times stability and scale.
-    fn lacks(&self, at: &Progress<R>, standing: &Standing<R>) -> [Bounded<R>; 2] {
+    fn lacks<Q: Quantity<R>>(&self, at: &Progress<Q>, standing: &Standing<Q>) -> [Q; 2] {
         let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
         let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
         // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
@@ -218,18 +246,26 @@ impl<R: Real> Slides<R> {
     }
 
     /// A slip that began here would be as long as the memory of a contact.
-    fn is_pressed(&self, at: &Progress<R>, standing: &Standing<R>) -> bool {
+    fn is_pressed(
+        &self,
+        at: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> bool {
         let mut lacks = self.lacks(at, standing).into_iter();
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
 
     /// The slide would go back as the hand goes on (rule 7), or its balance lies behind even where the hand ends, as of a body that was
     /// seated anew: contacts that slid stick there.
-    fn recedes(&self, start: &Progress<R>, standing: &Standing<R>) -> bool {
+    fn recedes(
+        &self,
+        start: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> bool {
         let [v1, v2] = start.velocities.map(|v| v.value.abs());
         let left = start.rest + start.drive.times(self.unit);
         start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
-            || left.value < -R::beyond_doubt(left.error)
+            || left.value < -R::beyond_doubt(left.bounds.error)
     }
 
     /// How the contacts that give way at the edges of their dynamic cones go on (rule 10e): nothing where they do not slide so.
@@ -309,7 +345,7 @@ impl<R: Real> Slides<R> {
         }
         let mut part = R::ONE;
         if ending != SlideEnding::Arrives {
-            part = self.at(x, R::ZERO).gone().max(R::ZERO).min(self.unit) / self.unit;
+            part = self.at(x).gone().max(R::ZERO).min(self.unit) / self.unit;
         } else if let Some((opens, at)) = arrival.and_then(|last| self.opens_in_place(&last)) {
             (ending, part) = (opens, at);
         }
@@ -324,7 +360,7 @@ impl<R: Real> Slides<R> {
 
     /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
     /// part of it.
-    fn opens_in_place(&self, at: &Progress<R>) -> Option<(SlideEnding<R>, R)> {
+    fn opens_in_place(&self, at: &Progress<Sloped<R>>) -> Option<(SlideEnding<R>, R)> {
         let [first, second] = at.normals.map(|[rest, drive]| {
             let end = rest.value + drive.value * self.unit;
             (end < -self.trammel.sense.rounding)
@@ -341,8 +377,12 @@ impl<R: Real> Slides<R> {
     }
 
     /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
-    fn window(&self, start: &Progress<R>, standing: &Standing<R>) -> R {
-        let longest = R::HALF.halved().halved();
+    fn window(
+        &self,
+        start: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> R {
+        let longest = Self::longest_window();
         let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
         let window = if goes.doubled().doubled() < stability * longest {
             (goes / stability).doubled().doubled()
@@ -352,6 +392,28 @@ impl<R: Real> Slides<R> {
         window.max(R::MICRO)
     }
 
+    /// What is zero where the slide ends: at the end of the displacement, a fold, N_i = 0, a halt of a contact, stiction.
+    fn ends<Q: Quantity<R>>(&self, at: &Progress<Q>, remembers: bool) -> [Option<Q>; 8] {
+        let standing = at.balanced();
+        let ([n1, n2], [v1, v2]) = (standing.normals, at.velocities);
+        let [s1, s2] = self.trammel.sense.signs.map(|sign| sign != R::ZERO);
+        let [l1, l2] = if remembers {
+            self.lacks(at, &standing).map(Some)
+        } else {
+            [None, None]
+        };
+        [
+            Some(at.rest + at.drive.times(self.unit)),
+            Some(standing.stability),
+            Some(n1),
+            Some(n2),
+            s1.then_some(v1),
+            s2.then_some(v2),
+            l1,
+            l2,
+        ]
+    }
+
     /// The first ending but a touch, within a window.
     fn first_ending(
         &self,
@@ -359,25 +421,16 @@ impl<R: Real> Slides<R> {
         remembers: bool,
     ) -> (R, SlideEnding<R>, bool) {
         let [s1, s2] = self.trammel.sense.signs;
+        let bounds = self.ends(&self.start, remembers).map(|end| end.map(|end| end.bounds));
+        let signs = [R::ONE, R::ONE, R::ONE, R::ONE, s1, s2, R::ONE, R::ONE];
         let found = first_zero(window, looks, |x| {
-            let at = self.at(x, window);
-            let standing = at.balanced();
-            let arrives = (at.rest + at.drive.times(self.unit)).as_slope(R::ONE);
-            let [n1, n2] = standing.normals.map(|normal| normal.as_slope(R::ONE));
-            let ([v1, v2], moves) = (at.velocities, |sign: R| sign != R::ZERO);
-            let lacks = remembers.then(|| self.lacks(&at, &standing).map(|l| l.as_slope(R::ONE)));
-            let [l1, l2] = lacks.map_or([None, None], |lacks| lacks.map(Some));
+            let mut sides = signs.iter().zip(&bounds);
+            let functions = self.ends(&self.at(x), remembers).map(|end| {
+                let (&sign, bounds) = sides.next()?;
+                Some(end?.as_slope(sign, bounds.as_ref()?))
+            });
             Samples {
-                functions: [
-                    Some(arrives),
-                    Some(standing.stability.as_slope(R::ONE)),
-                    Some(n1),
-                    Some(n2),
-                    moves(s1).then(|| v1.as_slope(s1)),
-                    moves(s2).then(|| v2.as_slope(s2)),
-                    l1,
-                    l2,
-                ],
+                functions,
                 window: R::HUGE,
             }
         });
@@ -400,8 +453,8 @@ impl<R: Real> Slides<R> {
     }
 
     /// A place at which the whole displacement is all but done, without the rounding of the search, and the slide next to it.
-    fn polished(&self, x: R) -> (R, Progress<R>) {
-        let improved = |x: R, at: &Progress<R>| {
+    fn polished(&self, x: R) -> (R, Progress<Sloped<R>>) {
+        let improved = |x: R, at: &Progress<Sloped<R>>| {
             let left = at.rest + at.drive.times(self.unit);
             if left.slope < R::ZERO {
                 (x - left.value / left.slope).max(R::ZERO)
@@ -409,8 +462,8 @@ impl<R: Real> Slides<R> {
                 x
             }
         };
-        let x = improved(x, &self.at(x, R::ZERO));
-        let at = self.at(x, R::ZERO);
+        let x = improved(x, &self.at(x));
+        let at = self.at(x);
         (improved(x, &at), at)
     }
 }

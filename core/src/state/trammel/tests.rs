@@ -207,21 +207,33 @@ fn slopes_are_derivatives_and_bounds_hold() {
         for x in [0.0, 0.25, 0.5, 0.75, 1.0] {
             let (before, at, after) = (all(x - 1e-5), all(x), all(x + 1e-5));
             // To the same bits without slopes and bounds.
-            let alone: Quantities<f64> = trammel.quantities(&trammel.sense.curve.at(x), 1.0);
+            let p = trammel.sense.curve.at(x);
+            let listed = |q: Quantities<f64>| {
+                let ([n1, n2], [v1, v2]) = (q.normals, q.velocities);
+                [q.imbalance, n1, n2, q.resistance, v1, v2]
+            };
+            let alone = listed(trammel.quantities(&p, 1.0));
+            assert_eq!(at.map(|bounded| bounded.value), alone, "{seed}");
             let Quantities {
                 imbalance,
                 normals: [n1, n2],
                 resistance,
                 velocities: [v1, v2],
-            } = alone;
-            let alone = [imbalance, n1, n2, resistance, v1, v2];
-            assert_eq!(at.map(|bounded| bounded.value), alone, "{seed}");
+            } = trammel.quantities::<Sloped<f64>>(&p, 1.0);
+            let sloped = [imbalance, n1, n2, resistance, v1, v2];
+            let both = |q: Bounded<f64>| Sloped {
+                value: q.value,
+                slope: q.slope,
+            };
+            assert_eq!(at.map(both), sloped, "{seed}");
+            // Those of the beginning hold all along.
+            let begin = all(0.0);
             for (i, bounded) in at.iter().enumerate() {
                 let slope = (after[i].value - before[i].value) * 0.5e5;
                 let curved = (after[i].slope - before[i].slope) * 0.5e5;
                 assert!((slope - bounded.slope).abs() < 1e-7, "{seed} {i}");
                 let sizes = [bounded.value, bounded.slope, curved];
-                for (size, bound) in sizes.into_iter().zip(bounded.bounds) {
+                for (size, bound) in sizes.into_iter().zip(begin[i].bounds.suprema) {
                     assert!(size.abs() <= bound + 1e-7, "{seed} {i} {size} {bound}");
                 }
             }

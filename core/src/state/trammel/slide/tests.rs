@@ -96,7 +96,7 @@ fn slide_is_in_balance_all_along() {
         let per_load = slides.trammel.per_load;
         for i in 0..=10 {
             let x = 0.02 * f64::from(i);
-            let at = slides.at(x, 1.0);
+            let at = slides.at(x);
             let theta = ladder.theta + slides.trammel.sense.curve.at(x).turn;
             let gone = at.gone();
             let (part, tau) = (gone / slides.unit, sliding.part(theta));

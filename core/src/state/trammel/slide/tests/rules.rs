@@ -164,7 +164,7 @@ fn slip_is_as_long_as_it_is_said_to_be() {
                 ..on
             };
             let slides = on.slides();
-            let at = slides.at(0.0, 1.0);
+            let at = slides.start;
             let is_pressed = slides.is_pressed(&at, &at.begin());
             assert_eq!(is_pressed, stiction, "{seed} {times}");
         }
