@@ -170,7 +170,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// that is not finite or out of range is taken as absent: the body stays at its start until a good one takes hold; so it does
     /// while the hand's switch is off.
     pub fn start(&self, hand: Hand<R::Si>) -> (State<R>, Output<R::Si>) {
-        let (mut work, mut log) = (Work::of(self.budget), Log::default());
+        let (mut work, mut log) = (Work::within(self.budget), Log::default());
         let mut state = self.placed_at_start();
         if let Some(target) = self.usable(&hand, &mut log) {
             state.hand = hand;
@@ -186,7 +186,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// as it is, and the status says so: [`Status::HeldLast`] for one that is not finite, [`Status::Saturated`] for one beyond the
     /// range of the number type. The next good one is followed from the last good one.
     pub fn step(&self, state: &mut State<R>, hand: Hand<R::Si>) -> Output<R::Si> {
-        let (mut work, mut log) = (Work::of(self.budget), Log::default());
+        let (mut work, mut log) = (Work::within(self.budget), Log::default());
         if let Some(target) = self.usable(&hand, &mut log) {
             let again = hand == state.hand;
             // A hand that takes hold is where it takes hold.

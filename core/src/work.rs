@@ -8,33 +8,29 @@ use crate::search::Looks;
 use crate::state::{ContactState, MOST_OF_RUN};
 use crate::world::World;
 
-/// What is left of the budget of a step, in units of work.
+/// The work of a step so far, in units, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Work {
     budget: u32,
-    left: u32,
+    done: u32,
 }
 
 impl Work {
-    pub(crate) const fn of(budget: u32) -> Self {
-        Self {
-            budget,
-            left: budget,
-        }
+    pub(crate) const fn within(budget: u32) -> Self {
+        Self { budget, done: 0 }
     }
 
     /// A piece that takes no more may begin.
     pub(crate) fn allows(self, most: u32) -> bool {
-        self.left >= most
+        self.budget.saturating_sub(self.done) >= most
     }
 
     pub(crate) fn spend(&mut self, units: u32) {
-        self.left = self.left.saturating_sub(units);
+        self.done = self.done.saturating_add(units);
     }
 
-    /// What was done so far.
     pub(crate) fn done(self) -> u32 {
-        self.budget.saturating_sub(self.left)
+        self.done
     }
 }
 
