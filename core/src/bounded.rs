@@ -33,11 +33,7 @@ pub(crate) trait Quantity<R: Real>:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// A value, and what else is known of it.
-    fn known(
-        value: R,
-        slope: impl FnOnce() -> R,
-        bounds: impl FnOnce() -> Bounds<R>,
-    ) -> Self;
+    fn known(value: R, slope: impl FnOnce() -> R, bounds: impl FnOnce() -> Bounds<R>) -> Self;
     fn value(&self) -> R;
     /// The same `k` times as large.
     fn times(self, k: R) -> Self;
@@ -91,11 +87,7 @@ impl<R: Real> Quantity<R> for Sloped<R> {
 }
 
 impl<R: Real> Quantity<R> for Bounded<R> {
-    fn known(
-        value: R,
-        slope: impl FnOnce() -> R,
-        bounds: impl FnOnce() -> Bounds<R>,
-    ) -> Self {
+    fn known(value: R, slope: impl FnOnce() -> R, bounds: impl FnOnce() -> Bounds<R>) -> Self {
         Self {
             value,
             slope: slope(),
@@ -387,7 +379,10 @@ mod tests {
         same((u - v).y, u.y - v.y);
         let still = QuantityVec::constant(Vec2::new(2.0, -3.0));
         same(still.y, Bounded::constant(-3.0));
-        assert_eq!((still.x.value, still.x.bounds.suprema), (2.0, [2.0, 0.0, 0.0]));
+        assert_eq!(
+            (still.x.value, still.x.bounds.suprema),
+            (2.0, [2.0, 0.0, 0.0])
+        );
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::sign::Sign;
-use crate::state::{ContactState, Free, TwoSlip};
+use crate::state::{ContactState, Free, Slip};
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
 };
@@ -51,8 +51,8 @@ pub(crate) struct Settling<R> {
     tried: Tried,
     /// The state in which it began, and whether it slid.
     before: (StateKind, bool),
-    /// A slip of two vertices that is under way.
-    under_way: Option<TwoSlip<R>>,
+    /// A slip that is under way.
+    under_way: Option<Slip<R>>,
 }
 
 impl<R: Real> Settling<R> {
@@ -104,6 +104,7 @@ impl<R: Real> Settling<R> {
         let work = state.verb_work();
         let next = self.next.map(Sign::number);
         let had_stiction = state.regime().has_stiction();
+        let before = state.clone();
         let begin = self.tried.any().then(|| state.placed(scene));
         let under_way = &mut self.under_way;
         let moved = match next {
@@ -121,7 +122,18 @@ impl<R: Real> Settling<R> {
         if begin.is_some_and(|begin| !state.placed(scene).is_near(&begin, R::MICRO)) {
             self.tried = Tried::default();
         }
-        if moved.trigger != Trigger::GoesOn {
+        let gets_on = moved.unsure && *state != before;
+        if gets_on && let Next::Relax(_) | Next::Snap(_) = next {
+            // Nothing has happened up to where the looks led: on from there.
+            let sure = Moved {
+                unsure: false,
+                ..moved
+            };
+            record(state, &sure, &next, log);
+            if let Next::Snap(_) = next {
+                self.next = Next::Relax(None);
+            }
+        } else if moved.trigger != Trigger::GoesOn {
             record(state, &moved, &next, log);
             let sliding = match next {
                 Next::Slip(sign) => sign,

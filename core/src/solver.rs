@@ -18,8 +18,8 @@ use crate::work::{Work, least};
 mod answer;
 mod evolve;
 
-use evolve::{Course, Errand};
 pub use evolve::Evolution;
+use evolve::{Course, Errand};
 
 /// The solver of one scene. It holds no state of a run: one solver serves many.
 ///

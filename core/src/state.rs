@@ -43,7 +43,7 @@ pub(crate) use free::Free;
 pub(crate) use locked::Locked;
 pub(crate) use single_vertex::SingleVertex;
 pub(crate) use trammel::MOST_OF_RUN;
-pub(crate) use two_vertex::{TwoSlip, TwoVertex};
+pub(crate) use two_vertex::{Slip, TwoVertex};
 
 /// The contact state with its memory.
 #[derive(Clone, Debug, PartialEq)]
@@ -265,7 +265,7 @@ impl<R: Real> ContactState<R> {
         &mut self,
         scene: &W,
         grip: &Grip<R>,
-        (direction, under_way): (R, &mut Option<TwoSlip<R>>),
+        (direction, under_way): (R, &mut Option<Slip<R>>),
     ) -> Moved<R> {
         match self {
             Self::Free(s) if W::GLIDES => s.snap::<Sliding<R>>(scene, grip, direction),
@@ -281,16 +281,16 @@ impl<R: Real> ContactState<R> {
         }
     }
 
-    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first. That of two vertices may take
-    /// several goes: `under_way` remembers it.
+    /// Only a single vertex, an edge and two vertices slip; the others give way to one of these first. It may take several pieces:
+    /// `under_way` remembers it.
     pub(crate) fn slip<W: World<R>>(
         &mut self,
         scene: &W,
         grip: &Grip<R>,
-        (sign, under_way): (R, &mut Option<TwoSlip<R>>),
+        (sign, under_way): (R, &mut Option<Slip<R>>),
     ) -> Moved<R> {
         match self {
-            Self::SingleVertex(s) if !W::GLIDES => s.slip(scene, grip, sign),
+            Self::SingleVertex(s) if !W::GLIDES => s.slip(scene, grip, (sign, under_way)),
             Self::Edge(s) if W::EDGES && !W::GLIDES => s.slip(scene, grip, sign),
             Self::TwoVertex(s) if W::SURFACES => s.slip(scene, grip, under_way),
             _ => absent(),

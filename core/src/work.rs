@@ -87,11 +87,19 @@ impl<R: Real> ContactState<R> {
 
     /// The most that the next piece of a step takes.
     pub(crate) fn most_work<W: World<R>>(&self, _: &W) -> u32 {
-        if W::SURFACES { most(self.count()) } else { most(1) }
+        if W::SURFACES {
+            most(self.count())
+        } else {
+            most(1)
+        }
     }
 }
 
 /// The least budget of a scene: what one piece may take, with a certified frame before it. More than four contacts at once have more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
-    if surfaces { TWO + most(4) } else { CERTIFIED + most(1) }
+    if surfaces {
+        TWO + most(4)
+    } else {
+        CERTIFIED + most(1)
+    }
 }

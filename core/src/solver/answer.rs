@@ -11,11 +11,7 @@ use crate::real::Real;
 use crate::work::Work;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    pub(super) fn output(
-        &self,
-        state: &State<R>,
-        (work, log): (Work, Log<R>),
-    ) -> Output<R::Si> {
+    pub(super) fn output(&self, state: &State<R>, (work, log): (Work, Log<R>)) -> Output<R::Si> {
         let pose = state.contact.pose(&self.scene);
         let angle = pose.orientation.angle();
         Output {

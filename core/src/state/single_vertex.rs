@@ -3,6 +3,7 @@
 
 use super::segment::Segment;
 use super::short_slip::ShortSlip;
+use super::two_vertex::Slip;
 use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
 use crate::contact::{Pairs, Reactions, Regime};
@@ -287,7 +288,25 @@ impl<R: Real> SingleVertex<R> {
 
     /// Slips along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch,
     /// lift-off, fold. Where it ends in balance it sticks if it is pressed hard enough, else it slides on with the hand (rule 4).
-    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    /// It goes on piece by piece.
+    pub(crate) fn slip(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (sign, under_way): (R, &mut Option<Slip<R>>),
+    ) -> Moved<R> {
+        let slip = under_way.take().unwrap_or(Slip::from(&self.pivot, sign));
+        let moved = self.slip_on(scene, grip, sign);
+        if moved.trigger == Trigger::GoesOn {
+            *under_way = Some(slip);
+        }
+        Moved {
+            slip: self.pivot.foot - slip.foot,
+            ..moved
+        }
+    }
+
+    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);
         let found = ShortSlip::find(scene, placed, grip, sign);
@@ -296,10 +315,7 @@ impl<R: Real> SingleVertex<R> {
             if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
                 self.end_slip(scene, grip, sign);
-                return Moved {
-                    slip: slip.slide,
-                    ..Moved::by(Trigger::Stopped)
-                };
+                return Moved::by(Trigger::Stopped);
             }
         }
         self.room = R::ZERO;
@@ -313,14 +329,17 @@ impl<R: Real> SingleVertex<R> {
         };
         // To look no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
-        let (mut slip, mut segment) = self.slip_segment(scene, &load, sign * near);
-        let mut work = 0;
-        if segment.goes_on() && near < farthest {
-            work = segment.work();
-            (slip, segment) = self.slip_segment(scene, &load, sign * farthest);
-        }
+        let (slip, segment) = self.slip_segment(scene, &load, sign * near);
+        let goes_on = segment.goes_on() && near < farthest;
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);
+        if goes_on || moved.unsure && slip != R::ZERO {
+            // So far nothing has ended it.
+            return Moved {
+                work: moved.work,
+                ..Moved::by(Trigger::GoesOn)
+            };
+        }
         let load = self.pivot.load(scene, grip);
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
@@ -332,9 +351,7 @@ impl<R: Real> SingleVertex<R> {
             self.end_slip(scene, grip, sign);
         }
         Moved {
-            slip,
             unbalanced,
-            work: moved.work.saturating_add(work),
             ..moved
         }
     }

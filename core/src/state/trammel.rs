@@ -301,8 +301,7 @@ impl<R: Real> Trammel<R> {
     ) -> (Run<R>, Ending<R>) {
         let sense = self.sense.resistance.sign();
         let window = self.window(clear);
-        let begin: Quantities<Bounded<R>> =
-            self.quantities(&self.sense.curve.at(R::ZERO), window);
+        let begin: Quantities<Bounded<R>> = self.quantities(&self.sense.curve.at(R::ZERO), window);
         let [of_n1, of_n2] = begin.normals.map(|normal| normal.bounds);
         let [of_v1, of_v2] = begin.velocities.map(|velocity| velocity.bounds);
         let mut of_balance = begin.imbalance.bounds;

@@ -28,18 +28,29 @@ pub(crate) struct TwoVertex<R> {
     pub(super) room: R,
 }
 
-/// A slip on two surfaces that is under way, window by window.
+/// A slip of one or two vertices that is under way, piece by piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct TwoSlip<R> {
+pub(crate) struct Slip<R> {
     /// Where it began: the first contact and the angle.
-    foot: R,
+    pub(super) foot: R,
     angle: Angle<R>,
     /// The sign of the twist: it goes one way.
     sense: Sign,
     demand: Demand,
     /// Where nothing drives it on a contact opens: whether the first one lasts, and the direction in which the one that lasts slides.
     opens: Option<(bool, Sign)>,
-    unsure: bool,
+}
+
+impl<R: Real> Slip<R> {
+    pub(super) fn from(pivot: &Pivot<R>, sense: R) -> Self {
+        Self {
+            foot: pivot.foot,
+            angle: pivot.orientation.angle(),
+            sense: Sign::of(sense),
+            demand: Demand::Pressed,
+            opens: None,
+        }
+    }
 }
 
 impl<R: Real> TwoVertex<R> {
@@ -202,7 +213,7 @@ impl<R: Real> TwoVertex<R> {
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
-        under_way: &mut Option<TwoSlip<R>>,
+        under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
         let contacts = (&self.pivot, self.other);
         // It goes one way.
@@ -233,7 +244,7 @@ impl<R: Real> TwoVertex<R> {
         scene: &impl World<R>,
         grip: &Grip<R>,
         sense: R,
-        under_way: &mut Option<TwoSlip<R>>,
+        under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
         if under_way.is_some() {
             return self.slip(scene, grip, under_way);
@@ -249,20 +260,13 @@ impl<R: Real> TwoVertex<R> {
         scene: &impl World<R>,
         grip: &Grip<R>,
         (trammel, clear): (&Trammel<R>, R),
-        under_way: &mut Option<TwoSlip<R>>,
+        under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        let mut slip = under_way.take().unwrap_or(TwoSlip {
-            foot: self.pivot.foot,
-            angle: self.pivot.orientation.angle(),
-            sense: Sign::of(trammel.direction()),
-            demand: Demand::Pressed,
-            opens: None,
-            unsure: false,
-        });
+        let begin = Slip::from(&self.pivot, trammel.direction());
+        let mut slip = under_way.take().unwrap_or(begin);
         let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
         self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
-        slip.unsure |= run.unsure;
         slip.opens = None;
         let ends = match ending {
             Ending::Stopped => Some(Trigger::Stopped),
@@ -280,6 +284,12 @@ impl<R: Real> TwoVertex<R> {
         }
         let moved = if let Some(trigger) = ends {
             self.end_slip(scene, grip, &slip, (trigger, unbalanced))
+        } else if run.unsure {
+            // It does not get away from where it is.
+            Moved {
+                unsure: true,
+                ..self.end_slip(scene, grip, &slip, (Trigger::Stopped, true))
+            }
         } else {
             *under_way = Some(slip);
             Moved::by(Trigger::GoesOn)
@@ -295,7 +305,7 @@ impl<R: Real> TwoVertex<R> {
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
-        slip: &TwoSlip<R>,
+        slip: &Slip<R>,
         (trigger, unbalanced): (Trigger<R>, bool),
     ) -> Moved<R> {
         let begin = Pivot {
@@ -306,7 +316,6 @@ impl<R: Real> TwoVertex<R> {
         let slide = self.pivot.foot - begin.foot;
         let mut moved = Moved {
             slip: slide,
-            unsure: slip.unsure,
             unbalanced,
             ..Moved::by(trigger)
         };
@@ -322,7 +331,7 @@ impl<R: Real> TwoVertex<R> {
                 moved.trigger = Trigger::Undriven;
             }
         }
-        if !moved.unsure && !moved.unbalanced {
+        if !moved.unbalanced {
             self.regime = Regime::after_slip(self.has_renewed(scene, &begin), slip.sense.number());
         }
         moved

@@ -38,7 +38,8 @@ fn step<R: Number>(solver: &Of<R>, state: &mut State<R>, hand: [f64; 3]) -> (Fra
 /// No vertex is inside a surface, though the body may be out of balance.
 fn stays_outside<R: Number>(setup: &Setup, frame: &Frame) {
     let findings = judge::<R>(setup, frame).into_iter();
-    let gaps = findings.filter(|finding| ["no vertex is inside a surface", FINITE].contains(&finding.law));
+    let gaps =
+        findings.filter(|finding| ["no vertex is inside a surface", FINITE].contains(&finding.law));
     gaps.for_each(|finding| assert!(finding.holds(), "{finding:?}: {frame:?}"));
 }
 

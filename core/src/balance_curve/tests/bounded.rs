@@ -30,7 +30,11 @@ fn quantities_are_bounded() {
                 let velocity = cos * curve.hold.x + sin * curve.hold.y;
                 let should = [cos, sin, turn, formula(x), velocity];
                 close(value, should[i], curve.hold.length_bound());
-                close(slope, derivatives(|x| at(x).value, x)[0], at(x).bounds.suprema[1]);
+                close(
+                    slope,
+                    derivatives(|x| at(x).value, x)[0],
+                    at(x).bounds.suprema[1],
+                );
             }
             let [most, steepest, curvature] = at(0.0).bounds.suprema;
             let values = largest(|x| at(x).value, (0.0, WINDOW));

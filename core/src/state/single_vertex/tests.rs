@@ -148,7 +148,13 @@ fn slip_that_stops_is_over() {
             continue;
         }
         let about = ShortSlip::find(&scene, (&state.pivot, &load), &grip, 1.0);
-        let moved = state.slip(&scene, &grip, 1.0);
+        let mut under_way = None;
+        let moved = loop {
+            let moved = state.slip(&scene, &grip, (1.0, &mut under_way));
+            if moved.trigger != Trigger::GoesOn {
+                break moved;
+            }
+        };
         if moved.trigger != Trigger::Stopped || moved.unsure {
             continue;
         }

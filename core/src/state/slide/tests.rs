@@ -2,10 +2,10 @@
 //! cone, and passes nothing that ends a slide.
 
 use super::*;
-use crate::search::Looks;
 use crate::fixtures::bench::{Bench, HandAt, Plain};
 use crate::fixtures::{Random, sampled};
 use crate::real::Fixed;
+use crate::search::Looks;
 
 mod frames;
 

@@ -82,11 +82,7 @@ struct Standing<Q> {
 impl<Q> Progress<Q> {
     /// At a place of a motion, with bounds for no more than a window from there. Once in an image, of every kind.
     #[inline(never)]
-    fn at<R: Real>(
-        trammel: &Trammel<R>,
-        displaced: &Displaced<R>,
-        (x, window): (R, R),
-    ) -> Self
+    fn at<R: Real>(trammel: &Trammel<R>, displaced: &Displaced<R>, (x, window): (R, R)) -> Self
     where
         Q: Quantity<R>,
     {
@@ -204,8 +200,7 @@ impl<R: Real> Slides<R> {
             gain: R::ONE,
         };
         let window = Self::longest_window();
-        let start: Progress<Bounded<R>> =
-            Progress::at(&trammel, &displaced, (R::ZERO, window));
+        let start: Progress<Bounded<R>> = Progress::at(&trammel, &displaced, (R::ZERO, window));
         displaced.gain = start.gain();
         Self {
             displaced,
@@ -246,22 +241,14 @@ impl<R: Real> Slides<R> {
     }
 
     /// A slip that began here would be as long as the memory of a contact.
-    fn is_pressed(
-        &self,
-        at: &Progress<Bounded<R>>,
-        standing: &Standing<Bounded<R>>,
-    ) -> bool {
+    fn is_pressed(&self, at: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> bool {
         let mut lacks = self.lacks(at, standing).into_iter();
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
 
     /// The slide would go back as the hand goes on (rule 7), or its balance lies behind even where the hand ends, as of a body that was
     /// seated anew: contacts that slid stick there.
-    fn recedes(
-        &self,
-        start: &Progress<Bounded<R>>,
-        standing: &Standing<Bounded<R>>,
-    ) -> bool {
+    fn recedes(&self, start: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> bool {
         let [v1, v2] = start.velocities.map(|v| v.value.abs());
         let left = start.rest + start.drive.times(self.unit);
         start.drive.value * v1.max(v2) < -self.slack * standing.stability.value
@@ -377,11 +364,7 @@ impl<R: Real> Slides<R> {
     }
 
     /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
-    fn window(
-        &self,
-        start: &Progress<Bounded<R>>,
-        standing: &Standing<Bounded<R>>,
-    ) -> R {
+    fn window(&self, start: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> R {
         let longest = Self::longest_window();
         let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
         let window = if goes.doubled().doubled() < stability * longest {
@@ -421,7 +404,9 @@ impl<R: Real> Slides<R> {
         remembers: bool,
     ) -> (R, SlideEnding<R>, bool) {
         let [s1, s2] = self.trammel.sense.signs;
-        let bounds = self.ends(&self.start, remembers).map(|end| end.map(|end| end.bounds));
+        let bounds = self
+            .ends(&self.start, remembers)
+            .map(|end| end.map(|end| end.bounds));
         let signs = [R::ONE, R::ONE, R::ONE, R::ONE, s1, s2, R::ONE, R::ONE];
         let found = first_zero(window, looks, |x| {
             let mut sides = signs.iter().zip(&bounds);
