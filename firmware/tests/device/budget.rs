@@ -87,7 +87,10 @@ fn the_force_of_a_body_behind_the_hand_is_that_of_its_springs() {
 #[test]
 fn in_silence_it_comes_to_the_hand_as_well_without_a_force() {
     let farther = Hand::new(0.5, 0.045, 0.0);
-    let [mut at_once, mut bench] = [Settings::default(), least()].map(|s| dragged::<f32>(&s).0);
+    let settings = [Settings::default(), least()];
+    let [mut at_once, mut bench] = settings.map(|settings| Bench::<f32>::with(&BOX, &settings));
+    at_once.pressed(deep());
+    bench.pressed(deep());
     let expected = at_once.sample(farther).pose;
     let mut tick = bench.sample(farther);
     while tick.output.is_some() {
