@@ -25,7 +25,7 @@ pub use ticks::Ticks;
 /// Why the force is what it is, and no other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Flags {
-    /// No usable sample for as long as the limits say, or none yet: zero force, the pose is held.
+    /// No usable sample for as long as the limits say, or none yet: zero force; the body is held where the last one led it.
     pub silent: bool,
     /// The solver could not use the last sample (saturated, held-last): zero force, the pose is held.
     pub held_last: bool,

@@ -24,7 +24,7 @@ import zlib
 
 VERSION = 2
 PARAMETERS = ("ffffBf", "k_h k_theta mu_s mu_d has_memory memory")
-MODE = ("BBBBBHHHHB", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every event_limit")
+MODE = ("BBBBBHHHH", "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every")
 
 # name: type, layout as of the module struct, the fields, and what follows them
 LAYOUTS = {
@@ -42,8 +42,8 @@ LAYOUTS = {
                [("contacts", "contact", "BBffffb")]),
     "events": (0x91, "IfB", "slips longest_slip events", [("events", "event", "B")]),
     "reply": (0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", "allowed"),
-    "info": (0x93, "BBBBBBBHHff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces has longest_frame"
-             " fastest_tick stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
+    "info": (0x93, "BBBBBBBHHIff" + PARAMETERS[0] + MODE[0], "major minor patch number vertices surfaces has longest_frame"
+             " fastest_tick budget stiffest_k_h stiffest_k_theta " + PARAMETERS[1] + " " + MODE[1], "name"),
     "health": (0x94, "B" + 15 * "I", "drive ticks missed_ticks samples late_samples lost_frames unsent worst_step"
                " worst_tick too_long cobs crc version unknown_type length value", None),
     "pong": (0x95, "BI", "ping_sequence ping_time", None),

@@ -40,7 +40,6 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_core::frame::Mode;
 use stiction_scene::SceneFile;
 
 pub use address::ConnectArgs;
@@ -53,7 +52,7 @@ pub use tracker::{HoldButton, TrackerArgs};
 use crate::files::{self, Files};
 use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_events, parse_rate, parse_trace};
+use crate::options::{evolution_parser, parse_rate, parse_trace};
 use crate::record::Run;
 use crate::recording::Head;
 use crate::settings::Settings;
@@ -89,9 +88,6 @@ pub struct BoardArgs {
     /// path: events are found along the hand's straight line between two samples; frame: at samples only
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
-    /// Events of a step that are told apart (1 to 128), instead of as many as the board tells
-    #[arg(long, value_name = "N", value_parser = parse_events)]
-    events: Option<u8>,
     /// Ticks of the board per second, instead of those that it has
     #[arg(long, value_name = "HZ")]
     tick: Option<u16>,
@@ -174,7 +170,6 @@ fn setup(args: &BoardArgs, scene: &Arc<SceneFile>) -> Setup {
     Setup {
         scene: Arc::clone(scene),
         evolution: args.evolution,
-        events: args.events,
         tick: args.tick,
         keep: args.keep,
         per_sample: args.verify,
@@ -188,9 +183,8 @@ fn compared<'a>(
     run: &Run,
 ) -> Result<Stream<'a, Console>, BoardError> {
     let (about, setup) = (&stream.about, &stream.setup);
-    let mode = setup.mode(about);
-    stream.twin = Some(verify::twin(about, &setup.scene, &mode)?);
-    let head = recording_head(about, &setup.scene, &mode);
+    stream.twin = Some(verify::twin(about, &setup.scene)?);
+    let head = recording_head(about, &setup.scene);
     let files = stream.audience.files;
     stream.audience.files = files.with_recording(args.record.as_ref(), &head, run)?;
     Ok(stream)
@@ -220,12 +214,12 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
 }
 
 /// What a recording says about a board.
-fn recording_head(about: &About, scene: &SceneFile, mode: &Mode) -> Head {
+fn recording_head(about: &About, scene: &SceneFile) -> Head {
     let [major, minor, patch] = about.version;
     let settings = Settings {
         number: about.number.into(),
-        evolution: mode.evolution,
-        events: mode.event_limit,
+        evolution: about.mode.evolution,
+        budget: (about.budget < u32::MAX).then_some(about.budget),
         ..Settings::default()
     };
     Head {

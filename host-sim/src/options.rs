@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::ValueEnum;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use stiction_core::{Evolution, MAX_EVENT_LIMIT};
+use stiction_core::Evolution;
 
 use crate::number::Number;
 use crate::trace::Format;
@@ -55,12 +55,10 @@ pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
     }
 }
 
-/// An event limit of a frame.
-pub(crate) fn parse_events(text: &str) -> Result<u8, String> {
+/// A budget of a frame (units of work).
+pub(crate) fn parse_budget(text: &str) -> Result<u32, String> {
     match text.parse() {
-        Ok(events) if (1..=MAX_EVENT_LIMIT).contains(&events) => Ok(events),
-        _ => Err(format!(
-            "allowed: a whole number from 1 to {MAX_EVENT_LIMIT}"
-        )),
+        Ok(units) if units > 0 => Ok(units),
+        _ => Err(format!("allowed: a whole number from 1 to {}", u32::MAX)),
     }
 }

@@ -82,6 +82,8 @@ pub struct Frame {
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
+    /// The part of the hand's displacement that is not yet followed, 0 to 1, where a frame has a budget of work.
+    pub behind: Option<f64>,
 }
 
 /// A vertex of the body on a surface.
@@ -135,6 +137,7 @@ impl Frame {
             longest_slip: output.longest_slip.widen(),
             events: output.events().to_vec(),
             status: output.status,
+            behind: (solver.budget() < u32::MAX).then(|| output.behind.widen()),
         }
     }
 

@@ -2,14 +2,14 @@
 //! and told from one that differs. A text file of JSON Lines, numbers printed so that they read back to the same value:
 //!
 //! ```text
-//! {"recording":2,"build":"...","number":"f32","evolution":"path","events":128,
+//! {"recording":2,"build":"...","number":"f32","evolution":"path",
 //!  "friction":true,"weight":true,"name":"box.toml","scene":"[body]\n..."}
 //! {"sample":{"t":0.0,"position":[x,y],"turns":0,"rest":0.1,"depth":0.0,"held":true},"answer":{record of the trace}}
 //! {"samples":1}
 //! ```
 //!
 //! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
-//! parts the solver has. The first sample starts the scene. The last line counts the samples; a recording without it was cut.
+//! parts the solver has. A `budget` stands behind the evolution, where a frame had one (units of work). The first sample starts the scene. The last line counts the samples; a recording without it was cut.
 
 mod line;
 
@@ -41,8 +41,9 @@ pub(crate) struct Head {
     /// As on the command line.
     pub(crate) number: String,
     pub(crate) evolution: String,
-    /// Events of a frame that are told apart.
-    pub(crate) events: u8,
+    /// The units of work that a frame may take; absent: as many as it needs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) budget: Option<u32>,
     /// The solver has friction.
     pub(crate) friction: bool,
     /// The solver has weight.
@@ -94,7 +95,7 @@ impl Head {
             build: this_build(),
             number: settings.number.name().to_owned(),
             evolution: settings.evolution.name().to_owned(),
-            events: settings.events,
+            budget: settings.budget,
             friction: true,
             weight: true,
             name: file

@@ -167,8 +167,8 @@ fn stepped<R: Real<Si: SiFloat> + 'static, M: Model + 'static>(
     run: &Run,
     scene: &SceneFile,
 ) -> Result<Box<dyn Stepper>, InputError> {
-    let solver =
-        Solver::new(scene.scene_in::<R, M>()?, run.evolution).with_event_limit(head.events);
+    let budget = head.budget.unwrap_or(u32::MAX);
+    let solver = Solver::new(scene.scene_in::<R, M>()?, run.evolution).with_budget(budget);
     Ok(Box::new(Running::new(solver)))
 }
 

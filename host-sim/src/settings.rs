@@ -1,15 +1,15 @@
 //! How a scene is run, as the options of `stiction run` say it: the hand's path, the number type, the evolution, the rate and
-//! the event limit.
+//! the budget.
 
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real, SiFloat, Solver};
+use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
 use stiction_scene::{InputError, Sample, SceneFile};
 
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_events, parse_rate};
+use crate::options::{evolution_parser, parse_budget, parse_rate};
 use crate::record::Frame;
 use crate::simulate::simulate;
 
@@ -29,9 +29,10 @@ pub(crate) struct Settings {
     /// Hand frames per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
     pub(crate) rate: Option<f64>,
-    /// Events of a frame that are told apart (1 to 128)
-    #[arg(long, value_name = "N", default_value_t = MAX_EVENT_LIMIT, value_parser = parse_events)]
-    pub(crate) events: u8,
+    /// Units of work that a frame may take, 1 or more; less than the least that a solver needs is taken as that. What is left
+    /// of a frame is done with the next one
+    #[arg(long, value_name = "UNITS", value_parser = parse_budget)]
+    pub(crate) budget: Option<u32>,
 }
 
 /// What `stiction run` takes where nothing is said.
@@ -42,7 +43,7 @@ impl Default for Settings {
             number: Number::F32,
             evolution: Evolution::Path,
             rate: None,
-            events: MAX_EVENT_LIMIT,
+            budget: None,
         }
     }
 }
@@ -71,7 +72,8 @@ impl Settings {
         samples: impl Iterator<Item = Sample>,
         sink: impl FnMut(Frame) -> Result<(), E>,
     ) -> Result<Duration, E> {
-        let solver = Solver::new(scene.scene::<R>()?, self.evolution).with_event_limit(self.events);
+        let budget = self.budget.unwrap_or(u32::MAX);
+        let solver = Solver::new(scene.scene::<R>()?, self.evolution).with_budget(budget);
         simulate(solver, samples, sink)
     }
 }

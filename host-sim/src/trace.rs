@@ -63,6 +63,9 @@ pub(crate) struct Record<'a> {
     slips: u32,
     events: Vec<&'static str>,
     status: &'static str,
+    /// Where a frame has a budget.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    behind: Option<Value>,
 }
 
 #[derive(Serialize)]
@@ -99,6 +102,7 @@ impl<'a> Record<'a> {
             slips: frame.slips,
             events: frame.events.iter().map(|event| event.name()).collect(),
             status: frame.status.name(),
+            behind: frame.behind.map(value),
         }
     }
 }
@@ -106,7 +110,7 @@ impl<'a> Record<'a> {
 #[derive(Debug)]
 enum Writer {
     JsonLines(BufWriter<NamedTempFile>),
-    Csv(Box<csv::Writer<NamedTempFile>>),
+    Csv(Box<table::Writer>),
 }
 
 /// A trace that is being written; it appears in its place with [`TraceWriter::finish`], or not at all.
@@ -127,11 +131,7 @@ impl TraceWriter {
         let file = part(place)?;
         let writer = match format {
             Format::JsonLines => Writer::JsonLines(BufWriter::new(file)),
-            Format::Csv => {
-                let mut writer = csv::Writer::from_writer(file);
-                writer.write_record(table::header())?;
-                Writer::Csv(Box::new(writer))
-            }
+            Format::Csv => Writer::Csv(Box::new(table::Writer::new(file))),
         };
         Ok(Self {
             place: place.to_owned(),
@@ -152,7 +152,7 @@ impl TraceWriter {
                 serde_json::to_writer(&mut *writer, &record)?;
                 writer.write_all(b"\n")
             }
-            Writer::Csv(writer) => Ok(writer.write_record(table::row(&record))?),
+            Writer::Csv(writer) => writer.write(&record),
         }
     }
 
@@ -165,7 +165,7 @@ impl TraceWriter {
             Writer::JsonLines(writer) => {
                 writer.into_inner().map_err(io::IntoInnerError::into_error)
             }
-            Writer::Csv(writer) => writer.into_inner().map_err(|error| error.into_error()),
+            Writer::Csv(writer) => writer.finish(),
         }?;
         file.persist(&self.place)?;
         Ok(())

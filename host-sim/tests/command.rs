@@ -60,6 +60,31 @@ fn records_carry_every_key_in_the_order_of_the_interface() {
     assert_eq!(numbers(&contact["point"]).len(), 2);
 }
 
+/// How far the body is behind the hand is told where a frame has a budget, at the end of a record and of a row.
+#[test]
+fn a_run_with_a_budget_tells_how_far_the_body_is_behind() {
+    let folder = Folder::new();
+    let dragged = SCENE.replace("[1.0, 0.2, 0.06, 0.5],", "[1.0, 0.4, 0.04, 0.5],");
+    let whole = folder.trace(&dragged, &["--rate", "2"]);
+    let cut = folder.trace(&dragged, &["--rate", "2", "--budget", "1"]);
+    let mut behind = 0;
+    for record in &cut {
+        let part = record["behind"].as_f64().expect("a part");
+        assert_eq!(record["status"] == "behind", part > 0.0, "{record}");
+        assert!((0.0..=1.0).contains(&part), "{record}");
+        behind += usize::from(part > 0.0);
+    }
+    assert!(behind > 0, "the budget is never used up");
+    assert!(whole.iter().all(|record| record.get("behind").is_none()));
+    for (options, ends) in [(&["--budget", "1"][..], true), (&[], false)] {
+        let arguments = [&["run", "scene.toml", "--out", "trace.csv"], options].concat();
+        assert!(folder.stiction(&arguments).status.success());
+        let table = folder.read("trace.csv");
+        let header = table.lines().next().expect("a header");
+        assert_eq!(header.ends_with(",behind"), ends, "{header}");
+    }
+}
+
 /// Every number below a value, but for `t`, which is f64 always.
 fn collect(value: &Value, into: &mut Vec<String>) {
     match value {

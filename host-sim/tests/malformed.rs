@@ -315,7 +315,9 @@ fn arguments_that_mean_nothing_are_refused() {
             ],
         ),
         (&["--tolerance", "0.001"], &["--tolerance"]),
-        (&["--events", "0"], &["--events", "1 to 128"]),
+        (&["--events", "8"], &["--events"]),
+        (&["--budget", "0"], &["--budget", "1 to 4294967295"]),
+        (&["--budget", "1.5"], &["--budget", "whole number"]),
         (&["--hand", "absent.csv"], &["absent.csv"]),
         (&["--speed", "2"], &["--speed"]),
     ];

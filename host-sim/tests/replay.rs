@@ -38,7 +38,7 @@ fn a_recording_gives_the_same_bits_again() {
     for number in ["f64", "f32", "fixed"] {
         for evolution in ["path", "frame"] {
             let options = ["--number", number, "--evolution", evolution];
-            let dials = ["--rate", "777", "--events", "3"];
+            let dials = ["--rate", "777", "--budget", "1"];
             let folder = recorded(&[&options[..], &dials].concat());
             let again = ["--out", "again.jsonl", "--record", "again-recording.jsonl"];
             let (status, message) = said(
@@ -187,7 +187,7 @@ fn what_is_no_recording_is_refused_with_its_line() {
             "with a `tolerance`, which the solver does not have any more), allowed: 2",
         ),
         (
-            recording.replacen(r#""events":128"#, r#""tolerance":0.0,"events":128"#, 1),
+            recording.replacen(r#""evolution""#, r#""tolerance":0.0,"evolution""#, 1),
             "line 1: unknown field `tolerance`",
         ),
         (

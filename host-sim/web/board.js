@@ -170,7 +170,7 @@ export class Board {
     const every = Math.max(1, Math.round(rate / (this.baud >= FAST ? POSES.fast : POSES.slow)));
     return {
       type: "mode", evolution, stepping: 0, axis_x: 0, axis_y: 1, events: 1, tick_rate: rate,
-      pose_every: every, forces_every: every, health_every: 500, event_limit: info.event_limit,
+      pose_every: every, forces_every: every, health_every: 500,
     };
   }
 

@@ -10,7 +10,7 @@ const VERSION = 2;
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** What limited an answer, in the order of its codes. */
 const STATUS = [
-  "ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist",
+  "ok", "behind", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist",
 ];
 /** The name of a status; one that is not known may be out of balance (FRAME 5.1). @param {number} code */
 export const statusName = (code) => STATUS[code] ?? "ambiguous";
@@ -31,8 +31,8 @@ const SIZES = /** @type {{[letter: string]: number}} */ ({ B: 1, b: 1, F: 1, H: 
 
 const PARAMETERS_SHAPE = "ffffFf";
 const PARAMETERS = "k_h k_theta mu_s mu_d has_memory memory";
-const MODE_SHAPE = "BBBBFHHHHB";
-const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every event_limit";
+const MODE_SHAPE = "BBBBFHHHH";
+const MODE = "evolution stepping axis_x axis_y events tick_rate pose_every forces_every health_every";
 const FAULTS = "too_long cobs crc version unknown_type length value";
 
 /**
@@ -60,8 +60,8 @@ const LAYOUTS = {
     [{ count: "contacts", item: "contact", shape: "BBffffb" }]),
   events: layout(0x91, "IfB", "slips longest_slip events", [{ count: "events", item: "event", shape: "B" }]),
   reply: layout(0x92, "BBBBBBff", "command command_sequence reason subject index index2 value limit", [], "allowed"),
-  info: layout(0x93, "BBBBBBBHHff" + PARAMETERS_SHAPE + MODE_SHAPE,
-    "major minor patch number vertices surfaces has longest_frame fastest_tick stiffest_k_h stiffest_k_theta "
+  info: layout(0x93, "BBBBBBBHHIff" + PARAMETERS_SHAPE + MODE_SHAPE,
+    "major minor patch number vertices surfaces has longest_frame fastest_tick budget stiffest_k_h stiffest_k_theta "
       + `${PARAMETERS} ${MODE}`,
     [], "name"),
   health: layout(0x94, "B" + "I".repeat(15),

@@ -78,7 +78,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         Ok(Some(output))
     }
 
-    /// How the device runs from now on: evolution, event limit, limits, the period of ticks. The body stays as it is; the force
+    /// How the device runs from now on: evolution, budget, limits, the period of ticks. The body stays as it is; the force
     /// goes on from where it is, the counts as well.
     ///
     /// # Errors

@@ -40,7 +40,7 @@ impl Pose {
 /// What a tick gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
-    /// The solver's answer, where a sample came that is new.
+    /// The solver's answer, where a sample came that is new, or the body was behind the hand and went on.
     pub output: Option<Output<f32>>,
     /// The last good pose.
     pub pose: Pose,
@@ -71,6 +71,8 @@ pub(super) struct Run<R: Real, const V: usize, const S: usize, M: Model> {
     /// Whole turns that the solver's angles are less than those outside.
     pub(super) turns: i32,
     pub(super) pose: Pose,
+    /// The last step left something to do.
+    behind: bool,
 }
 
 /// The solver of a device with its safety: plain data, no hardware. V, S and M are those of the scene.
@@ -100,6 +102,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
             hold: Hold::Never,
             turns: 0,
             pose: Pose::of(&output),
+            behind: false,
         })
     }
 
@@ -117,6 +120,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
         self.accept(output)
     }
 
+    /// Once more to where the last usable sample was, if the body is behind it.
+    fn go_on(&mut self) -> Option<Output<f32>> {
+        let state = self.state.as_mut().filter(|_| self.behind)?;
+        let hand = *state.hand();
+        let output = self.solver.step(state, hand);
+        Some(self.accept(output))
+    }
+
     /// Keeps what a step says of the body; gives it with its turns as seen from outside.
     pub(super) fn accept(&mut self, mut output: Output<f32>) -> Output<f32> {
         output.angle.turns = output.angle.turns.saturating_add(self.turns);
@@ -126,6 +137,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
             self.hold = Hold::Given;
         }
         self.pose = Pose::of(&output);
+        self.behind = output.behind > 0.0;
         output
     }
 }
@@ -187,7 +199,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     /// One tick, at a time (µs, wrapping) of the device's clock, with a sample if one came.
     pub fn tick(&mut self, now_us: u32, sample: Option<&Sample>) -> Tick {
         let missed = self.ticks.tick(now_us);
-        let output = sample.and_then(|sample| self.take(sample));
+        let output = sample
+            .and_then(|sample| self.take(sample))
+            .or_else(|| self.go_on());
         let mut flags = Flags {
             silent: self.line.is_silent(now_us),
             held_last: self.held_last,
@@ -225,6 +239,16 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
             self.line.hear(sample.received_us);
             self.want();
         }
+        Some(output)
+    }
+
+    /// Without a new sample the body goes on after the last one, unless that one could not be used: then its pose is held.
+    fn go_on(&mut self) -> Option<Output<f32>> {
+        if !self.settings.goes_on || self.held_last {
+            return None;
+        }
+        let output = self.run.go_on()?;
+        self.want();
         Some(output)
     }
 

@@ -1,15 +1,18 @@
 //! How a device runs: its solver's dials, its limits, and which stiffnesses they admit.
 
 use crate::safety::{LimitError, Limits, Passivity};
-use stiction_core::{Description, Evolution, MAX_EVENT_LIMIT, Model, Real, Solver};
+use stiction_core::{Description, Evolution, Model, Real, Solver};
 
 /// How a device runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// How a frame is evolved.
     pub evolution: Evolution,
-    /// See [`Solver::with_event_limit`]; 0 is taken as 1.
-    pub event_limit: u8,
+    /// The units of work of a step, see [`Solver::with_budget`]; `u32::MAX`: as many as it needs.
+    pub budget: u32,
+    /// A body that is behind the hand goes on in ticks without a new sample. Where not, it goes on with the next sample only: a step
+    /// for every sample, as in a file.
+    pub goes_on: bool,
     /// What may go to the hand.
     pub limits: Limits,
     /// What the device damps. `None`: it drives no motors, forces are reported only, and every stiffness will do.
@@ -20,7 +23,8 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             evolution: Evolution::default(),
-            event_limit: MAX_EVENT_LIMIT,
+            budget: u32::MAX,
+            goes_on: true,
             limits: Limits::DEFAULT,
             passivity: None,
         }
@@ -53,6 +57,6 @@ impl Settings {
     ) -> Solver<R, V, S, M> {
         solver
             .with_evolution(self.evolution)
-            .with_event_limit(self.event_limit)
+            .with_budget(self.budget)
     }
 }

@@ -4,7 +4,7 @@ use super::refusal::Trouble;
 use crate::device::Settings;
 use crate::safety::{Limits, Passivity};
 use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
-use stiction_core::{Description, MAX_EVENT_LIMIT, Model, Real, Scene};
+use stiction_core::{Description, Model, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Setup {
     pub line_rate: u32,
     /// The most ticks for which it has the time (Hz).
     pub fastest_tick: u16,
+    /// Units of work that the chip does in a second, measured: see the board. The budget of a step follows from it and from the tick.
+    pub work_rate: u32,
     /// What may go to the hand; the period of ticks is that of the mode.
     pub limits: Limits,
     /// What its device damps, at the shortest hold of a force; `None` where it drives no motors.
@@ -45,6 +47,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V
 
 /// The fewest ticks with which silence is found in time (Hz).
 const SLOWEST_TICK: u16 = 100;
+/// Of the quarters of a tick a step may take so many: the rest is for the line, the forces and interrupts.
+const QUARTERS_OF_STEP: u32 = 3;
 /// On the wire: a sample of the hand, a pose, the forces of two contacts, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
 const POSE: u32 = wire_bytes(20) as u32;
@@ -71,16 +75,6 @@ impl Setup {
                 value: f32::from(rate),
                 limit: f32::from(self.fastest_tick),
                 allowed: "what the board has the time for",
-            });
-        }
-        let events = mode.event_limit;
-        if !(1..=MAX_EVENT_LIMIT).contains(&events) {
-            return Err(Trouble {
-                reason: Reason::Number,
-                subject: Subject::EventLimit,
-                value: f32::from(events),
-                limit: f32::from(events.clamp(1, MAX_EVENT_LIMIT)),
-                allowed: "1 to 128",
             });
         }
         let bytes = self.bytes_per_second(mode);
@@ -121,12 +115,16 @@ impl Setup {
 
     /// The settings of the control loop in a mode.
     pub(super) fn settings(&self, mode: &Mode) -> Settings {
-        let period_us = 1_000_000_u32
-            .checked_div(u32::from(mode.tick_rate))
-            .unwrap_or(u32::MAX);
+        let in_tick = |in_second: u32| {
+            in_second
+                .checked_div(u32::from(mode.tick_rate))
+                .unwrap_or(u32::MAX)
+        };
+        let period_us = in_tick(1_000_000);
         Settings {
             evolution: mode.evolution,
-            event_limit: mode.event_limit,
+            budget: (in_tick(self.work_rate) / 4).saturating_mul(QUARTERS_OF_STEP),
+            goes_on: mode.stepping == Stepping::Timed,
             limits: Limits {
                 period_us,
                 ..self.limits

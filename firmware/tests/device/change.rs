@@ -216,10 +216,10 @@ fn a_scene_that_would_be_inside_the_body_is_refused() {
     assert!(bench.sample(deep()).output.is_some());
 }
 
-fn set_mode(bench: &mut Bench<f32>, evolution: Evolution, event_limit: u8) -> Result<(), Refusal> {
+fn set_mode(bench: &mut Bench<f32>, evolution: Evolution, budget: u32) -> Result<(), Refusal> {
     bench.controller.set_settings(&Settings {
         evolution,
-        event_limit,
+        budget,
         ..Settings::default()
     })
 }
@@ -229,7 +229,7 @@ fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
     let mut bench = Bench::<f32>::new();
     let first = bench.sample(deep());
     bench.pressed(Hand::new(0.05, 0.045, 0.2));
-    assert_eq!(set_mode(&mut bench, Evolution::Frame, 8), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Frame, 0), Ok(()));
     let before = bench.tick(None);
     assert_eq!(bench.sample(Hand::new(0.05, 0.045, 0.2)).pose, before.pose);
     bench.controller.reset();
@@ -238,7 +238,7 @@ fn reset_begins_anew_and_the_mode_changes_in_the_middle() {
         (idle.force, idle.pose.position, idle.pose.held),
         (Wrench::default(), [0.0, 0.03], false)
     );
-    assert_eq!(set_mode(&mut bench, Evolution::Path, 128), Ok(()));
+    assert_eq!(set_mode(&mut bench, Evolution::Path, u32::MAX), Ok(()));
     let again = bench.sample(deep());
     assert_eq!(again.output, first.output);
     assert!(size(&again.force) <= 0.1 + 1e-5);

@@ -7,6 +7,7 @@ use stiction_core::{
 use stiction_firmware::device::{Controller, Parameters, Refusal, Sample, Settings};
 use stiction_firmware::safety::{LimitParameter, Limits, Passivity};
 
+mod budget;
 mod change;
 #[path = "../common/mod.rs"]
 mod common;

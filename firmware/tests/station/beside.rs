@@ -18,7 +18,7 @@ impl<R: Real<Si = f32>> Beside<R> {
     pub(crate) fn of(description: &Description<'_, f32>, mode: &Mode) -> Self {
         let scene: Scene<R, 8, 4> = Scene::new(description).unwrap();
         Self {
-            solver: Solver::new(scene, mode.evolution).with_event_limit(mode.event_limit),
+            solver: Solver::new(scene, mode.evolution),
             state: None,
         }
     }

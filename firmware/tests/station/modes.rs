@@ -1,9 +1,10 @@
 //! Modes: what a board has the time and the line for, and that it works as its mode says (FRAME 4.5).
 
+use crate::beside::{Beside, assert_same};
 use crate::client::Said;
 use crate::rig::{Rig, setup};
-use stiction_core::Hand;
-use stiction_core::frame::{Command, Mode, Reason, Stepping, Subject};
+use stiction_core::frame::{Command, Mode, Reason, Reset, Stepping, Subject};
+use stiction_core::{Hand, Solver, Status};
 use stiction_firmware::station::Setup;
 
 fn refused(rig: &mut Rig, mode: Mode, expected: (Reason, Subject, f32, f32)) {
@@ -56,18 +57,83 @@ fn tick_rates_from_100_hz_to_what_the_board_can() {
     assert_eq!(rig.health().missed_ticks, 0);
 }
 
+/// A board that does so many units of work in a second.
+fn working(work_rate: u32) -> Rig {
+    Rig::of(Setup {
+        work_rate,
+        ..setup()
+    })
+}
+
+const LEAST: u32 = Solver::<f32, 8, 4>::LEAST_BUDGET;
+
 #[test]
-fn event_limits_from_1_to_128() {
-    let mut rig = Rig::<f32>::new();
-    let mode = |event_limit| Mode {
-        event_limit,
+fn the_budget_of_a_step_follows_from_the_tick() {
+    let mut rig = working(10_000_000);
+    for (tick_rate, budget) in [(1_000, 7_500), (100, 75_000), (2_500, 3_000)] {
+        rig.mode(Mode {
+            tick_rate,
+            pose_every: 10,
+            ..Mode::DEFAULT
+        });
+        assert_eq!(rig.info().budget, budget);
+    }
+    rig.done(Command::Reset(Reset::Everything));
+    assert_eq!(rig.info().budget, 7_500);
+    // Less is not enough for a piece of a step.
+    assert_eq!(working(0).info().budget, LEAST);
+}
+
+/// A box pressed down is dragged far in one sample.
+fn jump() -> [Hand<f32>; 2] {
+    [0.0, 0.1].map(|x| Hand::new(x, 0.045, 0.0))
+}
+
+fn without_a_budget() -> Beside<f32> {
+    Beside::new(&Mode::DEFAULT)
+}
+
+#[test]
+fn in_time_with_ticks_a_body_behind_the_hand_comes_to_it_without_samples() {
+    let mut rig = working(0);
+    let mut beside = without_a_budget();
+    let [near, far] = jump();
+    for hand in [near, far] {
+        rig.hand(hand);
+        beside.step(hand);
+    }
+    let there = beside.step(far);
+    let mut pose = rig.pose();
+    assert_eq!(pose.status, Status::Behind);
+    let mut ticks = 0;
+    while pose.status == Status::Behind {
+        assert!(ticks < 19 && pose.position[0] < there.position[0]);
+        assert!(!pose.force_off && rig.force.force[0].is_finite());
+        rig.tick();
+        pose = rig.pose();
+        ticks += 1;
+    }
+    rig.tick();
+    assert_same(&rig.pose(), &there, "caught up");
+    assert!(ticks > 3, "{ticks} ticks");
+}
+
+#[test]
+fn with_every_sample_a_body_behind_the_hand_waits_for_the_next_one() {
+    let mut rig = working(0);
+    rig.mode(Mode {
+        stepping: Stepping::PerSample,
         ..Mode::DEFAULT
-    };
-    let subject = Subject::EventLimit;
-    refused(&mut rig, mode(0), (Reason::Number, subject, 0.0, 1.0));
-    refused(&mut rig, mode(129), (Reason::Number, subject, 129.0, 128.0));
-    for event_limit in [1, 8, 128] {
-        rig.mode(mode(event_limit));
+    });
+    let mut beside = without_a_budget();
+    beside.solver = beside.solver.with_budget(LEAST);
+    let [near, far] = jump();
+    let back = Hand::new(0.1, 0.05, 0.1);
+    for (i, hand) in [near, far, far, back, back].into_iter().enumerate() {
+        rig.hand(hand);
+        assert_same(&rig.pose(), &beside.step(hand), &format!("sample {i}"));
+        rig.tick();
+        assert!(rig.poses().is_empty());
     }
 }
 

@@ -21,6 +21,7 @@ pub(crate) fn setup() -> Setup {
         number: NumberType::F32,
         line_rate: 92_160,
         fastest_tick: 5_000,
+        work_rate: 4_000_000_000,
         limits: Limits::DEFAULT,
         passivity: None,
         mode: Mode::DEFAULT,

@@ -57,8 +57,8 @@ impl<A: Audience> Stream<'_, A> {
             setup,
             ..
         } = self;
-        let (mut session, about) = Session::begin(address, mail, *timeout, *begun)?;
-        setup.apply(&mut session, &about, mail)?;
+        let (mut session, mut about) = Session::begin(address, mail, *timeout, *begun)?;
+        setup.apply(&mut session, &mut about, mail)?;
         self.about = about;
         Ok(session)
     }

@@ -1,7 +1,7 @@
 //! What a board says about itself, as a table.
 
 use stiction_core::frame::{FaultKind, Health, Mode};
-use stiction_core::{Axis, Evolution};
+use stiction_core::{Axis, Solver};
 
 use super::heard::About;
 use super::print::table;
@@ -31,6 +31,7 @@ pub(super) fn about(about: &About) -> String {
             "ticks",
             format!("{} Hz, at most {} Hz", mode.tick_rate, about.fastest_tick),
         ),
+        ("budget", budget(about)),
         (
             "springs now",
             format!(
@@ -55,6 +56,21 @@ pub(super) fn about(about: &About) -> String {
     table(&about.name, &rows)
 }
 
+/// A budget is never less than the least one, which may be more than a tick has the time for. It is the same in every number type.
+fn budget(about: &About) -> String {
+    let least = match about.surfaces {
+        0 | 1 => Solver::<f32, 1, 1>::LEAST_BUDGET,
+        _ => Solver::<f32, 1, 2>::LEAST_BUDGET,
+    };
+    match about.budget {
+        u32::MAX => "none".to_owned(),
+        units if units == least => format!(
+            "{units} units of work in a step, the least there is: at this tick a step may overrun"
+        ),
+        units => format!("{units} units of work in a step"),
+    }
+}
+
 fn actuators(about: &About) -> String {
     let [k_h, k_theta] = about.stiffest;
     if about.actuators {
@@ -65,10 +81,6 @@ fn actuators(about: &About) -> String {
 }
 
 fn works(mode: &Mode) -> [(&'static str, String); 5] {
-    let evolution = match mode.evolution {
-        Evolution::Path => format!("path, at most {} events in a step", mode.event_limit),
-        Evolution::Frame => "frame".to_owned(),
-    };
     let every = |count: u16, unit: &str| match count {
         0 => "none".to_owned(),
         1 => format!("every {unit}"),
@@ -77,7 +89,7 @@ fn works(mode: &Mode) -> [(&'static str, String); 5] {
     let events = if mode.events { "yes" } else { "no" };
     let [x, y] = mode.plane.map(axis);
     [
-        ("evolution", evolution),
+        ("evolution", mode.evolution.name().to_owned()),
         ("stepping", mode.stepping.name().to_owned()),
         ("tracker's plane", format!("{x}{y}")),
         (

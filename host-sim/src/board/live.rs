@@ -168,7 +168,6 @@ fn setup(scene: &Arc<SceneFile>, evolution: Evolution) -> Setup {
     Setup {
         scene: Arc::clone(scene),
         evolution,
-        events: None,
         tick: None,
         keep: false,
         per_sample: false,

@@ -1,4 +1,5 @@
-//! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it.
+//! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it. How far the body is behind
+//! the hand a board does not tell: that is the host's, where the two are compared.
 
 use stiction_core::{Angle, Hand, Status};
 
@@ -53,6 +54,10 @@ impl Recorder {
             longest_slip: f64::from(events.longest_slip),
             events: events.list,
             status: pose.status,
+            behind: sent
+                .expected
+                .as_ref()
+                .and_then(|expected| expected.behind()),
         })
     }
 }

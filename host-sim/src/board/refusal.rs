@@ -56,7 +56,6 @@ fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
         Subject::Command => return None,
         Subject::TickRate => return Some("the tick rate".to_owned()),
         Subject::LineRate => return Some("the load of the line".to_owned()),
-        Subject::EventLimit => return Some("the event limit".to_owned()),
         Subject::Scene(parameter) => parameter,
     };
     let surface = match parameter {
@@ -79,7 +78,6 @@ const fn unit(subject: Subject) -> &'static str {
         Subject::Command => "",
         Subject::TickRate => " Hz",
         Subject::LineRate => " bytes per second",
-        Subject::EventLimit => " events",
         Subject::Scene(parameter) => match parameter {
             Parameter::Weight => " N",
             Parameter::Reach

@@ -99,11 +99,16 @@ impl Session {
             address: name,
             timeout,
         };
-        let about = session.ask(mail, Command::Hello, |said, _| match said {
+        let about = session.greet(mail)?;
+        Ok((session, about))
+    }
+
+    /// Says hello; what the board says about itself.
+    pub(super) fn greet(&mut self, mail: &mut Mail) -> Result<About, BoardError> {
+        self.ask(mail, Command::Hello, |said, _| match said {
             Said::About(about) => Some(about.clone()),
             _ => None,
-        })?;
-        Ok((session, about))
+        })
     }
 
     /// Sends a command that is answered by a reply. The reply, if it is a refusal.

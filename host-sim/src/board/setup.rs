@@ -26,8 +26,6 @@ const ATTEMPTS: usize = 8;
 pub(super) struct Setup {
     pub(super) scene: Arc<SceneFile>,
     pub(super) evolution: Evolution,
-    /// Events of a step, instead of those that the board has.
-    pub(super) events: Option<u8>,
     /// Ticks per second (Hz), instead of those that the board has.
     pub(super) tick: Option<u16>,
     /// The board keeps the scene that it has.
@@ -37,17 +35,19 @@ pub(super) struct Setup {
 }
 
 impl Setup {
-    /// Sends both and waits for the counts from which this session's are taken. A remark for the user, if there is one.
+    /// Sends both, asks the board how it works then, as its budget follows from its tick, and waits for the counts from which this
+    /// session's are taken. A remark for the user, if there is one.
     pub(super) fn apply(
         &self,
         session: &mut Session,
-        about: &About,
+        about: &mut About,
         mail: &mut Mail,
     ) -> Result<Option<String>, BoardError> {
         if !self.keep {
             self.send_scene(session, about, mail)?;
         }
         let remark = self.set_mode(session, mail, self.mode(about))?;
+        *about = session.greet(mail)?;
         let patience = Duration::from_millis(2 * u64::from(HEALTH_EVERY));
         session.wait_for_health(mail, patience)?;
         Ok(remark)
@@ -151,7 +151,6 @@ impl Setup {
             pose_every: 1,
             forces_every: 1,
             health_every: HEALTH_EVERY,
-            event_limit: self.events.unwrap_or(about.mode.event_limit),
         }
     }
 

@@ -69,8 +69,8 @@ impl<'a, A: Audience> Stream<'a, A> {
     ) -> Result<(Self, Session), BoardError> {
         let (begun, timeout) = (Instant::now(), args.timeout());
         let (mut address, mut mail) = (args.address()?, Mail::new());
-        let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
-        if let Some(remark) = setup.apply(&mut session, &about, &mut mail)? {
+        let (mut session, mut about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
+        if let Some(remark) = setup.apply(&mut session, &mut about, &mut mail)? {
             audience.note(&remark);
         }
         let stream = Self {

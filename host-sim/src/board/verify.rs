@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use stiction_core::frame::{EventSet, Mode, NumberType};
+use stiction_core::frame::{EventSet, NumberType};
 use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, Wrench};
 use stiction_scene::{InputError, SceneFile};
 
@@ -16,6 +16,14 @@ pub(super) struct Expected {
     output: Output<f32>,
     wrench: Wrench<f32>,
     contacts: Vec<Contact<f32>>,
+    has_budget: bool,
+}
+
+impl Expected {
+    /// The part of the hand's displacement that is not yet followed, where a step has a budget.
+    pub(super) fn behind(&self) -> Option<f64> {
+        self.has_budget.then(|| self.output.behind.into())
+    }
 }
 
 /// The host's solver, of the number type and the model of a board.
@@ -30,45 +38,40 @@ impl<R: Real<Si = f32> + Send, M: Model + Send> Twin for Running<R, M> {
             output,
             wrench: solver.wrench(state),
             contacts: solver.contacts(state).to_vec(),
+            has_budget: solver.budget() < u32::MAX,
         }
     }
 }
 
-/// The twin of a board, before its first sample.
-pub(super) fn twin(
-    about: &About,
-    scene: &SceneFile,
-    mode: &Mode,
-) -> Result<Box<dyn Twin>, InputError> {
-    let of = (scene, mode);
+/// The twin of a board, before its first sample: with its evolution and its budget.
+pub(super) fn twin(about: &About, scene: &SceneFile) -> Result<Box<dyn Twin>, InputError> {
     match about.number {
-        NumberType::F32 => with_model::<f32>(about, of),
-        NumberType::Fixed => with_model::<Fixed>(about, of),
+        NumberType::F32 => with_model::<f32>(about, scene),
+        NumberType::Fixed => with_model::<Fixed>(about, scene),
     }
 }
 
-type Setting<'a> = (&'a SceneFile, &'a Mode);
-
 fn with_model<R: Real<Si = f32> + Send + 'static>(
     about: &About,
-    of: Setting<'_>,
+    scene: &SceneFile,
 ) -> Result<Box<dyn Twin>, InputError>
 where
     f32: SiFloat,
 {
     match (about.friction, about.weight) {
-        (true, true) => host::<R, Parts<true, true>>(of),
-        (true, false) => host::<R, Parts<true, false>>(of),
-        (false, true) => host::<R, Parts<false, true>>(of),
-        (false, false) => host::<R, Parts<false, false>>(of),
+        (true, true) => host::<R, Parts<true, true>>(about, scene),
+        (true, false) => host::<R, Parts<true, false>>(about, scene),
+        (false, true) => host::<R, Parts<false, true>>(about, scene),
+        (false, false) => host::<R, Parts<false, false>>(about, scene),
     }
 }
 
 fn host<R: Real<Si = f32> + Send + 'static, M: Model + Send>(
-    (scene, mode): Setting<'_>,
+    about: &About,
+    scene: &SceneFile,
 ) -> Result<Box<dyn Twin>, InputError> {
-    let solver =
-        Solver::new(scene.scene_in::<R, M>()?, mode.evolution).with_event_limit(mode.event_limit);
+    let solver = Solver::new(scene.scene_in::<R, M>()?, about.mode.evolution);
+    let solver = solver.with_budget(about.budget);
     Ok(Box::new(Running::new(solver)))
 }
 

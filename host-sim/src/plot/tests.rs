@@ -68,6 +68,7 @@ fn drag(count: usize) -> Run {
             } else {
                 Status::Ok
             },
+            behind: None,
         }
     };
     Run {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-use crate::options::{parse_events, parse_evolution, parse_number, parse_rate};
+use crate::options::{parse_budget, parse_evolution, parse_number, parse_rate};
 use crate::settings::Settings;
 
 /// What a key takes.
@@ -47,7 +47,7 @@ const RUN: [(&str, Dial); 5] = [
     ("run.number", Dial::Number),
     ("run.evolution", Dial::Evolution),
     ("run.rate", Dial::Rate),
-    ("run.events", Dial::Events),
+    ("run.budget", Dial::Budget),
 ];
 
 /// An option of `stiction run`.
@@ -57,7 +57,7 @@ enum Dial {
     Number,
     Evolution,
     Rate,
-    Events,
+    Budget,
 }
 
 /// A key that is varied.
@@ -106,7 +106,7 @@ impl Key {
     /// # Errors
     /// What is allowed, where the key cannot take such a value.
     pub(super) fn value(&self, value: Value) -> Result<Value, String> {
-        let whole = matches!(self.place, Place::Run(Dial::Events));
+        let whole = matches!(self.place, Place::Run(Dial::Budget));
         let value = match value {
             Value::Integer(number) if !whole => Value::Float(number as f64),
             value => value,
@@ -270,7 +270,7 @@ fn set_dial(
             settings.evolution = parse_evolution(&text).map_err(bare)?;
         }
         Dial::Rate => settings.rate = Some(parse_rate(&text).map_err(bare)?),
-        Dial::Events => settings.events = parse_events(&text).map_err(bare)?,
+        Dial::Budget => settings.budget = Some(parse_budget(&text).map_err(bare)?),
     }
     Ok(())
 }

@@ -1,4 +1,8 @@
-//! A trace record as one CSV row: arrays flattened, events separated by spaces, the first four contacts.
+//! A trace as a table: a record is one CSV row, arrays flattened, events separated by spaces, the first four contacts.
+
+use std::io;
+
+use tempfile::NamedTempFile;
 
 use super::{ContactEntry, Record, Value};
 
@@ -27,17 +31,56 @@ const COLUMNS: [&str; 17] = [
     "contacts",
 ];
 
+/// The column of what only a frame with a budget has; the last one.
+const BEHIND: &str = "behind";
+
+/// A table that is being written. Its first record says whether frames have a budget.
+#[derive(Debug)]
+pub(super) struct Writer {
+    rows: csv::Writer<NamedTempFile>,
+    has_header: bool,
+}
+
+impl Writer {
+    pub(super) fn new(file: NamedTempFile) -> Self {
+        Self {
+            rows: csv::Writer::from_writer(file),
+            has_header: false,
+        }
+    }
+
+    pub(super) fn write(&mut self, record: &Record<'_>) -> io::Result<()> {
+        self.begin(record.behind.is_some())?;
+        Ok(self.rows.write_record(row(record))?)
+    }
+
+    /// The whole table; a header is there without a row, too.
+    pub(super) fn finish(mut self) -> io::Result<NamedTempFile> {
+        self.begin(false)?;
+        self.rows.into_inner().map_err(|error| error.into_error())
+    }
+
+    fn begin(&mut self, has_budget: bool) -> io::Result<()> {
+        if self.has_header {
+            return Ok(());
+        }
+        self.has_header = true;
+        Ok(self.rows.write_record(header(has_budget))?)
+    }
+}
+
 /// The names of the columns.
-pub(super) fn header() -> Vec<String> {
+fn header(has_budget: bool) -> Vec<String> {
     let mut names: Vec<String> = COLUMNS.map(String::from).to_vec();
     for contact in 0..CONTACTS {
         names.extend(CONTACT_COLUMNS.map(|column| format!("c{contact}_{column}")));
     }
+    names.extend(has_budget.then(|| BEHIND.to_owned()));
     names
 }
 
 /// The columns of a record.
-pub(super) fn row(record: &Record<'_>) -> Vec<String> {
+fn row(record: &Record<'_>) -> Vec<String> {
     let mut row = vec![format!("{:?}", record.t)];
     row.extend(record.hand.map(digits));
     row.push(record.held.to_string());
@@ -56,6 +99,7 @@ pub(super) fn row(record: &Record<'_>) -> Vec<String> {
         COLUMNS.len() + CONTACTS * CONTACT_COLUMNS.len(),
         String::new(),
     );
+    row.extend(record.behind.map(digits));
     row
 }
 

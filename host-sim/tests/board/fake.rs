@@ -42,6 +42,8 @@ pub(crate) struct Tricks {
     pub(crate) echo: bool,
     /// Its line carries so many bytes in a second.
     pub(crate) line_rate: Option<f32>,
+    /// It does so many units of work in a second: the budget of a step follows from its tick.
+    pub(crate) work_rate: Option<u32>,
     /// It measures the hand itself.
     pub(crate) measures: bool,
 }
@@ -250,7 +252,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
                 self.say(now, Report::Reply(reply));
             }
             Command::Hand(hand) => self.step(hand, frame.sequence),
-            Command::Hello => self.say(now, Report::Info(info::<R>(self.seen.mode))),
+            Command::Hello => self.say(now, Report::Info(info::<R>(self.seen.mode, self.budget()))),
             Command::Ping => {
                 let (sequence, time) = (frame.sequence, frame.time);
                 self.say(now, Report::Pong(Pong { sequence, time }));
@@ -268,6 +270,11 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
             }
             other => panic!("{other:?}"),
         }
+    }
+
+    fn budget(&self) -> u32 {
+        let rate = u32::from(self.seen.mode.tick_rate).max(1);
+        self.tricks.work_rate.map_or(u32::MAX, |units| units / rate)
     }
 
     fn build(&mut self, scene: &SceneCommand<'_>) -> Result<(), SceneError<f32>> {
@@ -314,7 +321,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         self.seen.samples += 1;
         let mode = self.seen.mode;
         let scene = self.scene.clone().expect("a scene");
-        let solver = Solver::new(scene, mode.evolution).with_event_limit(mode.event_limit);
+        let solver = Solver::new(scene, mode.evolution).with_budget(self.budget());
         let output = match &mut self.state {
             Some(state) => solver.step(state, hand),
             None => {

@@ -59,7 +59,7 @@ fn info_is_a_table_over_a_socket() {
         "16 vertices, 8 surfaces",
         "1000 Hz, at most 5000 Hz",
         "none",
-        "path, at most 128 events in a step",
+        "budget            none",
         "mu_s 0.5, mu_d 0.3, memory length L / 4096",
         "timed",
         "xy",

@@ -5,8 +5,8 @@ use stiction_core::frame::{Info, Mode, NumberType, Text};
 
 use crate::fake::{FASTEST, LONGEST, SURFACES, VERTICES};
 
-/// The info of a board with a solver of this number type.
-pub(crate) fn info<R: Real>(mode: Mode) -> Info<'static> {
+/// The info of a board with a solver of this number type that has this budget.
+pub(crate) fn info<R: Real>(mode: Mode, budget: u32) -> Info<'static> {
     let fixed = std::any::type_name::<R>().ends_with("Fixed");
     Info {
         version: [0, 1, 0],
@@ -21,6 +21,7 @@ pub(crate) fn info<R: Real>(mode: Mode) -> Info<'static> {
         actuators: false,
         longest_frame: LONGEST as u16,
         fastest_tick: FASTEST,
+        budget,
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
         friction_now: [0.5, 0.3],

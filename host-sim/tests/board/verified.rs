@@ -53,13 +53,33 @@ fn equal_answers_are_equal_and_leave_the_trace_of_the_host() {
     trace_is_that_of_the_host::<Fixed>("fixed", &[]);
 }
 
+/// Its body is behind the hand where much happens in a step.
 #[test]
-fn an_event_limit_is_that_of_both() {
-    let (said, status) = verdict::<f32>(Tricks::default(), &["--events", "1"]);
-    assert_eq!(
-        (said.as_str(), status),
-        ("301 of 301 frames equal", Some(0))
-    );
+fn the_budget_of_a_tick_is_that_of_both() {
+    let arguments = ["--tick", "2000", "--rate", "50"];
+    let (folder, socket) = place(DRAGGED);
+    let tricks = Tricks {
+        work_rate: Some(1_000_000),
+        ..Tricks::default()
+    };
+    let _fake = behind_socket::<f32>(&socket, 1, tricks);
+    let record = [
+        "--verify",
+        "--record",
+        "recording.jsonl",
+        "--out",
+        "board.jsonl",
+    ];
+    let output = board(&folder, &[&record[..], &arguments].concat());
+    assert!(output.status.success(), "{}", said(&output));
+    let recording = folder.read("recording.jsonl");
+    assert!(recording.contains(r#","budget":500,"#) && recording.contains(r#""status":"behind""#));
+    let run = ["run", "scene.toml", "--out", "run.jsonl", "--budget", "500"];
+    let output_of_run = folder.stiction(&[&run[..], &arguments[2..]].concat());
+    assert!(output_of_run.status.success(), "{}", said(&output_of_run));
+    assert_eq!(folder.read("board.jsonl"), folder.read("run.jsonl"));
+    let output = folder.stiction(&["replay", "recording.jsonl"]);
+    assert!(output.status.success(), "{}", said(&output));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::client::{Said, hand_path};
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
-use stiction_core::{Evolution, Fixed, MAX_EVENT_LIMIT, Real};
+use stiction_core::{Evolution, Fixed, Real};
 
 pub(crate) const SAMPLES: u32 = 3_000;
 /// Samples on their way at once.
@@ -33,7 +33,7 @@ fn next_pose(board: &mut Board) -> Pose {
     })
 }
 
-/// As it works after power-up, and in the other evolution with all events: so many poses have the bits in each; nothing
+/// As it works after power-up, and in the other evolution: so many poses have the bits in each; nothing
 /// where something is missing.
 pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType) -> Option<u32> {
     let mut board = Board::start(chip)?;
@@ -49,13 +49,13 @@ pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberTy
             Evolution::Path => Evolution::Frame,
             Evolution::Frame => Evolution::Path,
         },
-        event_limit: MAX_EVENT_LIMIT,
         ..own
     };
     for mode in [own, other] {
         board.done(Command::Reset(Reset::Body));
         board.done(Command::Mode(mode));
         let mut beside = Beside::<R>::new(&mode);
+        beside.solver = beside.solver.with_budget(board.info().budget);
         let poses = poses(&mut board);
         for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
             assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name()));

@@ -268,6 +268,7 @@ fn faulty_line<R: Real<Si = f32>>(chip: &'static Chip, frames: u32, per_byte: u6
     // What the board says, before the line damages it, and after.
     let (mut at_board, mut beyond) = (Client::new(), Client::new());
     let mut beside = Beside::<R>::new(&mode);
+    beside.solver = beside.solver.with_budget(board.info().budget);
     let mut sent: HashMap<u32, Pose> = HashMap::new();
     let (mut accepted, mut newest) = (0, 0);
     for number in 0..frames {

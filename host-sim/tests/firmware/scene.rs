@@ -64,6 +64,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
     }));
     let written = WrittenScene::read(&bundled(SCENE), f64::from(f32::MAX)).unwrap();
     let mut beside = written.described(|scene| Beside::<R>::of(scene, &info.mode));
+    beside.solver = beside.solver.with_budget(info.budget);
     let mut slips = 0;
     for i in 0..SAMPLES {
         board.send(Command::Hand(hand(i)));

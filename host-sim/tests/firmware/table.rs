@@ -4,8 +4,8 @@ use crate::bits::{SAMPLES, same_bits};
 use crate::budgets::{Taken, measure};
 use crate::chip::{Chip, F405, MICROBIT};
 use crate::line::silence;
+use stiction_core::Fixed;
 use stiction_core::frame::NumberType;
-use stiction_core::{Evolution, Fixed};
 use stiction_tools::readme::Section;
 use stiction_tools::table::thousands;
 use stiction_tools::workspace;
@@ -52,20 +52,12 @@ impl Column {
         let percent = 100.0 * f64::from(instructions) / f64::from(self.tick());
         format!("{} ({percent:.0} %)", thousands(instructions.into()))
     }
-
-    fn evolution(&self) -> String {
-        let mode = &self.taken.about.mode;
-        match mode.evolution {
-            Evolution::Path => format!("path, {} events", mode.event_limit),
-            Evolution::Frame => "frame".to_owned(),
-        }
-    }
 }
 
 /// A figure of a column.
 type Row = (&'static str, fn(&Column) -> String);
 
-const ROWS: [Row; 14] = [
+const ROWS: [Row; 15] = [
     ("number type, room for vertices and surfaces", |c| {
         let [vertices, surfaces] = c.taken.about.room;
         format!("{}, {vertices}, {surfaces}", c.taken.about.number.name())
@@ -83,7 +75,12 @@ const ROWS: [Row; 14] = [
         let [now, most] = [about.mode.tick_rate, about.fastest_tick];
         format!("{}, {}", thousands(now.into()), thousands(most.into()))
     }),
-    ("evolution after power-up", Column::evolution),
+    ("evolution after power-up", |c| {
+        c.taken.about.mode.evolution.name().to_owned()
+    }),
+    ("budget of a step then (units of work)", |c| {
+        thousands(c.taken.about.budget.into())
+    }),
     ("cycles of such a tick", |c| thousands(c.tick().into())),
     ("the longest step (instructions)", |c| {
         c.of_tick(c.taken.step)

@@ -32,7 +32,7 @@ scenes = ["scene.toml"]
 "run.evolution" = ["path", "frame"]
 "run.rate" = [31, 300]
 "surface.floor.memory" = [1e-5, 1e-3]
-"run.events" = [1, 128]
+"run.budget" = [1, 4294967295]
 "surface.floor.static" = [0.45, 0.7]
 "#;
     let folder = folder(sweep);
@@ -46,7 +46,7 @@ scenes = ["scene.toml"]
             row["surface.floor.static"], row["surface.floor.memory"]
         );
         folder.write("scene.toml", dragged().replace("name = \"floor\"", &floor));
-        let dials = ["number", "evolution", "rate", "events"];
+        let dials = ["number", "evolution", "rate", "budget"];
         let options: Vec<String> = dials
             .iter()
             .map(|dial| format!("--{dial}={}", row[&format!("run.{dial}")]))
@@ -54,8 +54,8 @@ scenes = ["scene.toml"]
         let options: Vec<&str> = options.iter().map(String::as_str).collect();
         let given = ["x", "y", "theta", "slips", "frames"].map(|name| row[name].clone());
         assert_eq!(given, run(&folder, &options), "{row:?}");
-        let few = usize::from(row["run.events"] == "1");
-        limited[few] += row["frames_event-limit"].parse::<f64>().expect("a number");
+        let few = usize::from(row["run.budget"] == "1");
+        limited[few] += row["frames_behind"].parse::<f64>().expect("a number");
         slips_seen += given[3].parse::<u64>().expect("a number");
     }
     assert!(slips_seen > 0 && limited[0] == 0.0 && limited[1] > 0.0);

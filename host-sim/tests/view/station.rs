@@ -62,6 +62,7 @@ impl Board {
             number,
             line_rate: 1_000_000,
             fastest_tick: 1_000,
+            work_rate: u32::MAX,
             limits: Limits::DEFAULT,
             passivity: None,
             mode: Mode::DEFAULT,

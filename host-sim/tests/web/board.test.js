@@ -58,6 +58,7 @@ function plugIn(page) {
               has: 3,
               longest_frame: 378,
               fastest_tick: 5000,
+              budget: 4294967295,
               stiffest_k_h: stiffest,
               stiffest_k_theta: Infinity,
               k_h: stiffness,
@@ -75,7 +76,6 @@ function plugIn(page) {
               pose_every: 1,
               forces_every: 0,
               health_every: 1000,
-              event_limit: 8,
               name: "the-board",
             });
             return;

@@ -21,6 +21,8 @@ const fn board(number: NumberType) -> Setup {
         number,
         line_rate: 1_000_000,
         fastest_tick: 1_000,
+        // Not enough for all that a step may need: bodies come behind their hands.
+        work_rate: 400_000,
         limits: Limits::DEFAULT,
         passivity: None,
         mode: Mode::DEFAULT,

@@ -120,10 +120,10 @@ fn codes_without_a_meaning_are_told() {
         payload[at] = byte;
         payload
     };
-    let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    let mode = vec![0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
     let scene = [&[0, 1], [0; 62].as_slice()].concat();
     let contact = [vec![0; 28], vec![1], vec![0; 19]].concat();
-    let info = [vec![0; 40], mode.clone(), b"name".to_vec()].concat();
+    let info = [vec![0; 44], mode.clone(), b"name".to_vec()].concat();
     let cases = [
         (true, with(0x01, &set(vec![0; 21], 20, 2)), "held"),
         (true, with(0x02, &set(vec![0; 29], 28, 255)), "held"),
@@ -152,9 +152,9 @@ fn codes_without_a_meaning_are_told() {
         (false, with(0x92, &set(vec![0; 15], 14, 0x1f)), "allowed"),
         (false, with(0x93, &set(info.clone(), 3, 2)), "number"),
         (false, with(0x93, &set(info.clone(), 6, 8)), "has"),
-        (false, with(0x93, &set(info.clone(), 35, 2)), "has_memory"),
-        (false, with(0x93, &set(info.clone(), 40, 2)), "mode"),
-        (false, with(0x93, &set(info, 54, 0x7f)), "name"),
+        (false, with(0x93, &set(info.clone(), 39, 2)), "has_memory"),
+        (false, with(0x93, &set(info.clone(), 44, 2)), "mode"),
+        (false, with(0x93, &set(info, 57, 0x7f)), "name"),
         (false, with(0x94, &set(vec![0; 61], 0, 3)), "drive"),
     ];
     for (to_board, bytes, field) in cases {

@@ -58,6 +58,7 @@ const INFO: Info<'_> = Info {
     actuators: false,
     longest_frame: 64,
     fastest_tick: 1000,
+    budget: u32::MAX,
     stiffest: [f32::INFINITY; 2],
     stiffness: [500.0, 0.5],
     friction_now: [0.5, 0.3],
@@ -71,7 +72,6 @@ const INFO: Info<'_> = Info {
         pose_every: 1,
         forces_every: 0,
         health_every: 0,
-        event_limit: 8,
     },
     name: Text::new("a socket"),
 };

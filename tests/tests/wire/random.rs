@@ -80,7 +80,6 @@ impl Random {
             pose_every: self.half(),
             forces_every: self.half(),
             health_every: self.half(),
-            event_limit: self.byte(),
         }
     }
     fn subject(&mut self) -> Subject {
@@ -89,7 +88,6 @@ impl Random {
             Subject::Command,
             Subject::TickRate,
             Subject::LineRate,
-            Subject::EventLimit,
             Subject::Scene(Parameter::VertexCount),
             Subject::Scene(Parameter::Vertex(i)),
             Subject::Scene(Parameter::Start),
@@ -235,6 +233,7 @@ impl Store {
                 actuators: random.flag(),
                 longest_frame: random.half(),
                 fastest_tick: random.half(),
+                budget: random.word(),
                 stiffest: random.floats(),
                 stiffness: random.floats(),
                 friction_now: random.floats(),

@@ -167,8 +167,7 @@ impl Said {
             .int("tick_rate", mode.tick_rate);
         self.int("pose_every", mode.pose_every)
             .int("forces_every", mode.forces_every);
-        self.int("health_every", mode.health_every)
-            .int("event_limit", mode.event_limit);
+        self.int("health_every", mode.health_every);
     }
 
     fn report(&mut self, report: &Report<'_>) {
@@ -278,7 +277,8 @@ impl Said {
         let has = [info.friction, info.weight, info.actuators].map(i64::from);
         self.int("has", has[0] + 2 * has[1] + 4 * has[2]);
         self.int("longest_frame", info.longest_frame)
-            .int("fastest_tick", info.fastest_tick);
+            .int("fastest_tick", info.fastest_tick)
+            .int("budget", info.budget);
         self.floats("stiffest_k_h stiffest_k_theta", &info.stiffest);
         self.floats("k_h k_theta", &info.stiffness)
             .floats("mu_s mu_d", &info.friction_now);
@@ -291,7 +291,7 @@ impl Said {
 fn status(status: Status) -> i64 {
     let names = [
         "ok",
-        "event-limit",
+        "behind",
         "iteration-limit",
         "ambiguous",
         "saturated",
@@ -310,7 +310,6 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Subject::Command => return (0, [0; 2]),
         Subject::TickRate => return (32, [0; 2]),
         Subject::LineRate => return (33, [0; 2]),
-        Subject::EventLimit => return (34, [0; 2]),
         Subject::Scene(parameter) => parameter,
     };
     match parameter {

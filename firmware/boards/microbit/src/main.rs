@@ -45,6 +45,8 @@ mod app {
     const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second.
     const RATE: u16 = 200;
+    /// Units of work of a second: one takes 3000 cycles.
+    const WORK_RATE: u32 = 16_000_000 / 3_000;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
@@ -53,6 +55,7 @@ mod app {
         number: NumberType::Fixed,
         line_rate: board::BAUD / 10,
         fastest_tick: 500,
+        work_rate: WORK_RATE,
         limits: Limits::DEFAULT,
         passivity: None,
         mode: Mode {

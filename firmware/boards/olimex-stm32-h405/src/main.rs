@@ -52,8 +52,8 @@ mod app {
     const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
     const S: usize = CompiledScene::SURFACES;
-    /// Of a step: with these the worst tick stays below 30 % of its time.
-    const EVENTS: u8 = 8;
+    /// Units of work of a second: one takes 500 cycles.
+    const WORK_RATE: u32 = 168_000_000 / 500;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<f32, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
@@ -62,12 +62,10 @@ mod app {
         number: NumberType::F32,
         line_rate: board::BAUD / 10,
         fastest_tick: 5_000,
+        work_rate: WORK_RATE,
         limits: LIMITS,
         passivity: PASSIVITY,
-        mode: Mode {
-            event_limit: EVENTS,
-            ..Mode::DEFAULT
-        },
+        mode: Mode::DEFAULT,
         scene: SCENE,
     };
 
