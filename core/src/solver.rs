@@ -129,12 +129,12 @@ impl<R: Real> State<R> {
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
-    /// A solver for a scene with the budget [`Self::DEFAULT_BUDGET`].
+    /// A solver for a scene. Its steps take as much work as there is.
     pub const fn new(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
             scene,
             evolution,
-            budget: Self::DEFAULT_BUDGET,
+            budget: u32::MAX,
         }
     }
 
@@ -148,9 +148,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// The least budget of a step: what a solver of this type may need at once, with at most four contacts, in units of work.
     pub const LEAST_BUDGET: u32 = least(S > 1);
 
-    /// The budget of a step of a solver that was given none: about a tenth of a second on a desktop, for ten thousand slips.
-    pub const DEFAULT_BUDGET: u32 = 1 << 20;
-
     /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
     /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
     /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
@@ -161,7 +158,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// The budget of a step, in units of work.
+    /// The budget of a step, in units of work; `u32::MAX` without one.
     pub fn budget(&self) -> u32 {
         self.budget
     }

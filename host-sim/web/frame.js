@@ -10,7 +10,7 @@ const VERSION = 2;
 export const STATES = ["non-contact", "single-vertex", "edge", "two-vertex", "corner", "locked"];
 /** What limited an answer, in the order of its codes. */
 const STATUS = [
-  "ok", "behind", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist",
+  "ok", "event-limit", "iteration-limit", "ambiguous", "saturated", "held-last", "jammed", "twist", "behind",
 ];
 /** The name of a status; one that is not known may be out of balance (FRAME 5.1). @param {number} code */
 export const statusName = (code) => STATUS[code] ?? "ambiguous";

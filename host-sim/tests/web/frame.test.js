@@ -92,7 +92,7 @@ test("a stream in pieces, with noise before it, is every message of it", () => {
 });
 
 test("a status that is not known may be out of balance", () => {
-  assert.deepEqual([0, 5, 6, 7, 8, 15].map(statusName), ["ok", "held-last", "jammed", "twist", "ambiguous", "ambiguous"]);
+  assert.deepEqual([0, 5, 6, 7, 8, 9, 15].map(statusName), ["ok", "held-last", "jammed", "twist", "behind", "ambiguous", "ambiguous"]);
 });
 
 test("the checksum of 123456789", () => {

@@ -291,13 +291,14 @@ impl Said {
 fn status(status: Status) -> i64 {
     let names = [
         "ok",
-        "behind",
+        "event-limit",
         "iteration-limit",
         "ambiguous",
         "saturated",
         "held-last",
         "jammed",
         "twist",
+        "behind",
     ];
     names
         .iter()
