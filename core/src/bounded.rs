@@ -21,7 +21,7 @@ pub(crate) struct Bounded<R> {
     pub(crate) bounds: Bounds<R>,
 }
 
-/// What the value may be off by rounding, at most, and suprema of |f|, |f'|, |f''|.
+/// What the value may be off by rounding, here and about as much elsewhere, and suprema of |f|, |f'|, |f''|.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bounds<R> {
     pub(crate) error: R,
@@ -220,16 +220,18 @@ impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
     fn mul(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds.suprema, b.bounds.suprema);
-        let most = f0 * g0;
+        let product = self.sloped() * b.sloped();
         let bounds = Bounds {
-            error: f0 * b.bounds.error + g0 * self.bounds.error + R::rounding(most),
+            error: self.value.abs() * b.bounds.error
+                + b.value.abs() * self.bounds.error
+                + R::rounding(product.value.abs()),
             suprema: [
-                most,
+                f0 * g0,
                 f1 * g0 + f0 * g1,
                 f2 * g0 + (f1 * g1).doubled() + f0 * g2,
             ],
         };
-        Self::of(self.sloped() * b.sloped(), bounds)
+        Self::of(product, bounds)
     }
 }
 

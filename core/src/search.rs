@@ -14,6 +14,8 @@ pub(crate) struct Looks {
 impl Looks {
     /// So many looks at the motion of a single contact, or of none.
     pub(crate) const MOST: u8 = 64;
+    /// Every search has so many of its own, so that all of them get away from where they begin.
+    const OWN: u8 = 4;
     /// At a motion of that kind that was not looked at yet.
     pub(crate) const ALL: Self = Self::at_most(Self::MOST);
 
@@ -21,11 +23,16 @@ impl Looks {
         Self { most, left: most }
     }
 
-    /// One more, if there is one.
-    fn take(&mut self) -> bool {
-        let is_left = self.left > 0;
-        self.left = self.left.saturating_sub(1);
-        is_left
+    /// One more for a search that took some, if there is one.
+    fn take(&mut self, own: u8) -> bool {
+        if self.left > 0 {
+            self.left = self.left.saturating_sub(1);
+        } else if own < Self::OWN {
+            self.most = self.most.saturating_add(1);
+        } else {
+            return false;
+        }
+        true
     }
 
     /// So many were taken.
@@ -126,8 +133,8 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
     let mut nearest = 0;
     #[cfg(test)]
     let mut search = crate::fixtures::searches::begin();
-    let mut is_first = true;
-    while looks.take() {
+    let mut own = 0;
+    while looks.take(own) {
         #[cfg(test)]
         if !search.goes_on() {
             break;
@@ -140,7 +147,7 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
             if function.is_clear_of(step) {
                 continue;
             }
-            let safe = if is_first {
+            let safe = if own == 0 {
                 function.first_step()
             } else {
                 function.safe_step()
@@ -155,13 +162,13 @@ pub(crate) fn first_zero<R: Real, const M: usize>(
         }
         if let Some((which, function)) = closest {
             nearest = which;
-            let leaves = is_first && function.value <= function.rounding && step > R::ZERO;
+            let leaves = own == 0 && function.value <= function.rounding && step > R::ZERO;
             if !leaves && (step <= R::rounding(x) || function.is_closed_by(step)) {
                 return Found::Zero { x: x + step, which };
             }
         }
         x = x + step;
-        is_first = false;
+        own = own.saturating_add(1);
     }
     #[cfg(test)]
     search.gives_up();

@@ -27,7 +27,7 @@ pub(crate) use slide::{SlideEnding, Slides};
 const LOOK: u32 = 8;
 
 /// So many looks at a motion of two contacts: from where they lead it goes on with others.
-const MOST_LOOKS: u8 = 12;
+const MOST_LOOKS: u8 = 16;
 
 /// The most units of work that a run takes.
 pub(crate) const MOST_OF_RUN: u32 = LOOK * MOST_LOOKS as u32 + Looks::MOST as u32;
@@ -300,7 +300,7 @@ impl<R: Real> Trammel<R> {
         (clear, demand): (R, Demand),
     ) -> (Run<R>, Ending<R>) {
         let sense = self.sense.resistance.sign();
-        let window = self.window(clear);
+        let window = R::ONE;
         let begin: Quantities<Bounded<R>> = self.quantities(&self.sense.curve.at(R::ZERO), window);
         let [of_n1, of_n2] = begin.normals.map(|normal| normal.bounds);
         let [of_v1, of_v2] = begin.velocities.map(|velocity| velocity.bounds);
@@ -331,14 +331,14 @@ impl<R: Real> Trammel<R> {
                 window: if x < clear { clear - x } else { R::HUGE },
             }
         });
-        let (x, mut ending, unsure) = match found {
+        let (x, mut ending, is_unsure) = match found {
             Found::Nothing { .. } => (window, Ending::Window, false),
             Found::Zero { x, which } => (x, self.ending(which), false),
             // So far nothing ended it: it goes on from there.
-            Found::Unsure { x, .. } => (x, Ending::Window, x == R::ZERO),
+            Found::Unsure { x, .. } => (x, Ending::Window, true),
         };
         let mut extent = Extent {
-            unsure,
+            unsure: is_unsure,
             ..self.sense.curve.extent_to(x)
         };
         let moving = Moving {
@@ -349,23 +349,18 @@ impl<R: Real> Trammel<R> {
         if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {
             ending = Ending::Touches(pair);
         }
+        let mut unsure = extent.unsure;
+        if unsure && extent.end.x > R::ZERO {
+            // Up to there nothing ends it: it goes on from there.
+            (ending, unsure) = (Ending::Window, false);
+        }
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure: extent.unsure,
+            unsure,
             work: work_of(looks, &extent),
         };
         (run, ending)
-    }
-
-    /// Four times as far as it goes at its first rate, but from 2^-19 to 1, and beyond `clear`: over short ways the bounds of products are
-    /// close.
-    fn window(&self, clear: R) -> R {
-        let rate: Sloped<R> = self.imbalance_slope(&self.sense.curve.at(R::ZERO), R::ONE);
-        let falls = -rate.value * self.sense.resistance.sign();
-        let goes = self.sense.excess.doubled().doubled();
-        let window = if goes < falls { goes / falls } else { R::ONE };
-        window.max(clear.doubled()).max(R::MICRO).min(R::ONE)
     }
 
     fn ending(&self, which: usize) -> Ending<R> {

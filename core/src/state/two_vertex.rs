@@ -282,19 +282,17 @@ impl<R: Real> TwoVertex<R> {
         if slip.opens.is_some() {
             slip.demand = Demand::AtTheEnd;
         }
-        let moved = if let Some(trigger) = ends {
-            self.end_slip(scene, grip, &slip, (trigger, unbalanced))
-        } else if run.unsure {
-            // It does not get away from where it is.
-            Moved {
-                unsure: true,
-                ..self.end_slip(scene, grip, &slip, (Trigger::Stopped, true))
-            }
-        } else {
+        let goes_on = ends.is_none() && !run.unsure;
+        let moved = if goes_on {
             *under_way = Some(slip);
             Moved::by(Trigger::GoesOn)
+        } else {
+            // What has no end here does not get away from where it is.
+            let trigger = ends.unwrap_or(Trigger::Stopped);
+            self.end_slip(scene, grip, &slip, (trigger, unbalanced))
         };
         Moved {
+            unsure: run.unsure,
             work: run.work,
             ..moved
         }

@@ -306,7 +306,7 @@ impl<R: Real> Slides<R> {
         // What drives it back by a rounding leaves it where it is.
         let is_driven = start.drive.value > R::ZERO;
         let mut looks = Looks::at_most(MOST_LOOKS);
-        let (mut x, mut ending, unsure) = if is_driven {
+        let (mut x, mut ending, is_unsure) = if is_driven {
             self.first_ending((self.window(start, &standing), &mut looks), remembers)
         } else {
             (R::ZERO, SlideEnding::Arrives, false)
@@ -318,7 +318,7 @@ impl<R: Real> Slides<R> {
         }
         let curve = &self.trammel.sense.curve;
         let mut extent = Extent {
-            unsure,
+            unsure: is_unsure,
             ..curve.extent_to(x)
         };
         let moving = Moving {
@@ -330,6 +330,11 @@ impl<R: Real> Slides<R> {
             ending = SlideEnding::Touches(pair);
             x = extent.end.x;
         }
+        let mut unsure = extent.unsure;
+        if unsure && x > R::ZERO {
+            // Up to there nothing ends it: it goes on from there.
+            (ending, unsure) = (SlideEnding::Window, false);
+        }
         let mut part = R::ONE;
         if ending != SlideEnding::Arrives {
             part = self.at(x).gone().max(R::ZERO).min(self.unit) / self.unit;
@@ -339,7 +344,7 @@ impl<R: Real> Slides<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure: extent.unsure,
+            unsure,
             work: work_of(looks, &extent),
         };
         (run, part, ending)
@@ -421,7 +426,7 @@ impl<R: Real> Slides<R> {
         });
         match found {
             Found::Nothing { .. } => (window, SlideEnding::Window, false),
-            Found::Unsure { x, .. } => (x, SlideEnding::Window, x == R::ZERO),
+            Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
             Found::Zero { x, which } => {
                 let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
                 let ending = match which {
