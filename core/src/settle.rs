@@ -72,26 +72,32 @@ impl<R: Real> Settling<R> {
         Self::of(state.motion(), Next::Relax(None))
     }
 
-    /// The next verb. What it took, in units of work; nothing where the body rests.
+    /// The next verb: what it took, in units of work, and whether the body rests after it.
     pub(crate) fn go_on(
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
         state: &mut ContactState<R>,
         log: &mut Log<R>,
-    ) -> Option<u32> {
-        let next = self.next;
-        if next != Next::Rest && self.transitions < MAX_TRANSITIONS {
-            self.transitions = self.transitions.saturating_add(1);
-            return Some(self.verb(scene, grip, state, log));
-        }
-        if next != Next::Rest {
+    ) -> (u32, bool) {
+        let work = if self.next == Next::Rest {
+            0
+        } else {
+            self.verb(scene, grip, state, log)
+        };
+        let is_last = self.transitions == MAX_TRANSITIONS;
+        self.transitions = self.transitions.saturating_add(1);
+        if self.next == Next::Rest {
+            if state.regime() == Regime::LOOSE {
+                state.renew(scene, grip);
+            }
+        } else if is_last {
             stays(log);
-        } else if state.regime() == Regime::LOOSE {
-            state.renew(scene, grip);
+        } else {
+            return (work, false);
         }
         log_slide(state, self.before, log);
-        None
+        (work, true)
     }
 
     fn verb(
@@ -125,16 +131,13 @@ impl<R: Real> Settling<R> {
         let gets_on = moved.unsure && *state != before;
         if gets_on && let Next::Relax(_) | Next::Snap(_) = next {
             // Nothing has happened up to where the looks led: on from there.
-            let sure = Moved {
-                unsure: false,
-                ..moved
-            };
-            record(state, &sure, &next, log);
+            record(state, &moved, (&next, false), log);
             if let Next::Snap(_) = next {
                 self.next = Next::Relax(None);
             }
         } else if moved.trigger != Trigger::GoesOn {
-            record(state, &moved, &next, log);
+            let is_lost = moved.unsure && !gets_on;
+            record(state, &moved, (&next, is_lost), log);
             let sliding = match next {
                 Next::Slip(sign) => sign,
                 _ => R::ZERO,
@@ -195,9 +198,14 @@ impl Tried {
     }
 }
 
-/// What a verb has done besides its trigger.
-fn record<R: Real>(state: &ContactState<R>, moved: &Moved<R>, next: &Next<R>, log: &mut Log<R>) {
-    if moved.unsure {
+/// What a verb has done besides its trigger, and whether its searches did not get away from where it was.
+fn record<R: Real>(
+    state: &ContactState<R>,
+    moved: &Moved<R>,
+    (next, is_lost): (&Next<R>, bool),
+    log: &mut Log<R>,
+) {
+    if is_lost {
         log.limit(Status::IterationLimit);
     }
     if moved.snapped && !matches!(next, Next::Snap(_)) {

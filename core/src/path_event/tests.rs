@@ -18,7 +18,7 @@ fn happens<R: Real>(
     log: &mut Log<R>,
 ) {
     let mut settling = super::happens(scene, (at, to), state, trigger, log);
-    while settling.go_on(scene, at, state, log).is_some() {}
+    while !settling.go_on(scene, at, state, log).1 {}
 }
 
 const STICTION: Regime<f64> = Regime::Stick { stiction: true };

@@ -227,14 +227,13 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 }
                 Stage::Settling(mut settling) => {
                     let (grip, contact) = (&state.grip, &mut state.contact);
-                    match settling.go_on(&self.scene, grip, contact, log) {
-                        Some(units) => {
-                            work.spend(units);
-                            state.errand.stage = Stage::Settling(settling);
-                        }
+                    let (units, rests) = settling.go_on(&self.scene, grip, contact, log);
+                    work.spend(units);
+                    if !rests {
+                        state.errand.stage = Stage::Settling(settling);
+                    } else if log.unrest() != Status::Ok {
                         // Out of balance there is no path, only a jump.
-                        None if log.unrest() != Status::Ok => Self::jump(state, to, log),
-                        None => {}
+                        Self::jump(state, to, log);
                     }
                 }
             }

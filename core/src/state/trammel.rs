@@ -349,15 +349,11 @@ impl<R: Real> Trammel<R> {
         if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {
             ending = Ending::Touches(pair);
         }
-        let mut unsure = extent.unsure;
-        if unsure && extent.end.x > R::ZERO {
-            // Up to there nothing ends it: it goes on from there.
-            (ending, unsure) = (Ending::Window, false);
-        }
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure,
+            // What goes as far as its bounds hold goes on from there.
+            unsure: extent.unsure && (ending != Ending::Window || extent.end.x == R::ZERO),
             work: work_of(looks, &extent),
         };
         (run, ending)

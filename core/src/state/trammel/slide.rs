@@ -330,11 +330,6 @@ impl<R: Real> Slides<R> {
             ending = SlideEnding::Touches(pair);
             x = extent.end.x;
         }
-        let mut unsure = extent.unsure;
-        if unsure && x > R::ZERO {
-            // Up to there nothing ends it: it goes on from there.
-            (ending, unsure) = (SlideEnding::Window, false);
-        }
         let mut part = R::ONE;
         if ending != SlideEnding::Arrives {
             part = self.at(x).gone().max(R::ZERO).min(self.unit) / self.unit;
@@ -344,7 +339,8 @@ impl<R: Real> Slides<R> {
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
-            unsure,
+            // What goes as far as its bounds hold goes on from there.
+            unsure: extent.unsure && (ending != SlideEnding::Window || x == R::ZERO),
             work: work_of(looks, &extent),
         };
         (run, part, ending)
