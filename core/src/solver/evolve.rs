@@ -77,8 +77,10 @@ pub(super) enum Stage<R> {
     OnPath,
     /// At an event on it.
     AtEvent(Trigger<R>),
-    /// It comes to rest at a frozen hand.
+    /// It comes to rest there, the hand frozen.
     Settling(Settling<R>),
+    /// At rest at the end of the path.
+    Arrived,
 }
 
 /// What is left to do of the hand's path.
@@ -94,6 +96,8 @@ pub(super) struct Errand<R> {
 pub(super) struct Course {
     /// With so many events.
     events: u8,
+    /// By a jump to the end of its path: what settles does so there.
+    has_jumped: bool,
     /// The next piece goes the part 4^-k of what is left: where the looks at a path do not suffice, those at a shorter one do.
     quarters: u8,
     /// What limited it.
@@ -103,6 +107,7 @@ pub(super) struct Course {
 impl Course {
     pub(super) const NEW: Self = Self {
         events: 0,
+        has_jumped: false,
         quarters: 0,
         limited: Status::Ok,
     };
@@ -126,10 +131,11 @@ impl<R: Real> Errand<R> {
 
     /// The hand goes to a new place. What settles settles first.
     fn begin(&mut self) {
-        if let Stage::AtEvent(_) = self.stage {
+        self.stage = match core::mem::replace(&mut self.stage, Stage::OnPath) {
+            Stage::Settling(settling) => Stage::Settling(settling),
             // The body is in balance there, wherever the hand goes on to.
-            self.stage = Stage::OnPath;
-        }
+            Stage::OnPath | Stage::AtEvent(_) | Stage::Arrived => Stage::OnPath,
+        };
         self.left = R::ONE;
     }
 }
@@ -179,6 +185,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.limit(state.course.limited);
         } else {
             state.errand.begin();
+            state.course.has_jumped = false;
         }
         state.course.limited = Status::Ok;
         self.follow_hand(state, &to, (work, log));
@@ -192,7 +199,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             stage: Stage::Settling(Settling::after_jump(&state.contact)),
             left: R::ONE,
         };
-        state.course = Course::NEW;
+        state.course = Course {
+            has_jumped: true,
+            ..Course::NEW
+        };
         self.follow_hand(state, &to, (work, log));
     }
 
@@ -209,7 +219,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             is_first = false;
             let stage = core::mem::replace(&mut state.errand.stage, Stage::OnPath);
             match stage {
-                Stage::OnPath if state.grip == *to => {
+                Stage::Arrived => {
                     work.spend(state.contact.verb_work());
                     if state.contact.is_jammed(&self.scene, &state.grip) {
                         log.limit(Status::Jammed);
@@ -231,6 +241,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                     work.spend(units);
                     if !rests {
                         state.errand.stage = Stage::Settling(settling);
+                    } else if state.course.has_jumped {
+                        state.errand.stage = Stage::Arrived;
                     } else if log.unrest() != Status::Ok {
                         // Out of balance there is no path, only a jump.
                         Self::jump(state, to, log);
@@ -239,7 +251,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             }
         }
         state.errand.left = state.errand.left.max(R::EPSILON);
-        let is_settled = state.grip == *to && state.errand.stage == Stage::OnPath;
+        let is_settled = state.errand.stage == Stage::Arrived;
         state.course.limited = if is_settled {
             log.final_status()
         } else {
@@ -274,7 +286,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         work.spend(state.contact.verb_work());
         if events > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
             rests(&state.contact, log);
-            state.grip = *to;
+            (state.grip, state.errand.stage) = (*to, Stage::Arrived);
             return;
         }
         let piece = (0..quarters).fold(R::ONE, |piece, _| piece.halved().halved());
@@ -288,7 +300,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let arrives = moved.trigger == Trigger::Balanced && !moved.unsure;
         if arrives && quarters == 0 {
             rests(&state.contact, log);
-            state.grip = *to;
+            (state.grip, state.errand.stage) = (*to, Stage::Arrived);
             return;
         }
         state.course.quarters = if moved.unsure && moved.part == R::ZERO {
@@ -314,12 +326,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 
     /// The hand jumps to the end of its path, and the body settles there.
     fn jump(state: &mut State<R>, to: &Grip<R>, log: &mut Log<R>) {
-        if state.grip == *to {
-            return;
-        }
         log.ambiguous = false;
         state.unrest = Status::Ok;
         state.grip = *to;
+        state.course.has_jumped = true;
         state.errand.stage = Stage::Settling(Settling::after_jump(&state.contact));
     }
 }
