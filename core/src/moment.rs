@@ -18,6 +18,7 @@ pub(crate) struct Downhill<R> {
     pub(crate) snapped: bool,
     /// No look was left before the balance.
     pub(crate) unsure: bool,
+    /// What its search left of the looks.
     pub(crate) looks: Looks,
 }
 
@@ -39,13 +40,6 @@ pub(crate) struct Drive<R> {
     pub(crate) couple: R,
     /// zp = Yp + iXp as (Yp, Xp).
     pub(crate) hold: Vec2<R>,
-}
-
-impl<R> Downhill<R> {
-    /// The looks that it took to find it, in units of work.
-    pub(crate) fn work(&self) -> u32 {
-        self.looks.taken()
-    }
 }
 
 impl<R: Real> Drive<R> {

@@ -34,32 +34,34 @@ impl Work {
     }
 }
 
-/// A certified frame, or a verb but for its searches, of at most one contact.
+/// What a certified frame takes of at most one contact, or an edge; of several contacts.
 const CERTIFIED: u32 = 4;
-const VERB: u32 = 8;
-/// A verb of two contacts that move together, but for its searches.
-const TWO: u32 = 40;
-/// The looks of the searches of one verb: the most of them, four motions, has a free body that comes to rest.
-const MOST_OF_LOOKS: u32 = 4 * Looks::MOST as u32;
+const CERTIFIED_TOGETHER: u32 = 14;
+/// What an event takes that leaves a single contact, or an edge; one that brings contacts to move together.
+const EVENT: u32 = 6;
+const EVENT_TOGETHER: u32 = 40;
+/// What the verbs take but for the looks of their searches, without contact, of one vertex, an edge, a corner, of contacts that move
+/// together.
+const FREE: u32 = 24;
+const VERTEX: u32 = 14;
+const EDGE: u32 = 18;
+const CORNER: u32 = 12;
+const TOGETHER: u32 = 40;
+/// The looks of the searches of a verb share the most of a motion; so many more of their own they have together.
+const OWN: u32 = 32;
 
 /// What the cone of so many contacts takes, whose edges are combined by threes.
 const fn cone(contacts: u32) -> u32 {
-    let edges = 2 * contacts;
-    edges * edges * edges / 4
+    let edges = contacts.saturating_mul(2);
+    edges.saturating_mul(edges).saturating_mul(edges) / 3
 }
 
-/// The most that a piece takes with so many contacts at once.
-const fn most(contacts: u32) -> u32 {
-    if contacts < 2 {
-        VERB + MOST_OF_LOOKS
-    } else {
-        let looks = if MOST_OF_LOOKS > MOST_OF_RUN {
-            MOST_OF_LOOKS
-        } else {
-            MOST_OF_RUN
-        };
-        TWO + cone(contacts) + looks
-    }
+/// The most that a piece takes of a single contact, an edge or none; of a corner; of two vertices; of so many contacts that fix the pose.
+const MOST_ALONE: u32 = FREE + Looks::MOST as u32 + OWN;
+const MOST_OF_CORNER: u32 = EVENT_TOGETHER + cone(2) + Looks::MOST as u32 + OWN;
+const MOST_OF_TWO: u32 = TOGETHER + cone(2) + MOST_OF_RUN + OWN;
+const fn most_of_locked(contacts: u32) -> u32 {
+    TOGETHER.saturating_add(cone(contacts))
 }
 
 impl<R: Real> ContactState<R> {
@@ -71,35 +73,62 @@ impl<R: Real> ContactState<R> {
     pub(crate) fn certified_work(&self) -> u32 {
         match self.kind() {
             StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => CERTIFIED,
-            _ => TWO,
+            StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => CERTIFIED_TOGETHER,
         }
     }
 
-    /// What a verb takes but for its searches, with what follows from it.
+    /// What a verb takes but for its searches.
     pub(crate) fn verb_work(&self) -> u32 {
         match self.kind() {
-            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => VERB,
+            StateKind::NonContact => FREE,
+            StateKind::SingleVertex => VERTEX,
+            StateKind::Edge => EDGE,
+            StateKind::Corner => CORNER,
+            StateKind::TwoVertex | StateKind::Locked => TOGETHER.saturating_add(cone(self.count())),
+        }
+    }
+
+    /// What an event takes: a slide of a vertex may go on as one of two.
+    pub(crate) fn event_work<W: World<R>>(&self, _: &W) -> u32 {
+        match self.kind() {
+            StateKind::SingleVertex if W::SURFACES && self.regime().slide().is_some() => {
+                EVENT_TOGETHER
+            }
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => EVENT,
             StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => {
-                TWO + cone(self.count())
+                EVENT_TOGETHER.saturating_add(cone(self.count()))
             }
         }
     }
 
+    /// What the test takes whether the contacts at rest are jammed.
+    pub(crate) fn rest_work(&self) -> u32 {
+        match self.kind() {
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => 1,
+            StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => cone(self.count()),
+        }
+    }
+
     /// The most that the next piece of a step takes.
-    pub(crate) fn most_work<W: World<R>>(&self, _: &W) -> u32 {
-        if W::SURFACES {
-            most(self.count())
-        } else {
-            most(1)
+    pub(crate) fn most_work(&self) -> u32 {
+        match self.kind() {
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => MOST_ALONE,
+            StateKind::Corner => MOST_OF_CORNER,
+            StateKind::TwoVertex => MOST_OF_TWO,
+            StateKind::Locked => most_of_locked(self.count()),
         }
     }
 }
 
-/// The least budget of a scene: what one piece may take, with a certified frame before it. More than four contacts at once have more.
+/// The least budget of a scene: a certified frame that fails, and a piece. More than four contacts at once may need more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
     if surfaces {
-        TWO + most(4)
+        CERTIFIED_TOGETHER + max(max(MOST_OF_CORNER, MOST_OF_TWO), most_of_locked(4))
     } else {
-        CERTIFIED + most(1)
+        CERTIFIED + MOST_ALONE
     }
+}
+
+const fn max(a: u32, b: u32) -> u32 {
+    if a > b { a } else { b }
 }

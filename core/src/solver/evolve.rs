@@ -215,12 +215,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     ) {
         // The least budget allows one piece.
         let mut is_first = true;
-        while is_first || work.allows(state.contact.most_work(&self.scene)) {
+        while is_first || work.allows(state.contact.most_work()) {
             is_first = false;
             let stage = core::mem::replace(&mut state.errand.stage, Stage::OnPath);
             match stage {
                 Stage::Arrived => {
-                    work.spend(state.contact.verb_work());
+                    work.spend(state.contact.rest_work());
                     if state.contact.is_jammed(&self.scene, &state.grip) {
                         log.limit(Status::Jammed);
                     }
@@ -230,7 +230,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 }
                 Stage::OnPath => self.along_path(state, to, (work, log)),
                 Stage::AtEvent(trigger) => {
-                    work.spend(state.contact.verb_work());
+                    work.spend(state.contact.event_work(&self.scene));
                     let path = (&mut state.grip, to);
                     let settling = happens(&self.scene, path, &mut state.contact, trigger, log);
                     state.errand.stage = Stage::Settling(settling);
@@ -283,7 +283,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             }
             return Self::jump(state, to, log);
         }
-        work.spend(state.contact.verb_work());
+        if events > 0 {
+            work.spend(state.contact.certified_work());
+        }
         if events > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
             rests(&state.contact, log);
             (state.grip, state.errand.stage) = (*to, Stage::Arrived);
@@ -295,6 +297,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         } else {
             state.grip.lerp(to, piece)
         };
+        work.spend(state.contact.verb_work());
         let moved = state.contact.advance(&self.scene, &state.grip, &end);
         work.spend(moved.work);
         let arrives = moved.trigger == Trigger::Balanced && !moved.unsure;

@@ -90,8 +90,8 @@ impl<R: Real> Free<R> {
             // As the hand does, however little of the moment the number type sees.
             (moment.stiffness, drive.couple) = (R::ONE, displacement.turn);
         }
-        let segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
-        let moved = self.sweep(scene, &load.placed, segment, displacement.hand);
+        let mut segment = Segment::balanced(&moment, &drive, Trigger::Balanced);
+        let moved = self.sweep(scene, &load.placed, &mut segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the path.
             *self = Self::balance::<H>(scene, to, self.pose.orientation);
@@ -147,18 +147,15 @@ impl<R: Real> Free<R> {
     ) -> Moved<R> {
         let near = self.pose.orientation.plus(downhill.turn);
         let begin = self.clone();
-        let mut moved = self.straight::<H>(scene, grip, downhill.turn, R::ONE);
-        let mut work = moved.work.saturating_add(downhill.work());
+        let mut looks = downhill.looks;
+        let mut moved = self.straight::<H>(scene, grip, (downhill.turn, R::ONE), &mut looks);
         if moved.trigger != Trigger::Balanced && begin.has_just_opened(scene) {
             *self = begin;
-            moved = self.straight::<H>(scene, grip, R::ZERO, R::ONE);
-            work = work.saturating_add(moved.work);
+            moved = self.straight::<H>(scene, grip, (R::ZERO, R::ONE), &mut looks);
             if moved.trigger == Trigger::Balanced {
-                moved = self.straight::<H>(scene, grip, downhill.turn, R::ZERO);
-                work = work.saturating_add(moved.work);
+                moved = self.straight::<H>(scene, grip, (downhill.turn, R::ZERO), &mut looks);
             }
         }
-        moved.work = work;
         if moved.trigger == Trigger::Balanced {
             *self = Self::balance::<H>(scene, grip, near);
         }
@@ -202,13 +199,15 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
-        turn: R,
-        shift: R,
+        (turn, shift): (R, R),
+        looks: &mut Looks,
     ) -> Moved<R> {
         let placed = self.placed(grip);
         let to_balance = grip.hand + scene.weight() - placed.point;
-        let segment: Segment<R, H> = Segment::turning(turn, Trigger::Balanced);
-        self.sweep(scene, &placed, segment, to_balance * shift)
+        let mut segment: Segment<R, H> = Segment::turning(turn, Trigger::Balanced).with(*looks);
+        let moved = self.sweep(scene, &placed, &mut segment, to_balance * shift);
+        *looks = segment.looks();
+        moved
     }
 
     /// Goes a segment on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
@@ -216,7 +215,7 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &impl World<R>,
         placed: &Placed<R>,
-        mut segment: Segment<R, impl SecondHarmonic<R>>,
+        segment: &mut Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
         segment.stop_at_touch(scene, placed, (&PointPath::straight(shift), &[]));

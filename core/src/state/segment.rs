@@ -10,6 +10,7 @@ use crate::load::Load;
 use crate::moment::{Downhill, Drive, Moment, Pinned, SecondHarmonic};
 use crate::pivot::Pivot;
 use crate::real::Real;
+use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
@@ -122,6 +123,17 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.extent.end.turn
     }
 
+    /// The searches share the looks that are left of others.
+    pub(super) fn with(mut self, looks: Looks) -> Self {
+        self.extent.looks = looks;
+        self
+    }
+
+    /// What is left of them.
+    pub(super) fn looks(&self) -> Looks {
+        self.extent.looks
+    }
+
     /// The looks at it, in units of work.
     pub(super) fn work(&self) -> u32 {
         self.extent.looks.taken()
@@ -159,7 +171,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         lasting: &[Pair],
         downhill: &Downhill<R>,
     ) -> Moved<R> {
-        let mut segment = Self::turning(downhill.turn, Trigger::Balanced);
+        let mut segment = Self::turning(downhill.turn, Trigger::Balanced).with(downhill.looks);
         segment.stop_at_touch(
             scene,
             &pivot.placed(scene),
@@ -170,7 +182,6 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         Moved {
             snapped: downhill.snapped,
             unsure: moved.unsure || downhill.unsure,
-            work: moved.work.saturating_add(downhill.work()),
             ..moved
         }
     }

@@ -214,7 +214,8 @@ impl<R: Real> SingleVertex<R> {
         if surface.normal.dot(load.force) > load.rounding() {
             return Moved::by(Trigger::Clear);
         }
-        let mut segment = Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced);
+        let mut segment = Segment::<R, Sliding<R>>::turning(downhill.turn, Trigger::Balanced)
+            .with(downhill.looks);
         let frozen = Displacement::slide(Vec2::ZERO);
         if W::SEVERAL {
             let foot = load.foot(&edge, &frozen);
@@ -234,7 +235,6 @@ impl<R: Real> SingleVertex<R> {
         Moved {
             snapped: downhill.snapped,
             unsure: moved.unsure || downhill.unsure,
-            work: moved.work.saturating_add(downhill.work()),
             ..moved
         }
     }

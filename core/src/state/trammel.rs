@@ -24,13 +24,16 @@ pub(crate) use certified::certified_slide;
 pub(crate) use slide::{SlideEnding, Slides};
 
 /// A look at the motion of two contacts takes as long as so many at that of one.
-const LOOK: u32 = 8;
+const LOOK: u32 = 6;
 
 /// So many looks at a motion of two contacts: from where they lead it goes on with others.
-const MOST_LOOKS: u8 = 16;
+const MOST_LOOKS: u8 = 12;
 
-/// The most units of work that a run takes.
-pub(crate) const MOST_OF_RUN: u32 = LOOK * MOST_LOOKS as u32 + Looks::MOST as u32;
+/// The looks for a touch on such a motion.
+const MOST_FOR_TOUCH: u8 = 32;
+
+/// The most looks of a run, in units of work.
+pub(crate) const MOST_OF_RUN: u32 = LOOK * MOST_LOOKS as u32 + MOST_FOR_TOUCH as u32;
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -339,6 +342,7 @@ impl<R: Real> Trammel<R> {
         };
         let mut extent = Extent {
             unsure: is_unsure,
+            looks: Looks::at_most(MOST_FOR_TOUCH),
             ..self.sense.curve.extent_to(x)
         };
         let moving = Moving {

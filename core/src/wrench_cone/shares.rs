@@ -249,7 +249,11 @@ impl<R: Real> WrenchCone<R> {
 
     /// What the rounding of the reactions that bear a load leaves of it.
     pub(crate) fn rounding_of_reactions(&self, load: Wrench2<R>, little: R) -> R {
-        Self::rounding(&self.nearest(load, little).parts, load)
+        let bearing = (self.triples()).find_map(|edges| self.bearing(edges, load, little));
+        match bearing {
+            Some(parts) => Self::rounding(parts.iter().map(|(_, part)| part), load),
+            None => Self::rounding(&self.nearest(load, little).parts, load),
+        }
     }
 
     /// The parts of three edges that balance a load, and the volume of the edges.

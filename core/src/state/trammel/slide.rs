@@ -2,7 +2,7 @@
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
 use super::kinematics::Kinematics;
-use super::{MOST_LOOKS, Run, Trammel, work_of};
+use super::{MOST_FOR_TOUCH, MOST_LOOKS, Run, Trammel, work_of};
 use crate::balance_curve::Extent;
 use crate::bounded::{Bounded, Quantity, QuantityVec, Sloped};
 use crate::contact::Pair;
@@ -319,6 +319,7 @@ impl<R: Real> Slides<R> {
         let curve = &self.trammel.sense.curve;
         let mut extent = Extent {
             unsure: is_unsure,
+            looks: Looks::at_most(MOST_FOR_TOUCH),
             ..curve.extent_to(x)
         };
         let moving = Moving {
