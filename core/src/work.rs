@@ -122,11 +122,10 @@ impl<R: Real> ContactState<R> {
 
 /// The least budget of a scene: a certified frame that fails, and a piece. More than four contacts at once may need more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
-    if surfaces {
-        CERTIFIED_TOGETHER + max(max(MOST_OF_CORNER, MOST_OF_TWO), most_of_locked(4))
-    } else {
-        CERTIFIED + MOST_ALONE
-    }
+    const OF_SURFACES: u32 =
+        CERTIFIED_TOGETHER + max(max(MOST_OF_CORNER, MOST_OF_TWO), most_of_locked(4));
+    const OF_ONE: u32 = CERTIFIED + MOST_ALONE;
+    if surfaces { OF_SURFACES } else { OF_ONE }
 }
 
 const fn max(a: u32, b: u32) -> u32 {

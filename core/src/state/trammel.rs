@@ -311,10 +311,9 @@ impl<R: Real> Trammel<R> {
         // What drives it is not nothing to the search, whatever its bound.
         of_balance.error = of_balance.error.min(self.sense.rounding);
         // Who has just turned does not turn again within a window.
-        let [turns1, turns2] = [0, 1].map(|k| {
-            let (velocity, sign) = (begin.velocities[k].value, self.sense.signs[k]);
-            sign != R::ZERO && velocity.abs() > R::standstill()
-        });
+        let ([v1, v2], [s1, s2]) = (begin.velocities, self.sense.signs);
+        let [turns1, turns2] = [(v1, s1), (v2, s2)]
+            .map(|(v, sign)| sign != R::ZERO && v.value.abs() > R::standstill());
         let presses = demand == Demand::Pressed;
         let mut looks = Looks::at_most(MOST_LOOKS);
         let found = first_zero(window, &mut looks, |x| {
@@ -322,7 +321,7 @@ impl<R: Real> Trammel<R> {
             let look = |is_asked: bool, of: Sloped<R>, sign: R, bounds: &Bounds<R>| {
                 is_asked.then(|| of.as_slope(sign, bounds))
             };
-            let ([n1, n2], [v1, v2], [s1, s2]) = (q.normals, q.velocities, self.sense.signs);
+            let ([n1, n2], [v1, v2]) = (q.normals, q.velocities);
             Samples {
                 functions: [
                     look(x >= clear, q.imbalance, sense, &of_balance),
