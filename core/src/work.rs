@@ -49,19 +49,12 @@ const CORNER: u32 = 12;
 const TOGETHER: u32 = 40;
 /// The looks of the searches of a verb share the most of a motion; so many more of their own they have together.
 const OWN: u32 = 32;
+const MOST_LOOKS: u32 = Looks::MOST as u32 + OWN;
 
 /// What the cone of so many contacts takes, whose edges are combined by threes.
 const fn cone(contacts: u32) -> u32 {
     let edges = contacts.saturating_mul(2);
     edges.saturating_mul(edges).saturating_mul(edges) / 3
-}
-
-/// The most that a piece takes of a single contact, an edge or none; of a corner; of two vertices; of so many contacts that fix the pose.
-const MOST_ALONE: u32 = FREE + Looks::MOST as u32 + OWN;
-const MOST_OF_CORNER: u32 = EVENT_TOGETHER + cone(2) + Looks::MOST as u32 + OWN;
-const MOST_OF_TWO: u32 = TOGETHER + cone(2) + MOST_OF_RUN + OWN;
-const fn most_of_locked(contacts: u32) -> u32 {
-    TOGETHER.saturating_add(cone(contacts))
 }
 
 impl<R: Real> ContactState<R> {
@@ -75,6 +68,20 @@ impl<R: Real> ContactState<R> {
             StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => CERTIFIED,
             StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => CERTIFIED_TOGETHER,
         }
+    }
+
+    /// The most looks of a verb, in units of work: edges and what fixes the pose need none.
+    fn most_looks(&self) -> u32 {
+        match self.kind() {
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Corner => MOST_LOOKS,
+            StateKind::TwoVertex => MOST_OF_RUN + OWN,
+            StateKind::Edge | StateKind::Locked => 0,
+        }
+    }
+
+    /// The most that a verb takes.
+    pub(crate) fn most_of_verb(&self) -> u32 {
+        self.verb_work().saturating_add(self.most_looks())
     }
 
     /// What a verb takes but for its searches.
@@ -108,23 +115,15 @@ impl<R: Real> ContactState<R> {
             StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => cone(self.count()),
         }
     }
-
-    /// The most that the next piece of a step takes.
-    pub(crate) fn most_work(&self) -> u32 {
-        match self.kind() {
-            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => MOST_ALONE,
-            StateKind::Corner => MOST_OF_CORNER,
-            StateKind::TwoVertex => MOST_OF_TWO,
-            StateKind::Locked => most_of_locked(self.count()),
-        }
-    }
 }
 
-/// The least budget of a scene: a certified frame that fails, and a piece. More than four contacts at once may need more.
+/// The least budget of a scene: two certified frames that fail, and the verb that takes most. More than four contacts at once may need
+/// more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
-    const OF_SURFACES: u32 =
-        CERTIFIED_TOGETHER + max(max(MOST_OF_CORNER, MOST_OF_TWO), most_of_locked(4));
-    const OF_ONE: u32 = CERTIFIED + MOST_ALONE;
+    const OF_TWO: u32 = TOGETHER + cone(2) + MOST_OF_RUN + OWN;
+    const OF_FOUR: u32 = TOGETHER + cone(4);
+    const OF_SURFACES: u32 = 2 * CERTIFIED_TOGETHER + max(OF_TWO, OF_FOUR);
+    const OF_ONE: u32 = 2 * CERTIFIED + FREE + MOST_LOOKS;
     if surfaces { OF_SURFACES } else { OF_ONE }
 }
 

@@ -79,7 +79,7 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
 ) -> Result<(), Failure> {
     let head = head(files)?;
     let scene: Scene<R, V, S> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
-    let solver = Solver::new(scene, head.evolution);
+    let solver = Solver::new(scene, head.evolution).with_budget(head.budget);
     ride(solver, head.samples, files, instruments)
 }
 
@@ -96,7 +96,7 @@ pub fn run_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Mod
     let head = head(files)?;
     let scene: Scene<R, V, S, M> = head.scene(|bytes| files.read(bytes).map_err(Failure::from))?;
     ride(
-        Solver::new(scene, evolution),
+        Solver::new(scene, evolution).with_budget(head.budget),
         head.samples,
         files,
         instruments,

@@ -125,7 +125,7 @@ fn dragged(build: Build, name: &str, evolution: Evolution) -> Outcome<String> {
         return Err("a scene without keyframes".into());
     };
     let hands: Vec<_> = path.frames(scene.hand.rate).map(|s| s.hand).collect();
-    let job = job(&scene, evolution, &hands);
+    let job = job(&scene, (evolution, u32::MAX), &hands);
     let counted = Counter::new(build.board, build.number, build.profile)?.count(&job)?;
     let steps = counted.steps();
     let instructions = || steps.iter().map(|frame| u64::from(frame.instructions));

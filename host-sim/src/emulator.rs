@@ -94,13 +94,17 @@ impl Counted {
     }
 }
 
-/// A job for a [`Counter`]: the scene, and a hand sample for every frame.
-pub fn job(scene: &SceneFile, evolution: Evolution, hands: &[Hand<f64>]) -> Vec<u8> {
+/// A job for a [`Counter`]: the scene, the budget of a step, and a hand sample for every frame.
+pub fn job(
+    scene: &SceneFile,
+    (evolution, budget): (Evolution, u32),
+    hands: &[Hand<f64>],
+) -> Vec<u8> {
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     scene.described(|description| {
         // A sink that keeps everything does not fail.
-        let _ = job::write_scene(description, evolution, samples, |part| {
+        let _ = job::write_scene(description, evolution, (samples, budget), |part| {
             bytes.extend_from_slice(part);
             Ok::<_, Infallible>(())
         });

@@ -38,7 +38,7 @@ fn counts<R: Real<Si = f32>>(number: NumberType) {
     let hands: Vec<Hand<f64>> = (0..500).map(|_| walk.sample()).collect();
     for evolution in Evolution::ALL {
         let outputs = outputs::<R>(&scene, evolution, &hands);
-        let job = job(&scene, evolution, &hands);
+        let job = job(&scene, (evolution, u32::MAX), &hands);
         for board in Board::ALL {
             let counted = Counter::new(board, number, Profile::Device)
                 .and_then(|counter| counter.count(&job));
@@ -106,7 +106,7 @@ fn of_model(
     let hands: Vec<_> = path.frames(Some(100.0)).map(|s| s.hand).collect();
     let code = rust_source(scene, model, number, evolution);
     let counter = Counter::of_model(board, Profile::Device, &code)?;
-    let mut counted = counter.count(&job(scene, evolution, &hands))?;
+    let mut counted = counter.count(&job(scene, (evolution, u32::MAX), &hands))?;
     for frame in &mut counted.frames {
         assert!((50..10_000_000).contains(&frame.instructions), "{frame:?}");
         frame.instructions = 0;

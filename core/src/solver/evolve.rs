@@ -215,7 +215,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     ) {
         // The least budget allows one piece.
         let mut is_first = true;
-        while is_first || work.allows(state.contact.most_work()) {
+        while is_first || work.allows(self.most_of_piece(state)) {
             is_first = false;
             let stage = core::mem::replace(&mut state.errand.stage, Stage::OnPath);
             match stage {
@@ -258,6 +258,17 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.status
         };
         log.limit(Status::Behind);
+    }
+
+    /// The most work that the next piece takes.
+    fn most_of_piece(&self, state: &State<R>) -> u32 {
+        let contact = &state.contact;
+        match state.errand.stage {
+            Stage::OnPath => (contact.most_of_verb()).saturating_add(contact.certified_work()),
+            Stage::AtEvent(_) => contact.event_work(&self.scene),
+            Stage::Settling(_) => contact.most_of_verb(),
+            Stage::Arrived => contact.rest_work(),
+        }
     }
 
     /// Along the straight path of the hand to the next event (STATICS 7); after the last one that counts the hand jumps.

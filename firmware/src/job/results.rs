@@ -6,7 +6,7 @@ use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
 
 /// The bytes of a frame.
-pub(crate) const FRAME_BYTES: usize = 40;
+pub(crate) const FRAME_BYTES: usize = 48;
 const HEAD_BYTES: usize = 8;
 const TOTALS_BYTES: usize = 24;
 const MARK: [u8; 4] = *b"strs";
@@ -27,6 +27,8 @@ pub struct Frame {
     pub state: StateKind,
     /// What limited the answer.
     pub status: Status,
+    /// The units of work that the step took.
+    pub work: u32,
 }
 
 impl Frame {
@@ -42,6 +44,7 @@ impl Frame {
             slips: output.slips,
             state: output.state,
             status: output.status,
+            work: output.work,
         }
     }
 
@@ -53,6 +56,7 @@ impl Frame {
         record.f64(x).f64(y).f64(self.angle.rest).u32(self.slips);
         record.u8(index_of(&StateKind::ALL, self.state));
         record.u8(index_of(&Status::ALL, self.status));
+        record.u8(0).u8(0).u32(self.work);
         record.bytes()
     }
 
@@ -65,13 +69,18 @@ impl Frame {
         let (instructions, turns) = (fields.u32(), fields.i32());
         let position = [fields.f64(), fields.f64()];
         let rest = fields.f64();
+        let slips = fields.u32();
+        let state = at_index(&StateKind::ALL, fields.u8())?;
+        let status = at_index(&Status::ALL, fields.u8())?;
+        let [_, _]: [u8; 2] = fields.take();
         Ok(Self {
             instructions,
             position,
             angle: Angle { turns, rest },
-            slips: fields.u32(),
-            state: at_index(&StateKind::ALL, fields.u8())?,
-            status: at_index(&Status::ALL, fields.u8())?,
+            slips,
+            state,
+            status,
+            work: fields.u32(),
         })
     }
 }

@@ -9,12 +9,12 @@ use super::fields::{Fields, Record};
 use super::{FormatError, VERSION};
 
 /// The bytes of a job before its vertices.
-pub(crate) const HEAD_BYTES: usize = 88;
+pub(crate) const HEAD_BYTES: usize = 96;
 const VERTEX_BYTES: usize = 16;
 const SURFACE_BYTES: usize = 48;
 const MARK: [u8; 4] = *b"stjb";
 
-/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many. The scene has at most 255 vertices
+/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many, for steps of a budget. The scene has at most 255 vertices
 /// and 255 surfaces.
 ///
 /// # Errors
@@ -22,7 +22,7 @@ const MARK: [u8; 4] = *b"stjb";
 pub fn write_scene<E>(
     scene: &Description<'_, f64>,
     evolution: Evolution,
-    samples: u32,
+    (samples, budget): (u32, u32),
     mut sink: impl FnMut(&[u8]) -> Result<(), E>,
 ) -> Result<(), E> {
     let count = |n: usize| u8::try_from(n).unwrap_or(u8::MAX);
@@ -42,6 +42,7 @@ pub fn write_scene<E>(
     head.f64(x).f64(y).f64(scene.reach);
     head.f64(scene.stiffness_translation)
         .f64(scene.stiffness_rotation);
+    head.u32(budget);
     sink(&head.bytes())?;
     for &[x, y] in scene.vertices {
         sink(&Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes())?;
@@ -66,6 +67,8 @@ pub(crate) struct Head {
     pub(crate) evolution: Evolution,
     /// How many hand samples follow.
     pub(crate) samples: u32,
+    /// The budget of a step.
+    pub(crate) budget: u32,
     vertices: u8,
     surfaces: u8,
     start: [f64; 3],
@@ -100,6 +103,7 @@ impl Head {
         Ok(Self {
             evolution,
             samples,
+            budget: fields.u32(),
             vertices,
             surfaces,
             start,

@@ -40,7 +40,7 @@ pub(super) fn measure(
 ) -> Result<Measured, EmulatorError> {
     let (board, number) = (chip.board(), chip.number());
     let code = rust_source(scene, model, number, evolution);
-    let job = job(scene, evolution, hands);
+    let job = job(scene, (evolution, u32::MAX), hands);
     Ok(Measured {
         flash_small: footprint(board, Profile::DeviceSmall, &code)?,
         flash_fast: footprint(board, Profile::Device, &code)?,

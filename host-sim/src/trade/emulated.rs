@@ -106,7 +106,7 @@ impl Built {
             let scene = setting.memory.of(&case.scene);
             let counted = self
                 .counter
-                .count(&job(&scene, setting.evolution, &hands))?;
+                .count(&job(&scene, (setting.evolution, u32::MAX), &hands))?;
             for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;

@@ -1,0 +1,189 @@
+//! What a budget does: random drags through emulated chips, without one and with the one that a tick leaves. Writes what a unit of work
+//! takes, how many steps are behind the hand, how long, and what the longest step takes into README.md. Needs QEMU.
+//!
+//! ```sh
+//! cargo run --release -p stiction-host-sim --example budget          # 100 drags of 4 s
+//! cargo run --release -p stiction-host-sim --example budget -- 10    # so many, on the terminal alone
+//! ```
+
+use std::error::Error;
+use std::fmt::Write as _;
+
+use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
+use stiction_firmware::job::Frame;
+use stiction_host_sim::emulator::{Board, Counter, Profile, job};
+use stiction_host_sim::trade::{Case, Group, Suite};
+use stiction_scene::NumberType;
+use stiction_tools::readme::Section;
+use stiction_tools::table::thousands;
+use stiction_tools::workspace;
+
+const DRAGS: usize = 100;
+
+/// A chip with its clock and the ticks that its steps are to fit.
+struct Chip {
+    name: &'static str,
+    /// The board whose instructions it has.
+    board: Board,
+    number: NumberType,
+    megahertz: u32,
+    /// Ticks per second (Hz), and hands per second.
+    rate: u32,
+    /// Cycles of an instruction, on average: an estimate, from above.
+    cycles: f64,
+}
+
+const CHIPS: [Chip; 4] = [
+    Chip {
+        name: "Cortex-M4F",
+        board: Board::Stm32F405,
+        number: NumberType::F32,
+        megahertz: 168,
+        rate: 1000,
+        cycles: 1.5,
+    },
+    Chip {
+        name: "Cortex-M33",
+        board: Board::Stm32F405,
+        number: NumberType::F32,
+        megahertz: 150,
+        rate: 1000,
+        cycles: 1.5,
+    },
+    Chip {
+        name: "Cortex-M0+",
+        board: Board::Nrf51822,
+        number: NumberType::Fixed,
+        megahertz: 125,
+        rate: 1000,
+        cycles: 1.5,
+    },
+    Chip {
+        name: "Cortex-M0",
+        board: Board::Nrf51822,
+        number: NumberType::Fixed,
+        megahertz: 16,
+        rate: 250,
+        cycles: 1.6,
+    },
+];
+
+impl Chip {
+    /// Instructions of a tick.
+    fn tick(&self) -> f64 {
+        f64::from(self.megahertz) * 1e6 / f64::from(self.rate) / self.cycles
+    }
+
+    fn least(&self) -> u32 {
+        fn least<R: Real<Si: SiFloat>>() -> u32 {
+            Solver::<R, 8, 4>::LEAST_BUDGET
+        }
+        match self.number {
+            NumberType::F32 => least::<f32>(),
+            NumberType::Fixed => least::<Fixed>(),
+        }
+    }
+
+    /// All steps of the drags, drag by drag.
+    fn steps(
+        &self,
+        (evolution, budget): (Evolution, u32),
+        drags: &[&Case],
+    ) -> Result<Vec<Vec<Frame>>, Box<dyn Error>> {
+        let counter = Counter::new(self.board, self.number, Profile::Device)?;
+        let ride = |case: &&Case| {
+            let samples = case.path.frames(Some(f64::from(self.rate)));
+            let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
+            let counted = counter.count(&job(&case.scene, (evolution, budget), &hands))?;
+            Ok(counted.steps().to_vec())
+        };
+        drags.iter().map(ride).collect()
+    }
+}
+
+/// What steps take.
+struct Taken {
+    steps: usize,
+    mean: f64,
+    most: u32,
+    /// Instructions of a unit of work, on average and at most.
+    unit: [f64; 2],
+    behind: usize,
+    /// Steps one after the other, at most, in which the body is behind.
+    longest: usize,
+    over: usize,
+}
+
+fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
+    let steps = || drags.iter().flatten();
+    let count = steps().count();
+    let sum: f64 = steps().map(|step| f64::from(step.instructions)).sum();
+    let work: f64 = steps().map(|step| f64::from(step.work)).sum();
+    let of_unit = |step: &Frame| f64::from(step.instructions) / f64::from(step.work);
+    let is_behind = |step: &Frame| step.status == Status::Behind;
+    let runs = drags.iter().flat_map(|drag| drag.split(|step| !is_behind(step)));
+    Taken {
+        steps: count,
+        mean: sum / count.max(1) as f64,
+        most: steps().map(|step| step.instructions).max().unwrap_or(0),
+        unit: [
+            sum / work,
+            steps().filter(|step| step.work > 0).map(of_unit).fold(0.0, f64::max),
+        ],
+        behind: steps().filter(|step| is_behind(step)).count(),
+        longest: runs.map(<[Frame]>::len).max().unwrap_or(0),
+        over: steps().filter(|step| f64::from(step.instructions) > tick).count(),
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let asked = std::env::args().nth(1).and_then(|count| count.parse().ok());
+    let suite = Suite::new(None, false)?;
+    let random = suite.cases.iter().filter(|case| case.group == Group::Random);
+    let drags: Vec<&Case> = random.take(asked.unwrap_or(DRAGS)).collect();
+    let mut text = format!(
+        "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and 4 \
+         surfaces, on emulated\nchips. Instructions are counted; cycles are estimated at so many of an instruction, on average. The M33 is taken to \
+         have the instructions of the M4F, and the M0+ those\nof the M0. A unit of work takes so many instructions, on average and at most. \
+         The budget is what three quarters of a tick allow at the most that a unit takes on average\nin a long step, but at least the least one.\n\n\
+         | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
+         budget (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
+         |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        drags.len()
+    );
+    for chip in &CHIPS {
+        for evolution in Evolution::ALL {
+            let tick = chip.tick();
+            let free = taken(&chip.steps((evolution, u32::MAX), &drags)?, tick);
+            let [_, unit] = free.unit;
+            let fits = (tick * 0.75 / unit) as u32;
+            let budget = fits.max(chip.least());
+            let bound = taken(&chip.steps((evolution, budget), &drags)?, tick);
+            let _ = writeln!(
+                text,
+                "| {} | {} | {} | {} | {} | {:.0} / {:.0} | {} | {} | {budget}{} | {} | {} | {:.0} | {} | {} |",
+                chip.name,
+                chip.megahertz,
+                chip.rate,
+                chip.cycles,
+                evolution.name(),
+                free.unit[0],
+                unit,
+                thousands(u64::from(free.most)),
+                thousands(tick as u64),
+                if fits < chip.least() { " (least)" } else { "" },
+                thousands(bound.steps as u64),
+                bound.behind,
+                bound.longest as f64 * 1000.0 / f64::from(chip.rate),
+                thousands(u64::from(bound.most)),
+                bound.over,
+            );
+            println!("{} {}: mean {:.0}", chip.name, evolution.name(), free.mean);
+        }
+    }
+    print!("{text}");
+    if asked.is_none() {
+        Section::find(&workspace().join("host-sim/README.md"), "budget")?.write(&text)?;
+    }
+    Ok(())
+}
