@@ -19,6 +19,10 @@ use stiction_tools::table::thousands;
 use stiction_tools::workspace;
 
 const DRAGS: usize = 100;
+/// Of a tick, for the step: the rest is for the line, the forces and interrupts.
+const PART: f64 = 0.75;
+/// A shorter step fits a tick whatever its units take.
+const LONG: u32 = 100;
 
 /// A chip with its clock and the ticks that its steps are to fit.
 struct Chip {
@@ -106,8 +110,8 @@ struct Taken {
     steps: usize,
     mean: f64,
     most: u32,
-    /// Instructions of a unit of work, on average and at most.
-    unit: [f64; 2],
+    /// Instructions of a unit of work: on average, at most, and at most in a step of [`LONG`] units and more.
+    unit: [f64; 3],
     behind: usize,
     /// Steps one after the other, at most, in which the body is behind.
     longest: usize,
@@ -120,16 +124,17 @@ fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
     let sum: f64 = steps().map(|step| f64::from(step.instructions)).sum();
     let work: f64 = steps().map(|step| f64::from(step.work)).sum();
     let of_unit = |step: &Frame| f64::from(step.instructions) / f64::from(step.work);
+    let most_of_unit = |least: u32| {
+        let long = steps().filter(|step| step.work >= least);
+        long.map(of_unit).fold(0.0, f64::max)
+    };
     let is_behind = |step: &Frame| step.status == Status::Behind;
     let runs = drags.iter().flat_map(|drag| drag.split(|step| !is_behind(step)));
     Taken {
         steps: count,
         mean: sum / count.max(1) as f64,
         most: steps().map(|step| step.instructions).max().unwrap_or(0),
-        unit: [
-            sum / work,
-            steps().filter(|step| step.work > 0).map(of_unit).fold(0.0, f64::max),
-        ],
+        unit: [sum / work, most_of_unit(1), most_of_unit(LONG)],
         behind: steps().filter(|step| is_behind(step)).count(),
         longest: runs.map(<[Frame]>::len).max().unwrap_or(0),
         over: steps().filter(|step| f64::from(step.instructions) > tick).count(),
@@ -144,8 +149,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut text = format!(
         "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and 4 \
          surfaces, on emulated\nchips. Instructions are counted; cycles are estimated at so many of an instruction, on average. The M33 is taken to \
-         have the instructions of the M4F, and the M0+ those\nof the M0. A unit of work takes so many instructions, on average and at most. \
-         The budget is what three quarters of a tick allow at the most that a unit takes on average\nin a long step, but at least the least one.\n\n\
+         have the instructions of the M4F, and the M0+ those\nof the M0. A unit of work takes so many instructions: on average / at most / at most in steps of {LONG} units and more. The \
+         budget is what three quarters of a\ntick have room for, at the last of these, but at least the least one.\n\n\
          | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
          budget (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
@@ -155,20 +160,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         for evolution in Evolution::ALL {
             let tick = chip.tick();
             let free = taken(&chip.steps((evolution, u32::MAX), &drags)?, tick);
-            let [_, unit] = free.unit;
-            let fits = (tick * 0.75 / unit) as u32;
+            let [mean, most, in_long] = free.unit;
+            let fits = (tick * PART / in_long) as u32;
             let budget = fits.max(chip.least());
             let bound = taken(&chip.steps((evolution, budget), &drags)?, tick);
             let _ = writeln!(
                 text,
-                "| {} | {} | {} | {} | {} | {:.0} / {:.0} | {} | {} | {budget}{} | {} | {} | {:.0} | {} | {} |",
+                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget}{} | {} | {} | {:.0} | {} | {} |",
                 chip.name,
                 chip.megahertz,
                 chip.rate,
                 chip.cycles,
                 evolution.name(),
-                free.unit[0],
-                unit,
                 thousands(u64::from(free.most)),
                 thousands(tick as u64),
                 if fits < chip.least() { " (least)" } else { "" },

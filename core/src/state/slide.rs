@@ -146,8 +146,21 @@ impl<R: Real> SingleVertex<R> {
                 work: down.work.saturating_add(moved.work),
                 ..down
             };
+        } else if !W::GLIDES && self.is_pulled_off(scene, to) {
+            // In balance to the last digit the hand takes it off.
+            return Moved {
+                trigger: Trigger::Clear,
+                ..moved
+            };
         }
         moved
+    }
+
+    /// The load pulls the vertex off its surface beyond doubt.
+    fn is_pulled_off(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let (normal, _) = self.pivot.surface(scene).reaction(load.force);
+        normal < -load.rounding_with_foot()
     }
 
     /// The moment about the sliding foot, as a function of the angle.

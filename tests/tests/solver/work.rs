@@ -128,7 +128,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ),
     ("point in a corner", [[348, 9600], [340, 2740]]),
     ("tip slides along", [[217, 5310], [214, 2640]]),
-    ("frictionless tip", [[374, 2430], [372, 1400]]),
+    ("frictionless tip", [[374, 2490], [372, 1400]]),
 ];
 
 /// The same where contacts glide.
