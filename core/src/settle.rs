@@ -72,6 +72,11 @@ impl<R: Real> Settling<R> {
         Self::of(state.motion(), Next::Relax(None))
     }
 
+    /// It rests.
+    pub(crate) fn is_over(&self) -> bool {
+        self.next == Next::Rest
+    }
+
     /// The next verb: what it took, in units of work, and whether the body rests after it.
     pub(crate) fn go_on(
         &mut self,

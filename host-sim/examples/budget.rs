@@ -129,7 +129,9 @@ fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
         long.map(of_unit).fold(0.0, f64::max)
     };
     let is_behind = |step: &Frame| step.status == Status::Behind;
-    let runs = drags.iter().flat_map(|drag| drag.split(|step| !is_behind(step)));
+    let runs = drags
+        .iter()
+        .flat_map(|drag| drag.split(|step| !is_behind(step)));
     Taken {
         steps: count,
         mean: sum / count.max(1) as f64,
@@ -137,14 +139,19 @@ fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
         unit: [sum / work, most_of_unit(1), most_of_unit(LONG)],
         behind: steps().filter(|step| is_behind(step)).count(),
         longest: runs.map(<[Frame]>::len).max().unwrap_or(0),
-        over: steps().filter(|step| f64::from(step.instructions) > tick).count(),
+        over: steps()
+            .filter(|step| f64::from(step.instructions) > tick)
+            .count(),
     }
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let asked = std::env::args().nth(1).and_then(|count| count.parse().ok());
     let suite = Suite::new(None, false)?;
-    let random = suite.cases.iter().filter(|case| case.group == Group::Random);
+    let random = suite
+        .cases
+        .iter()
+        .filter(|case| case.group == Group::Random);
     let drags: Vec<&Case> = random.take(asked.unwrap_or(DRAGS)).collect();
     let mut text = format!(
         "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and 4 \

@@ -233,21 +233,13 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                     work.spend(state.contact.event_work(&self.scene));
                     let path = (&mut state.grip, to);
                     let settling = happens(&self.scene, path, &mut state.contact, trigger, log);
-                    state.errand.stage = Stage::Settling(settling);
-                }
-                Stage::Settling(mut settling) => {
-                    let (grip, contact) = (&state.grip, &mut state.contact);
-                    let (units, rests) = settling.go_on(&self.scene, grip, contact, log);
-                    work.spend(units);
-                    if !rests {
+                    if settling.is_over() {
+                        self.settle_on(state, to, settling, (work, log));
+                    } else {
                         state.errand.stage = Stage::Settling(settling);
-                    } else if state.course.has_jumped {
-                        state.errand.stage = Stage::Arrived;
-                    } else if log.unrest() != Status::Ok {
-                        // Out of balance there is no path, only a jump.
-                        Self::jump(state, to, log);
                     }
                 }
+                Stage::Settling(settling) => self.settle_on(state, to, settling, (work, log)),
             }
         }
         state.errand.left = state.errand.left.max(R::EPSILON);
@@ -258,6 +250,27 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             log.status
         };
         log.limit(Status::Behind);
+    }
+
+    /// The next verb of what settles. What rests then goes on in the same piece, as it may be out of balance.
+    fn settle_on(
+        &self,
+        state: &mut State<R>,
+        to: &Grip<R>,
+        mut settling: Settling<R>,
+        (work, log): (&mut Work, &mut Log<R>),
+    ) {
+        let (grip, contact) = (&state.grip, &mut state.contact);
+        let (units, rests) = settling.go_on(&self.scene, grip, contact, log);
+        work.spend(units);
+        if !rests {
+            state.errand.stage = Stage::Settling(settling);
+        } else if state.course.has_jumped {
+            state.errand.stage = Stage::Arrived;
+        } else if log.unrest() != Status::Ok {
+            // Out of balance there is no path, only a jump.
+            Self::jump(state, to, log);
+        }
     }
 
     /// The most work that the next piece takes.

@@ -104,9 +104,9 @@ impl Built {
             let samples = case.path.frames(Some(rate));
             let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
             let scene = setting.memory.of(&case.scene);
-            let counted = self
-                .counter
-                .count(&job(&scene, (setting.evolution, u32::MAX), &hands))?;
+            let counted =
+                self.counter
+                    .count(&job(&scene, (setting.evolution, u32::MAX), &hands))?;
             for frame in counted.steps() {
                 sum += u64::from(frame.instructions);
                 steps += 1;
