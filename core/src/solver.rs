@@ -145,16 +145,18 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// The least budget of a step: what a solver of this type may need at once, with at most four contacts, in units of work.
+    /// From this budget on no step takes more, with at most four contacts at once, in units of work: two certified frames that fail and
+    /// the piece that takes most.
     pub const LEAST_BUDGET: u32 = least(S > 1);
 
     /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
     /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
     /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
-    /// sample leads straight from where the body stands. A budget below [`Self::LEAST_BUDGET`] is taken as that.
+    /// sample leads straight from where the body stands. A step does one piece of work at least: with a budget below
+    /// [`Self::LEAST_BUDGET`] a single one may take more.
     #[must_use]
     pub fn with_budget(mut self, units: u32) -> Self {
-        self.budget = units.max(Self::LEAST_BUDGET);
+        self.budget = units;
         self
     }
 

@@ -1,6 +1,6 @@
 //! The work of a step, counted where its loops are, in units of about one look at the motion of a single contact: what is left of the
-//! budget of a step, and what its pieces take. A piece begins only where the most that it can take is left, so that no step exceeds its
-//! budget and nothing that is done depends on it.
+//! budget of a step, and what its pieces take. A piece begins only where the most that it can take is left, or as the first of a step: no
+//! step exceeds a budget that has room for a piece, and nothing that is done depends on it.
 
 use crate::event::StateKind;
 use crate::real::Real;
@@ -117,8 +117,8 @@ impl<R: Real> ContactState<R> {
     }
 }
 
-/// The least budget of a scene: two certified frames that fail, and the verb that takes most. More than four contacts at once may need
-/// more.
+/// From this budget on no step takes more: two certified frames that fail, and the verb that takes most. More than four contacts at once
+/// may need more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
     const OF_TWO: u32 = TOGETHER + cone(2) + MOST_OF_RUN + OWN;
     const OF_FOUR: u32 = TOGETHER + cone(4);

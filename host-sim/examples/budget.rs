@@ -157,9 +157,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and 4 \
          surfaces, on emulated\nchips. Instructions are counted; cycles are estimated at so many of an instruction, on average. The M33 is taken to \
          have the instructions of the M4F, and the M0+ those\nof the M0. A unit of work takes so many instructions: on average / at most / at most in steps of {LONG} units and more. The \
-         budget is what three quarters of a\ntick have room for, at the last of these, but at least the least one.\n\n\
+         budget is what three quarters of a\ntick have room for, at the last of these. From the least one on no step takes more than its budget; below it a single piece of work may.\n\n\
          | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
-         budget (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
+         budget / least (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         drags.len()
     );
@@ -168,12 +168,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             let tick = chip.tick();
             let free = taken(&chip.steps((evolution, u32::MAX), &drags)?, tick);
             let [mean, most, in_long] = free.unit;
-            let fits = (tick * PART / in_long) as u32;
-            let budget = fits.max(chip.least());
+            let budget = (tick * PART / in_long) as u32;
             let bound = taken(&chip.steps((evolution, budget), &drags)?, tick);
             let _ = writeln!(
                 text,
-                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget}{} | {} | {} | {:.0} | {} | {} |",
+                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget} / {} | {} | {} | {:.0} | {} | {} |",
                 chip.name,
                 chip.megahertz,
                 chip.rate,
@@ -181,7 +180,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 evolution.name(),
                 thousands(u64::from(free.most)),
                 thousands(tick as u64),
-                if fits < chip.least() { " (least)" } else { "" },
+                chip.least(),
                 thousands(bound.steps as u64),
                 bound.behind,
                 bound.longest as f64 * 1000.0 / f64::from(chip.rate),

@@ -213,7 +213,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         to: &Grip<R>,
         (work, log): (&mut Work, &mut Log<R>),
     ) {
-        // The least budget allows one piece.
+        // One piece at least, so that the body gets on.
         let mut is_first = true;
         while is_first || work.allows(self.most_of_piece(state)) {
             is_first = false;

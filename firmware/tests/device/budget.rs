@@ -10,10 +10,10 @@ fn far() -> Hand<f32> {
     Hand::new(0.1, 0.045, 0.0)
 }
 
-/// With the least budget there is.
+/// With room for the piece of work that takes most.
 fn least() -> Settings {
     Settings {
-        budget: 0,
+        budget: Solver::<f32, 4, 2>::LEAST_BUDGET,
         ..Settings::default()
     }
 }

@@ -4,7 +4,7 @@ use crate::beside::{Beside, assert_same};
 use crate::client::Said;
 use crate::rig::{Rig, setup};
 use stiction_core::frame::{Command, Mode, Reason, Reset, Stepping, Subject};
-use stiction_core::{Hand, Solver, Status};
+use stiction_core::{Hand, Status};
 use stiction_firmware::station::Setup;
 
 fn refused(rig: &mut Rig, mode: Mode, expected: (Reason, Subject, f32, f32)) {
@@ -65,8 +65,6 @@ fn working(work_rate: u32) -> Rig {
     })
 }
 
-const LEAST: u32 = Solver::<f32, 8, 4>::LEAST_BUDGET;
-
 #[test]
 fn the_budget_of_a_step_follows_from_the_tick() {
     let mut rig = working(10_000_000);
@@ -80,8 +78,7 @@ fn the_budget_of_a_step_follows_from_the_tick() {
     }
     rig.done(Command::Reset(Reset::Everything));
     assert_eq!(rig.info().budget, 7_500);
-    // Less is not enough for a piece of a step.
-    assert_eq!(working(0).info().budget, LEAST);
+    assert_eq!(working(0).info().budget, 0);
 }
 
 /// A box pressed down is dragged far in one sample.
@@ -126,7 +123,7 @@ fn with_every_sample_a_body_behind_the_hand_waits_for_the_next_one() {
         ..Mode::DEFAULT
     });
     let mut beside = without_a_budget();
-    beside.solver = beside.solver.with_budget(LEAST);
+    beside.solver = beside.solver.with_budget(0);
     let [near, far] = jump();
     let back = Hand::new(0.1, 0.05, 0.1);
     for (i, hand) in [near, far, far, back, back].into_iter().enumerate() {

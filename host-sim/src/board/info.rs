@@ -56,7 +56,7 @@ pub(super) fn about(about: &About) -> String {
     table(&about.name, &rows)
 }
 
-/// A budget is never less than the least one, which may be more than a tick has the time for. It is the same in every number type.
+/// Where it has no room for the piece of work that takes most, it says so. That is the same in every number type.
 fn budget(about: &About) -> String {
     let least = match about.surfaces {
         0 | 1 => Solver::<f32, 1, 1>::LEAST_BUDGET,
@@ -64,8 +64,8 @@ fn budget(about: &About) -> String {
     };
     match about.budget {
         u32::MAX => "none".to_owned(),
-        units if units == least => format!(
-            "{units} units of work in a step, the least there is: at this tick a step may overrun"
+        units if units < least => format!(
+            "{units} units of work in a step; a piece may take up to {least}, and a step then overruns"
         ),
         units => format!("{units} units of work in a step"),
     }

@@ -6,7 +6,7 @@ use stiction_tests::laws::{FINITE, assert_lawful, judge};
 use stiction_tests::random::scenarios;
 use stiction_tests::run::planar;
 use stiction_tests::setup::{SURFACES, VERTICES};
-use stiction_tests::{Frame, Number, Scenario, Setup, scenes, test_each};
+use stiction_tests::{Frame, Number, Scenario, Setup, test_each};
 
 /// So few frames lead the hand from one keyframe to the next that much happens in one.
 const FRAMES_PER_LEG: usize = 3;
@@ -15,7 +15,6 @@ test_each! {
     cases::what_is_cut_goes_on_to_the_same_bits,
     cases::new_sample_leads_straight_from_where_it_stands,
     cases::hand_that_lets_go_leaves_nothing_to_do,
-    cases::too_small_a_budget_is_the_least,
 }
 
 type Of<R> = Solver<R, VERTICES, SURFACES, Full>;
@@ -122,14 +121,6 @@ mod cases {
         }
         assert!(count > 20, "{count}");
     }
-
-    pub(super) fn too_small_a_budget_is_the_least<R: Number>(evolution: Evolution) {
-        let free = solver::<R>(&scenes::box_flat().setup, evolution);
-        let least = Of::<R>::LEAST_BUDGET;
-        assert_eq!(free.clone().with_budget(0).budget(), least);
-        assert_eq!(free.clone().with_budget(least + 1).budget(), least + 1);
-        assert_eq!(free.clone().with_budget(u32::MAX), free);
-    }
 }
 
 /// What steps take, in operations on numbers and in units of work, is in proportion, and neither exceeds a budget.
@@ -151,7 +142,8 @@ const OPERATIONS_PER_UNIT: f64 = 200.0;
 
 fn dear_unit(scenario: &Scenario, evolution: Evolution, dearest: &mut (f64, u64, u32)) {
     let scene = (scenario.setup).scene_of::<Counted, VERTICES, SURFACES, Full>();
-    let solver = Solver::new(scene.expect("a sound scene"), evolution).with_budget(0);
+    let least = Solver::<Counted, VERTICES, SURFACES, Full>::LEAST_BUDGET;
+    let solver = Solver::new(scene.expect("a sound scene"), evolution).with_budget(least);
     let mut hands = scenario.hands(FRAMES_PER_LEG).into_iter();
     let first = hands.next().expect("a path");
     let (mut state, _) = solver.start(planar::<Counted>(first));
