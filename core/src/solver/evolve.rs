@@ -178,11 +178,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 return true;
             }
         }
-        if !state.contact.can_be_held(&self.scene, &to) {
-            return false;
-        }
         if again && !state.errand.is_done() {
             log.limit(state.course.limited);
+        } else if !state.contact.can_be_held(&self.scene, &to) {
+            return false;
         } else {
             state.errand.begin();
             state.course.has_jumped = false;
