@@ -80,7 +80,7 @@ mod cases {
     pub(super) fn new_sample_leads_straight_from_where_it_stands<R: Number>(evolution: Evolution) {
         let (mut behind, mut caught_up) = (0, 0);
         for scenario in scenarios(100, 8) {
-            let tight = solver::<R>(&scenario.setup, evolution).with_budget(0);
+            let tight = solver::<R>(&scenario.setup, evolution).with_budget(Of::<R>::LEAST_BUDGET);
             let hands = scenario.hands(FRAMES_PER_LEG);
             let (mut state, _) = tight.start(planar::<R>(hands[0]));
             for &hand in &hands[1..] {
