@@ -41,7 +41,11 @@ impl<R: Real> Log<R> {
     }
     /// The status, where the body was not brought to balance.
     pub(crate) fn unrest(&self) -> Status {
-        match self.final_status() {
+        Self::unrest_of(self.final_status())
+    }
+    /// The part of a status that keeps a pose from being a balance.
+    pub(crate) fn unrest_of(status: Status) -> Status {
+        match status {
             Status::Ok | Status::EventLimit | Status::Twist => Status::Ok,
             grave => grave,
         }

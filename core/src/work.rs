@@ -111,7 +111,7 @@ impl<R: Real> ContactState<R> {
     /// What the test takes whether the contacts at rest are jammed.
     pub(crate) fn rest_work(&self) -> u32 {
         match self.kind() {
-            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => 1,
+            StateKind::NonContact | StateKind::SingleVertex | StateKind::Edge => 0,
             StateKind::TwoVertex | StateKind::Corner | StateKind::Locked => cone(self.count()),
         }
     }

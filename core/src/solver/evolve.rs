@@ -128,16 +128,6 @@ impl<R: Real> Errand<R> {
     fn is_done(&self) -> bool {
         self.left == R::ZERO
     }
-
-    /// The hand goes to a new place. What settles settles first.
-    fn begin(&mut self) {
-        self.stage = match core::mem::replace(&mut self.stage, Stage::OnPath) {
-            Stage::Settling(settling) => Stage::Settling(settling),
-            // The body is in balance there, wherever the hand goes on to.
-            Stage::OnPath | Stage::AtEvent(_) | Stage::Arrived => Stage::OnPath,
-        };
-        self.left = R::ONE;
-    }
 }
 
 /// After so many events the hand jumps: a body that goes from event to event without end comes to rest, and one that cannot keep up
@@ -165,30 +155,44 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             hand,
             angle: angle.offset_from(state.rest_offset),
         };
-        if state.errand.is_done() {
-            if to == state.grip {
+        if again && !state.errand.is_done() {
+            log.limit(state.course.limited);
+        } else {
+            Self::turn_to_a_new_place(state);
+            if state.errand.is_done() && to == state.grip {
                 log.limit(state.unrest);
                 return true;
             }
-            work.spend(state.contact.certified_work());
-            if (state.contact).follow(&self.scene, (&state.grip, &to)) {
-                rests(&state.contact, log);
-                state.grip = to;
-                state.unrest = Status::Ok;
-                return true;
+            if state.errand.stage == Stage::OnPath {
+                work.spend(state.contact.certified_work());
+                if (state.contact).follow(&self.scene, (&state.grip, &to)) {
+                    rests(&state.contact, log);
+                    (state.grip, state.unrest) = (to, Status::Ok);
+                    (state.errand, state.course) = (Errand::NONE, Course::NEW);
+                    return true;
+                }
             }
-        }
-        if again && !state.errand.is_done() {
-            log.limit(state.course.limited);
-        } else if !state.contact.can_be_held(&self.scene, &to) {
-            return false;
-        } else {
-            state.errand.begin();
-            state.course.has_jumped = false;
+            if !state.contact.can_be_held(&self.scene, &to) {
+                return false;
+            }
+            (state.errand.left, state.course.has_jumped) = (R::ONE, false);
         }
         state.course.limited = Status::Ok;
         self.follow_hand(state, &to, (work, log));
         true
+    }
+
+    /// The hand goes on to a new place. What settles settles first; from an event or the end of a path the body, which is in balance
+    /// there, goes straight on.
+    fn turn_to_a_new_place(state: &mut State<R>) {
+        match state.errand.stage {
+            Stage::OnPath | Stage::Settling(_) => {}
+            Stage::AtEvent(_) => state.errand.stage = Stage::OnPath,
+            Stage::Arrived => {
+                state.unrest = Log::<R>::unrest_of(state.course.limited);
+                (state.errand, state.course) = (Errand::NONE, Course::NEW);
+            }
+        }
     }
 
     /// Brings the body to rest at a hand that takes hold of it.
