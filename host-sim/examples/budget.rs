@@ -20,7 +20,7 @@ use stiction_tools::workspace;
 
 const DRAGS: usize = 100;
 /// Of a tick, for the step: the rest is for the line, the forces and interrupts.
-const PART: f64 = 0.75;
+const PART: f64 = 0.875;
 /// A shorter step fits a tick whatever its units take.
 const LONG: u32 = 100;
 
@@ -157,7 +157,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and 4 \
          surfaces, on emulated\nchips. Instructions are counted; cycles are estimated at so many of an instruction, on average. The M33 is taken to \
          have the instructions of the M4F, and the M0+ those\nof the M0. A unit of work takes so many instructions: on average / at most / at most in steps of {LONG} units and more. The \
-         budget is what three quarters of a\ntick have room for, at the last of these. From the least one on no step takes more than its budget; below it a single piece of work may.\n\n\
+         budget is what seven eighths of a\ntick have room for, at the last of these. From the least one on no step takes more than its budget; below it a single piece of work may.\n\n\
          | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
          budget / least (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",

@@ -47,8 +47,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V
 
 /// The fewest ticks with which silence is found in time (Hz).
 const SLOWEST_TICK: u16 = 100;
-/// Of the quarters of a tick a step may take so many: the rest is for the line, the forces and interrupts.
-const QUARTERS_OF_STEP: u32 = 3;
+/// Of the eighths of a tick a step may take so many: the rest is for the line, the forces and interrupts.
+const EIGHTHS_OF_STEP: u32 = 7;
 /// On the wire: a sample of the hand, a pose, the forces of two contacts, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
 const POSE: u32 = wire_bytes(20) as u32;
@@ -123,7 +123,7 @@ impl Setup {
         let period_us = in_tick(1_000_000);
         Settings {
             evolution: mode.evolution,
-            budget: (in_tick(self.work_rate) / 4).saturating_mul(QUARTERS_OF_STEP),
+            budget: in_tick(self.work_rate).saturating_mul(EIGHTHS_OF_STEP) / 8,
             goes_on: mode.stepping == Stepping::Timed,
             limits: Limits {
                 period_us,

@@ -68,7 +68,7 @@ fn working(work_rate: u32) -> Rig {
 #[test]
 fn the_budget_of_a_step_follows_from_the_tick() {
     let mut rig = working(10_000_000);
-    for (tick_rate, budget) in [(1_000, 7_500), (100, 75_000), (2_500, 3_000)] {
+    for (tick_rate, budget) in [(1_000, 8_750), (100, 87_500), (2_500, 3_500)] {
         rig.mode(Mode {
             tick_rate,
             pose_every: 10,
@@ -77,7 +77,7 @@ fn the_budget_of_a_step_follows_from_the_tick() {
         assert_eq!(rig.info().budget, budget);
     }
     rig.done(Command::Reset(Reset::Everything));
-    assert_eq!(rig.info().budget, 7_500);
+    assert_eq!(rig.info().budget, 8_750);
     assert_eq!(working(0).info().budget, 0);
 }
 
