@@ -60,7 +60,7 @@ fn hello_is_answered_by_info() {
         longest_frame: 214,
         fastest_tick: 5_000,
         // Three quarters of 4_000_000_000 / 1_000.
-        budget: 3_000_000,
+        budget: 3_500_000,
         stiffest: [f32::INFINITY; 2],
         stiffness: [500.0, 0.5],
         friction: [0.5, 0.3],

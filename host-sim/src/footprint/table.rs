@@ -120,6 +120,7 @@ mod tests {
             slips: 0,
             state: StateKind::NonContact,
             status: Status::Ok,
+            work: 0,
         };
         Measured {
             flash_small: 100,
