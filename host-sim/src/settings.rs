@@ -29,8 +29,8 @@ pub(crate) struct Settings {
     /// Hand frames per second, instead of the rate in the scene file
     #[arg(long, value_name = "HZ", value_parser = parse_rate)]
     pub(crate) rate: Option<f64>,
-    /// Units of work that a frame may take, 1 or more; less than the least that a solver needs is taken as that. What is left
-    /// of a frame is done with the next one
+    /// Units of work that a frame may take, 1 or more; it does one piece of work at least. What is left of a frame is done with
+    /// the next one
     #[arg(long, value_name = "UNITS", value_parser = parse_budget)]
     pub(crate) budget: Option<u32>,
 }
