@@ -1,5 +1,7 @@
 //! Which samples of the hand are new: by the sender's count and by the device's clock.
 
+use super::ticks::latest;
+
 /// The time of a device wraps after 71 minutes; differences beyond half of that are of the past.
 const HALF: u32 = 1 << 31;
 
@@ -90,13 +92,13 @@ impl Line {
         self.silent = false;
     }
 
-    /// The last usable sample is, or will be before the next tick, older than allowed; or there is none. Asked in every
-    /// tick: silence once noticed stays until something is heard, however often the clock wraps.
+    /// The last usable sample is, or may be before the next tick, older than allowed; or there is none. The next tick may be
+    /// late. Asked in every tick: silence once noticed stays until something is heard, however often the clock wraps.
     pub fn is_silent(&mut self, now_us: u32) -> bool {
         let age = now_us.wrapping_sub(self.heard_us);
         // A time stamp of the future is of now.
         let age = if age < HALF { age } else { 0 };
-        if !self.silent && age.saturating_add(self.period_us) > self.silence_us {
+        if !self.silent && age.saturating_add(latest(self.period_us)) > self.silence_us {
             self.silent = true;
             self.silences = self.silences.saturating_add(1);
         }

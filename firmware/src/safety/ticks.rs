@@ -3,6 +3,11 @@
 /// Differences beyond this are of a clock that went backwards.
 const HALF: u32 = 1 << 31;
 
+/// From one tick to the next (µs): where more passes, one is missing. A tick may be late by half a period.
+pub(super) fn latest(period_us: u32) -> u32 {
+    period_us.saturating_add(period_us / 2)
+}
+
 /// Counts ticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ticks {
@@ -41,10 +46,10 @@ impl Ticks {
         self.last_us = Some(now_us);
         self.done = self.done.saturating_add(1);
         // Without a division where nothing is missing.
-        let half = self.period_us / 2;
-        if elapsed >= HALF || elapsed < self.period_us.saturating_add(half) {
+        if elapsed >= HALF || elapsed < latest(self.period_us) {
             return 0;
         }
+        let half = self.period_us / 2;
         let periods = elapsed.saturating_add(half).checked_div(self.period_us);
         let missed = periods.unwrap_or(0).saturating_sub(1);
         self.missed = self.missed.saturating_add(missed);

@@ -5,9 +5,9 @@ use crate::common::BOX;
 use stiction_core::{Fixed, Hand, Real, Solver, Status, Wrench};
 use stiction_firmware::device::{Settings, Tick};
 
-/// The box is dragged far in one sample, pressed down as it is.
+/// The box is dragged far in one sample, pressed down as it is; it is there before silence is noticed.
 fn far() -> Hand<f32> {
-    Hand::new(0.1, 0.045, 0.0)
+    Hand::new(0.08, 0.045, 0.0)
 }
 
 /// With room for the piece of work that takes most.
