@@ -215,7 +215,15 @@ fn a_path_is_followed_and_what_a_board_says_is_recorded() {
     assert!(records.iter().any(|record| *record == last["frame"]));
     let times: Vec<f64> = records.iter().filter_map(|r| r["t"].as_f64()).collect();
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
-    assert_eq!(times.first(), Some(&0.0));
+    // Of every sample, from the first on, but those that were overtaken.
+    let hand = text(&view.get("/recording/hand.csv"));
+    let sampled: Vec<f64> = hand
+        .lines()
+        .filter_map(|line| line.split(',').next()?.parse().ok())
+        .collect();
+    assert_eq!(sampled.first(), Some(&0.0));
+    assert!(times.iter().all(|time| sampled.contains(time)));
+    assert!(2 * times.len() > sampled.len(), "{times:?} of {sampled:?}");
     client.done(json!({"type": "replay", "what": "recording"}));
     let replayed = with_hand(&mut client, [0.03, 0.04, 0.0]);
     // The same hand; where samples were overtaken it slips elsewhere, by less than friction holds it back.
