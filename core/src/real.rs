@@ -125,7 +125,7 @@ pub trait Real:
         };
         (sinc, cos)
     }
-    /// |x|; a zero stays as it is.
+    /// |x|
     fn abs(self) -> Self {
         if self < Self::ZERO { -self } else { self }
     }

@@ -35,6 +35,9 @@ impl Real for f64 {
     fn sqrt(self) -> f64 {
         if self > 0.0 { libm::sqrt(self) } else { 0.0 }
     }
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
     fn sin_cos(self) -> (f64, f64) {
         libm::sincos(self)
     }

@@ -65,6 +65,9 @@ impl Real for f32 {
     fn sqrt(self) -> f32 {
         if self > 0.0 { libm::sqrtf(self) } else { 0.0 }
     }
+    fn abs(self) -> f32 {
+        f32::abs(self)
+    }
     fn sin_cos(self) -> (f32, f32) {
         if self.abs() < SMALL {
             let y = self * self;
