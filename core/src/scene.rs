@@ -43,7 +43,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
-        let mut surface = surface.copied().unwrap_or(Surface::NOWHERE);
+        let mut surface = *surface.unwrap_or(&Surface::NOWHERE);
         if !M::FRICTION {
             // As a constant it leaves nothing of the friction to compile.
             surface.friction = Coulomb::FRICTIONLESS;

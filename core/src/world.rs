@@ -83,7 +83,7 @@ pub(crate) trait World<R: Real> {
     /// v_i, body frame; the origin where there is no such vertex.
     fn vertex(&self, i: u8) -> Vec2<R> {
         let vertex = self.vertices().get(usize::from(i));
-        vertex.copied().unwrap_or(Vec2::ZERO)
+        *vertex.unwrap_or(&Vec2::ZERO)
     }
 
     /// The indices of all vertices.
