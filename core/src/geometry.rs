@@ -39,7 +39,8 @@ impl<R: Real> Vec2<R> {
     pub(crate) fn length(self) -> R {
         self.x.hypot(self.y)
     }
-    /// An upper bound of the length that costs no root, larger by at most an eighth.
+    /// An upper bound of the length that costs no root, larger by at most an eighth. Once in an image.
+    #[inline(never)]
     pub(crate) fn length_bound(self) -> R {
         let (x, y) = (self.x.abs(), self.y.abs());
         x + y - x.min(y).halved()
@@ -155,7 +156,8 @@ impl<R: Real> Angle<R> {
     pub fn radians(self) -> R {
         R::from_int(self.turns) * R::TAU + self.rest
     }
-    /// This angle turned on by `radians`. Beyond 2^31 turns the count stays at its end.
+    /// This angle turned on by `radians`. Beyond 2^31 turns the count stays at its end. Once in an image.
+    #[inline(never)]
     #[must_use]
     pub fn plus(self, radians: R) -> Self {
         let (turns, rest) = (self.rest + radians).turns();

@@ -208,7 +208,8 @@ impl<R: Real> Load<R> {
         self.rounding() + R::rounding(self.placed.point.length_bound())
     }
 
-    /// The size of what forces and moments are sums of.
+    /// The size of what forces and moments are sums of. Once in an image.
+    #[inline(never)]
     pub(crate) fn size(&self) -> R {
         self.force.length_bound() + self.lever.length_bound() + self.couple.abs()
     }

@@ -49,7 +49,8 @@ impl<R: Real> Pivot<R> {
         }
     }
 
-    /// The load on the body about the pivot.
+    /// The load on the body about the pivot. Once in an image.
+    #[inline(never)]
     pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {
         Load::new(scene, self.placed(scene), grip)
     }
@@ -76,7 +77,8 @@ impl<R: Real> Pivot<R> {
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
-    /// The same pivot after a slide along t and a turn.
+    /// The same pivot after a slide along t and a turn. Once in an image.
+    #[inline(never)]
     pub(crate) fn moved(&self, slide: R, turn: R) -> Self {
         Self {
             contact: self.contact,

@@ -145,7 +145,8 @@ pub trait Real:
             Self::ONE
         }
     }
-    /// sqrt(x² + y²), scaled so that it neither overflows nor underflows.
+    /// sqrt(x² + y²), scaled so that it neither overflows nor underflows. Once in an image.
+    #[inline(never)]
     fn hypot(self, other: Self) -> Self {
         let (x, y) = (self.abs(), other.abs());
         let (large, small) = if x > y { (x, y) } else { (y, x) };

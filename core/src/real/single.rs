@@ -109,6 +109,8 @@ impl Real for f32 {
         let angle = if other < 0.0 { PI - angle } else { angle };
         angle.copysign(self)
     }
+    // Once in an image.
+    #[inline(never)]
     fn turns(self) -> (i32, f32) {
         if self.abs() <= PI {
             return (0, self);
