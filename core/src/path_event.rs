@@ -24,6 +24,7 @@ enum Outcome<R> {
 }
 
 /// What follows from a trigger of `advance`: the state in balance, or how it settles.
+#[inline(never)]
 pub(crate) fn happens<R: Real, W: World<R>>(
     scene: &W,
     (at, to): (&mut Grip<R>, &Grip<R>),

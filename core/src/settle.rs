@@ -231,6 +231,7 @@ fn on<R: Real>(sliding: R) -> Next<R> {
 }
 
 /// The table: the state after a verb, which slid along sliding·t, and what it does next.
+#[inline(never)]
 pub(crate) fn apply<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,

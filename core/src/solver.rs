@@ -269,13 +269,27 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         }
     }
 
-    /// Takes hold where the hand is, if within reach; the first time at the scene's holding point, if it gives one.
+    /// Takes hold where the hand is, if it can, and comes to rest there.
     fn take_hold(
         &self,
         state: &mut State<R>,
-        (position, angle): (Vec2<R>, Angle<R>),
+        target: (Vec2<R>, Angle<R>),
         (work, log): (&mut Work, &mut Log<R>),
     ) {
+        if self.grasp(state, target, log) {
+            self.settle(state, (work, log));
+        }
+    }
+
+    /// Takes hold where the hand is, if within reach; the first time at the scene's holding point, if it gives one. True if it does.
+    /// A call of its own: what it works with is off the stack while the body comes to rest.
+    #[inline(never)]
+    fn grasp(
+        &self,
+        state: &mut State<R>,
+        (position, angle): (Vec2<R>, Angle<R>),
+        log: &mut Log<R>,
+    ) -> bool {
         let pose = state.contact.pose(&self.scene);
         let given = (self.scene.holding_point).filter(|_| !state.was_held);
         let (holding_point, rest_offset) = match given {
@@ -283,7 +297,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             None => {
                 let at = pose.orientation.rotation().undo(position - pose.position);
                 if self.scene.body.distance(at) > self.scene.reach {
-                    return;
+                    return false;
                 }
                 (at, angle.offset_from(pose.orientation.angle()))
             }
@@ -295,7 +309,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         };
         if !state.contact.can_be_held(&self.scene, &grip) {
             log.limit(Status::Saturated);
-            return;
+            return false;
         }
         if given.is_none() {
             log.event(Event::Grasp);
@@ -306,7 +320,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         state.grip = grip;
         state.contact.set_regime(Regime::LOOSE);
         state.contact.press(&self.scene, &state.grip);
-        self.settle(state, (work, log));
+        true
     }
 }
 

@@ -10,6 +10,8 @@
 //! * `reactions`: the forces of the contacts at rest.
 //!
 //! On a single surface without friction a vertex and an edge glide: the same verbs with the foot in balance.
+//!
+//! Each verb but the certified frame is a call of its own (`inline(never)`): the stack holds the work of one, not of all.
 
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::detect::Placed;
@@ -119,6 +121,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
+    #[inline(never)]
     pub(crate) fn is_jammed<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
         match self {
             Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip),
@@ -261,6 +264,7 @@ impl<R: Real> ContactState<R> {
     }
 
     /// From a fold of the branch, on in the direction of the sign. A free body goes on from there by itself.
+    #[inline(never)]
     pub(crate) fn snap<W: World<R>>(
         &mut self,
         scene: &W,

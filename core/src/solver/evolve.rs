@@ -256,6 +256,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// The next verb of what settles. What rests then goes on in the same piece, as it may be out of balance.
+    #[inline(never)]
     fn settle_on(
         &self,
         state: &mut State<R>,
@@ -288,6 +289,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// Along the straight path of the hand to the next event (STATICS 7); after the last one that counts the hand jumps.
+    #[inline(never)]
     fn along_path(
         &self,
         state: &mut State<R>,

@@ -105,6 +105,7 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns about the corner as the hand moves, to the first of fold, touch, outer edge.
+    #[inline(never)]
     pub(crate) fn advance(
         &mut self,
         scene: &impl World<R>,
@@ -124,12 +125,14 @@ impl<R: Real> Corner<R> {
     }
 
     /// Turns downhill about the corner to balance, then tests the reaction.
+    #[inline(never)]
     pub(crate) fn relax(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.downhill())
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
+    #[inline(never)]
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
         let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.over_fold(direction))

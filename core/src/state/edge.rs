@@ -170,6 +170,7 @@ impl<R: Real> Edge<R> {
     }
 
     /// Stays or slides as the hand moves, to the first of friction limit, N = N*, halt, touch and N_i = 0.
+    #[inline(never)]
     pub(crate) fn advance<W: World<R>>(
         &mut self,
         scene: &W,
@@ -254,6 +255,7 @@ impl<R: Real> Edge<R> {
     }
 
     /// Puts the edge to the test as it lies.
+    #[inline(never)]
     pub(crate) fn relax<W: World<R>>(
         &mut self,
         scene: &W,
@@ -291,6 +293,7 @@ impl<R: Real> Edge<R> {
 
     /// Slips along sign·t to the first of |T| = mu_d N, touch, N_i = 0. Where |T| = mu_d N ends it, it sticks if it is pressed hard
     /// enough, else it slides on with the hand (rule 4).
+    #[inline(never)]
     pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);

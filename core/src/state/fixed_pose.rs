@@ -27,6 +27,15 @@ pub(super) struct FixedPose<R: Real> {
 /// An incipient motion: the contacts that last, and the direction in which the first of them slides.
 type Mode<R> = ([usize; 2], Option<R>);
 
+/// How far on a path of the hand contacts bear the load.
+enum Borne<R> {
+    ToTheEnd,
+    /// To this part of the path.
+    Until(R),
+    /// Not to the end, but none of the facets says where it ends: they may be known less well than reactions.
+    Unknown,
+}
+
 /// How a motion can begin, those with fewest openings first.
 #[derive(Clone, Copy)]
 enum Begin {
@@ -121,15 +130,10 @@ impl<R: Real> FixedPose<R> {
     /// To the end of the hand's path, or to where the load is not borne any more. The loads that are borne are convex, so that
     /// the end decides.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
-        if self.holds(&after) {
-            return Moved::by(Trigger::Balanced);
-        }
-        let rounding = (before.rounding() + after.rounding()).doubled();
-        match (self.cone).first_yield(before.wrench(), after.wrench(), rounding) {
-            // Facets may be known less well than reactions.
-            None => Moved::by(self.give_way(scene, (to, to), 0)),
-            Some(part) => {
+        match self.bears_until(scene, (from, to)) {
+            Borne::ToTheEnd => Moved::by(Trigger::Balanced),
+            Borne::Unknown => Moved::by(self.give_way(scene, (to, to), 0)),
+            Borne::Until(part) => {
                 let at = from.lerp(to, part);
                 // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
                 let ahead = at.ahead(scene, to, self.release(scene, &at));
@@ -139,6 +143,19 @@ impl<R: Real> FixedPose<R> {
                 }
             }
         }
+    }
+
+    /// How far on the hand's path the contacts bear the load. A call of its own: the loads are off the stack when it is known.
+    #[inline(never)]
+    fn bears_until(&self, scene: &impl World<R>, (from, to): (&Grip<R>, &Grip<R>)) -> Borne<R> {
+        let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
+        if self.holds(&after) {
+            return Borne::ToTheEnd;
+        }
+        let rounding = (before.rounding() + after.rounding()).doubled();
+        (self.cone)
+            .first_yield(before.wrench(), after.wrench(), rounding)
+            .map_or(Borne::Unknown, Borne::Until)
     }
 
     /// A displacement of the hand after which a load that the contacts had just borne is surely beyond that.
@@ -186,7 +203,8 @@ impl<R: Real> FixedPose<R> {
         grips: (&Grip<R>, &Grip<R>),
         tried: usize,
     ) -> Trigger<R> {
-        let mut motions = self.motions(scene, grips);
+        let load = self.pivot.load(scene, grips.0);
+        let mut motions = self.motions(scene, grips, &load);
         motions.nth(tried).unwrap_or(Trigger::Undriven)
     }
 
@@ -196,8 +214,8 @@ impl<R: Real> FixedPose<R> {
         &self,
         scene: &impl World<R>,
         (grip, ahead): (&Grip<R>, &Grip<R>),
+        load: &Load<R>,
     ) -> impl Iterator<Item = Trigger<R>> {
-        let load = self.pivot.load(scene, grip);
         let is_consistent = move |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; its direction shows ahead.
             let grip = if mode.1.is_none() { ahead } else { grip };
@@ -218,7 +236,7 @@ impl<R: Real> FixedPose<R> {
                     _ => ([i, k], Some(sign)),
                 };
                 let begins = match begin {
-                    Begin::Open => self.is_pulled(scene, &load),
+                    Begin::Open => self.is_pulled(scene, load),
                     Begin::SlideTogetherInBalance => {
                         self.twist(scene, grip, &mode, Demand::AtTheEnd).is_some()
                     }

@@ -76,6 +76,7 @@ impl<R: Real> Free<R> {
     }
 
     /// Along the hand's path, turning in balance with the weight.
+    #[inline(never)]
     pub(crate) fn advance<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -120,6 +121,7 @@ impl<R: Real> Free<R> {
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
     /// is blocked for a body that has just opened, the holding point goes first and the turn follows: both fall in energy
     /// by themselves, and the pull that opened the contact leads away from it.
+    #[inline(never)]
     pub(crate) fn relax<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,
@@ -129,6 +131,7 @@ impl<R: Real> Free<R> {
     }
 
     /// The same from a fold of the balance of the weight, on in the direction of the sign.
+    #[inline(never)]
     pub(crate) fn snap<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,

@@ -49,11 +49,13 @@ impl<R: Real> Locked<R> {
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.
+    #[inline(never)]
     pub(crate) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         self.fixed_pose(scene).advance(scene, from, to)
     }
 
     /// Puts the contacts to the test as they are.
+    #[inline(never)]
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
         let fixed_pose = self.fixed_pose(scene);
         Moved::by(fixed_pose.test(scene, grip, tried))

@@ -165,6 +165,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
+    #[inline(never)]
     pub(crate) fn advance(
         &mut self,
         scene: &impl World<R>,
@@ -194,6 +195,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
     /// goes on while it is driven, at once where the turn is blocked.
+    #[inline(never)]
     pub(crate) fn relax(
         &mut self,
         scene: &impl World<R>,
@@ -252,6 +254,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The same from a fold of the branch, on in the direction of the sign.
+    #[inline(never)]
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {
         let moment = self.pivot.load(scene, grip).pinned::<Pinned>();
         self.turn_by(scene, grip, &moment.over_fold(direction))
@@ -289,6 +292,7 @@ impl<R: Real> SingleVertex<R> {
     /// Slips along sign·t, the moment as it is (balanced, but for a contact that opened in mid-slip), to the first of (E3), touch,
     /// lift-off, fold. Where it ends in balance it sticks if it is pressed hard enough, else it slides on with the hand (rule 4).
     /// It goes on piece by piece.
+    #[inline(never)]
     pub(crate) fn slip(
         &mut self,
         scene: &impl World<R>,

@@ -104,6 +104,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Slides along sign·t as the hand moves, to the first of fold, touch, lift-off, halt, N = N*.
+    #[inline(never)]
     pub(crate) fn advance_sliding<W: World<R>>(
         &mut self,
         scene: &W,
@@ -185,6 +186,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The balance of a slide along sign·t folds: on with the turn in a direction, the foot in balance.
+    #[inline(never)]
     pub(crate) fn snap_sliding<W: World<R>>(
         &mut self,
         scene: &W,

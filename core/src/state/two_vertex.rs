@@ -3,7 +3,7 @@
 
 use super::fixed_pose::FixedPose;
 use super::trammel::{
-    Demand, Ending, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
+    Demand, Ending, Run, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::geometry::{Angle, Orientation};
@@ -39,6 +39,13 @@ pub(crate) struct Slip<R> {
     demand: Demand,
     /// Where nothing drives it on a contact opens: whether the first one lasts, and the direction in which the one that lasts slides.
     opens: Option<(bool, Sign)>,
+}
+
+/// A stretch of a slip: as far as the bounds of its motion hold, and what ends it there.
+struct Stretch<R> {
+    slip: Slip<R>,
+    run: Run<R>,
+    ending: Ending<R>,
 }
 
 impl<R: Real> Slip<R> {
@@ -97,16 +104,26 @@ impl<R: Real> TwoVertex<R> {
         has_room
     }
 
-    /// Stays as the hand moves, as long as the interval of (E5) is not empty, or slides with it.
+    /// Slides with the hand, or stays as it moves.
     pub(crate) fn advance(
         &mut self,
         scene: &impl World<R>,
         from: &Grip<R>,
         to: &Grip<R>,
     ) -> Moved<R> {
-        if let Some(sense) = self.regime.slide() {
-            return self.advance_sliding(scene, (from, to), sense);
+        match self.regime.slide() {
+            Some(sense) => self.advance_sliding(scene, (from, to), sense),
+            None => self.advance_sticking(scene, (from, to)),
         }
+    }
+
+    /// Stays as the hand moves, as long as the interval of (E5) is not empty.
+    #[inline(never)]
+    fn advance_sticking(
+        &self,
+        scene: &impl World<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+    ) -> Moved<R> {
         let moved = self.fixed_pose(scene).advance(scene, from, to);
         Moved {
             trigger: slides(moved.trigger),
@@ -126,6 +143,7 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// Slides on both surfaces as the hand moves, to the first of halt, fold, touch, N_i = 0, stiction, or as far as the bounds hold.
+    #[inline(never)]
     fn advance_sliding(
         &mut self,
         scene: &impl World<R>,
@@ -198,6 +216,7 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// Puts the contacts to the test as they are; a motion under way goes on while it is driven.
+    #[inline(never)]
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
         let driven =
             || Trammel::driven(scene, (&self.pivot, self.other), grip, Demand::Pressed).is_some();
@@ -209,36 +228,31 @@ impl<R: Real> TwoVertex<R> {
 
     /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
     /// its memory, else they slide on with the hand (rule 10d). It goes as far as the bounds hold; what is under way then goes on.
+    #[inline(never)]
     pub(crate) fn slip(
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
         under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
-        let contacts = (&self.pivot, self.other);
-        // It goes one way.
-        let (senses, demand) = match under_way {
-            Some(slip) => ([slip.sense.number(); 2], slip.demand),
-            None => ([R::ONE, -R::ONE], Demand::Pressed),
-        };
-        let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
-        match any(demand).or_else(|| any(Demand::AtTheEnd)) {
-            Some(trammel) => self.slip_on(scene, grip, (&trammel, R::ZERO), under_way),
-            None => match under_way.take() {
-                // Nothing drives it beyond what was looked at.
-                Some(slip) => {
-                    let opens = slip.opens.map(|(first_lasts, sliding)| {
-                        keep(usize::from(!first_lasts), sliding.number())
-                    });
-                    let trigger = opens.unwrap_or(Trigger::Stopped);
-                    self.end_slip(scene, grip, &slip, (trigger, true))
-                }
-                None => Moved::by(Trigger::Undriven),
-            },
+        if let Some(stretch) = self.slip_driven(scene, grip, under_way) {
+            return self.slip_on(scene, grip, stretch, under_way);
+        }
+        match under_way.take() {
+            // Nothing drives it beyond what was looked at.
+            Some(slip) => {
+                let opens = slip.opens.map(|(first_lasts, sliding)| {
+                    keep(usize::from(!first_lasts), sliding.number())
+                });
+                let trigger = opens.unwrap_or(Trigger::Stopped);
+                self.end_slip(scene, grip, &slip, (trigger, true))
+            }
+            None => Moved::by(Trigger::Undriven),
         }
     }
 
     /// From a fold of a slide, on in the same sense.
+    #[inline(never)]
     pub(crate) fn snap(
         &mut self,
         scene: &impl World<R>,
@@ -249,24 +263,63 @@ impl<R: Real> TwoVertex<R> {
         if under_way.is_some() {
             return self.slip(scene, grip, under_way);
         }
-        let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
-        let clear = trammel.clear_of_fold();
-        self.slip_on(scene, grip, (&trammel, clear), under_way)
+        let stretch = self.slip_over_fold(scene, grip, sense);
+        self.slip_on(scene, grip, stretch, under_way)
     }
 
-    /// Slips as far as the bounds hold; balance does not end it before `clear`.
+    /// Along a motion that is driven, as far as the bounds hold. A call of its own: the motion is off the stack when it is done.
+    #[inline(never)]
+    fn slip_driven(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        under_way: &mut Option<Slip<R>>,
+    ) -> Option<Stretch<R>> {
+        let contacts = (&self.pivot, self.other);
+        // It goes one way.
+        let (senses, demand) = match under_way {
+            Some(slip) => ([slip.sense.number(); 2], slip.demand),
+            None => ([R::ONE, -R::ONE], Demand::Pressed),
+        };
+        let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
+        let trammel = any(demand).or_else(|| any(Demand::AtTheEnd))?;
+        Some(self.slip_along(scene, (&trammel, R::ZERO), under_way.take()))
+    }
+
+    /// From a fold, where no balance ends it, likewise.
+    #[inline(never)]
+    fn slip_over_fold(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Stretch<R> {
+        let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
+        let clear = trammel.clear_of_fold();
+        self.slip_along(scene, (&trammel, clear), None)
+    }
+
+    /// Along a motion as far as the bounds hold; balance does not end it before `clear`.
+    fn slip_along(
+        &mut self,
+        scene: &impl World<R>,
+        (trammel, clear): (&Trammel<R>, R),
+        under_way: Option<Slip<R>>,
+    ) -> Stretch<R> {
+        self.room = R::ZERO;
+        let slip = under_way.unwrap_or_else(|| Slip::from(&self.pivot, trammel.direction()));
+        let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
+        self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+        Stretch { slip, run, ending }
+    }
+
+    /// What has come of a slip: its end, or it is under way.
     fn slip_on(
         &mut self,
         scene: &impl World<R>,
         grip: &Grip<R>,
-        (trammel, clear): (&Trammel<R>, R),
+        Stretch {
+            mut slip,
+            run,
+            ending,
+        }: Stretch<R>,
         under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
-        self.room = R::ZERO;
-        let begin = Slip::from(&self.pivot, trammel.direction());
-        let mut slip = under_way.take().unwrap_or(begin);
-        let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
-        self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
         slip.opens = None;
         let ends = match ending {
             Ending::Stopped => Some(Trigger::Stopped),

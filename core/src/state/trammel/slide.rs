@@ -283,6 +283,7 @@ impl<R: Real> Slides<R> {
     }
 
     /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
+    #[inline(never)]
     pub(crate) fn run(
         &self,
         scene: &impl World<R>,
