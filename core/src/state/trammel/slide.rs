@@ -129,16 +129,14 @@ impl<Q> Progress<Q> {
         }
     }
 
-    /// What the displacement changes, counted so many times.
-    fn gaining<R: Real>(self, gain: R) -> Self
+    /// What the displacement changes is counted so many times.
+    fn gain_by<R: Real>(&mut self, gain: R)
     where
         Q: Quantity<R>,
     {
-        Self {
-            drive: self.drive.times(gain),
-            drive_slope: self.drive_slope.times(gain),
-            normals: (self.normals).map(|[rest, drive]| [rest, drive.times(gain)]),
-            ..self
+        let [[_, first], [_, second]] = &mut self.normals;
+        for change in [&mut self.drive, &mut self.drive_slope, first, second] {
+            *change = change.times(gain);
         }
     }
 
@@ -194,21 +192,24 @@ impl<R: Real> Slides<R> {
         let size = displacement.size();
         let unit = if size > R::ZERO { size.unit() } else { R::ONE };
         let turn = displacement.turn.in_units(unit);
-        let mut displaced = Displaced {
+        let displaced = Displaced {
             force: displacement.hand.in_units(unit) * per_load,
             couple: trammel.load.stiffness * turn * per_load,
             gain: R::ONE,
         };
-        let window = Self::longest_window();
-        let start: Progress<Bounded<R>> = Progress::at(&trammel, &displaced, (R::ZERO, window));
-        displaced.gain = start.gain();
-        Self {
+        let mut slides = Self {
             displaced,
-            unit: unit / displaced.gain,
-            slack: R::of_displacement(R::ONE) * per_load * displaced.gain,
-            start: start.gaining(displaced.gain),
+            unit,
+            slack: R::of_displacement(R::ONE) * per_load,
+            start: Progress::at(&trammel, &displaced, (R::ZERO, Self::longest_window())),
             trammel,
-        }
+        };
+        let gain = slides.start.gain();
+        slides.start.gain_by(gain);
+        slides.displaced.gain = gain;
+        slides.unit = unit / gain;
+        slides.slack = slides.slack * gain;
+        slides
     }
 
     /// In units of x the bounds hold so far.
