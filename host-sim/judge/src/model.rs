@@ -100,11 +100,18 @@ impl Model {
         self.scene.stiffness_translation * self.size
     }
 
-    /// D_c (m) of a surface; of a point, whose size says nothing, only where the scene gives it.
+    /// D_c (m) of a surface; of a point, whose size says nothing, only where the scene gives one that is not too short for the size
+    /// that a solver may count it in (STATICS 10): up to 1 m, or half the radius from the lever of the holding point and the springs.
     fn memory(&self, surface: &Surface) -> Option<f64> {
         let is_point = self.scene.vertices.len() == 1;
+        let largest = || {
+            let grasp = self.scene.holding_point.iter();
+            let levers = grasp.map(|&g| length(sub(g, self.scene.vertices[0])));
+            let springs = self.scene.stiffness_rotation / self.scene.stiffness_translation;
+            levers.fold(springs.sqrt(), f64::hypot) / 2.0
+        };
         match surface.memory {
-            Some(given) if is_point && given > 0.0 => Some(given),
+            Some(given) if is_point && given >= SHORTEST * largest().max(1.0) => Some(given),
             _ if is_point => None,
             Some(given) => Some(given.max(SHORTEST * self.size)),
             None => Some(MEMORY * self.size),

@@ -279,6 +279,20 @@ fn thresholds_of_memory_lengths() {
     }
 }
 
+/// What is less than 2^-19 of a body's size counts as that: 1.9 um of a point, which is counted in metres.
+#[test]
+fn threshold_of_a_point_is_not_known_where_its_memory_is_shorter_than_all() {
+    let pressed = |memory: f64| {
+        let scene = TOOL.replace("memory = 0.01", &format!("memory = {memory}"));
+        // From less than N* to more.
+        let depth = memory / 0.2;
+        let frames = [0.9, 1.1].map(|part| sliding([part, -part * depth], 1));
+        laws(&scene, frames.to_vec())
+    };
+    assert_eq!(pressed(2e-6), only(law::SLIDE_STOPS));
+    assert_eq!(pressed(1.8e-6), BTreeSet::new());
+}
+
 /// A box without weight that slides under `normal`: both vertices bear their part.
 fn lighten(scene: &Scene, frame: &mut Frame, normal: f64) {
     assert!(scene.weight == 0.0);
