@@ -5,18 +5,25 @@ use std::path::{Path, PathBuf};
 
 /// The scene of the images `footprint` and `count_scene` as Rust code, instead of `scenes/box.rs`: see there.
 const SCENE: &str = "STICTION_SCENE_CODE";
+/// The chip of the images, where a target has several.
+const CHIP: &str = "STICTION_CHIP";
 
 fn main() {
     let package = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let scene = env::var_os(SCENE).map_or(package.join("scenes/box.rs"), PathBuf::from);
     println!("cargo::rerun-if-env-changed={SCENE}");
+    println!("cargo::rerun-if-env-changed={CHIP}");
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory");
-    println!("cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"virt\"))");
+    println!(
+        "cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"rp2040\", \"virt\"))"
+    );
     println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
 
+    let asked = env::var(CHIP).ok();
     let chip = match variable("TARGET").as_str() {
         "thumbv7em-none-eabihf" => "stm32f405",
+        "thumbv6m-none-eabi" if asked.as_deref() == Some("rp2040") => "rp2040",
         "thumbv6m-none-eabi" => "nrf51822",
         "riscv32imc-unknown-none-elf" => "virt",
         _ => return,

@@ -13,21 +13,28 @@ use crate::bits;
 use crate::count::{self, Failure, FileError, Files};
 
 #[cfg(target_arch = "arm")]
+mod arm;
+#[cfg(all(target_arch = "arm", not(chip = "rp2040")))]
 mod cortex_m;
 #[cfg(target_arch = "riscv32")]
 mod riscv;
+#[cfg(chip = "rp2040")]
+mod rp2040;
 mod stack;
 
-#[cfg(target_arch = "arm")]
+#[cfg(all(target_arch = "arm", not(chip = "rp2040")))]
 use self::cortex_m::Counter;
 #[cfg(target_arch = "riscv32")]
 use self::riscv::Counter;
+#[cfg(chip = "rp2040")]
+use self::rp2040::Counter;
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
 /// Instructions of a loop that must be counted.
+#[cfg_attr(chip = "rp2040", allow(dead_code))]
 const PROBE: u32 = 501;
 /// The compiler may put so many instructions of the caller between the two readings of the counter.
 const TOLERANCE: u32 = 4;

@@ -1,12 +1,13 @@
 //! The solver on emulated boards: from a scene and the hand's samples to the instructions of every frame and to the stack
 //! ([`Counter`]), from a number of frames to the hash of all bits (`bits`), from a scene to the flash that its solver takes.
 //!
-//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which passes files through by
-//! semihosting.
+//! Images are built with cargo from the package `stiction-firmware` and run in QEMU, which counts instructions, or, that of the
+//! Pico, in this process, which counts cycles. Both pass files through by semihosting.
 
 mod bits;
 mod chip;
 mod image;
+mod pico;
 
 pub use bits::Machine;
 pub(crate) use chip::Chip;
@@ -14,6 +15,7 @@ pub use image::{Profile, footprint};
 
 use std::convert::Infallible;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 use stiction_core::{Evolution, Hand};
@@ -32,11 +34,13 @@ pub enum Board {
     Nrf51822,
     /// QEMU's RISC-V machine, RV32IMC.
     RiscV,
+    /// RP2040 (Raspberry Pi Pico): Cortex-M0+, 2 MB flash, 264 KB RAM. What is counted are cycles, not instructions.
+    Rp2040,
 }
 
 impl Board {
     /// All boards.
-    pub const ALL: [Self; 3] = [Self::Stm32F405, Self::Nrf51822, Self::RiscV];
+    pub const ALL: [Self; 4] = [Self::Stm32F405, Self::Nrf51822, Self::RiscV, Self::Rp2040];
 
     /// The name for a reader.
     pub const fn name(self) -> &'static str {
@@ -44,37 +48,65 @@ impl Board {
             Self::Stm32F405 => "Cortex-M4F (STM32F405)",
             Self::Nrf51822 => "Cortex-M0 (nRF51822)",
             Self::RiscV => "RISC-V (RV32IMC)",
+            Self::Rp2040 => "Cortex-M0+ (RP2040)",
         }
     }
 
     const fn target(self) -> &'static str {
         match self {
             Self::Stm32F405 => "thumbv7em-none-eabihf",
-            Self::Nrf51822 => "thumbv6m-none-eabi",
+            Self::Nrf51822 | Self::Rp2040 => "thumbv6m-none-eabi",
             Self::RiscV => "riscv32imc-unknown-none-elf",
         }
     }
 
-    /// QEMU for this board: program and machine.
-    fn emulator(self) -> Command {
-        let (program, machine): (_, &[_]) = match self {
-            Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"]),
-            Self::Nrf51822 => ("qemu-system-arm", &["microbit"]),
-            Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"]),
+    /// QEMU for this board; none that is emulated in this process.
+    fn qemu(self) -> Option<Qemu> {
+        let (program, machine, shift): (_, &[_], _) = match self {
+            Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"], 5),
+            Self::Nrf51822 => ("qemu-system-arm", &["microbit"], 8),
+            Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"], 0),
+            Self::Rp2040 => return None,
         };
-        let mut command = Command::new(program);
-        command.arg("-machine").args(machine);
-        command.args(["-nographic", "-monitor", "none", "-serial", "none"]);
-        command
+        Some(Qemu {
+            program,
+            machine,
+            shift,
+        })
     }
+}
 
+/// An emulator in a process of its own.
+struct Qemu {
+    program: &'static str,
+    machine: &'static [&'static str],
     /// Each instruction takes 2^N ns of the emulated clock: N as the program `count` of this board expects it.
-    const fn instruction_shift(self) -> u8 {
-        match self {
-            Self::Stm32F405 => 5,
-            Self::Nrf51822 => 8,
-            Self::RiscV => 0,
+    shift: u8,
+}
+
+impl Qemu {
+    /// Runs an image with a command line; `counting` instructions, where the program does. What it prints.
+    fn run(
+        &self,
+        image: &Image,
+        (folder, line): (&Path, &[&str]),
+        counting: bool,
+    ) -> Result<String, EmulatorError> {
+        let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
+        let mut command = Command::new(self.program);
+        command
+            .current_dir(folder)
+            .arg("-machine")
+            .args(self.machine)
+            .args(["-nographic", "-monitor", "none", "-serial", "none"])
+            .arg("-semihosting-config")
+            .arg(format!("enable=on,target=native{line}"))
+            .arg("-kernel")
+            .arg(image.path());
+        if counting {
+            command.arg("-icount").arg(format!("shift={}", self.shift));
         }
+        output_of(command)
     }
 }
 
@@ -146,12 +178,11 @@ impl Counter {
     pub fn count(&self, job: &[u8]) -> Result<Counted, EmulatorError> {
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("job"), job)?;
-        let mut emulator = self.board.emulator();
-        emulator
-            .current_dir(folder.path())
-            .arg("-icount")
-            .arg(format!("shift={}", self.board.instruction_shift()));
-        run(emulator, &self.image, &["count", "job", "results"])?;
+        let line = ["count", "job", "results"];
+        match self.board.qemu() {
+            Some(qemu) => qemu.run(&self.image, (folder.path(), &line), true)?,
+            None => pico::run(self.image.path(), folder.path(), &line)?,
+        };
         let bytes = fs::read(folder.path().join("results"))?;
         let unread = |error| EmulatorError::Output(format!("the results of the board: {error}"));
         let results = Results::read(&bytes).map_err(unread)?;
@@ -160,15 +191,4 @@ impl Counter {
             totals: results.totals,
         })
     }
-}
-
-/// Runs an image with a command line. What it prints.
-fn run(mut emulator: Command, image: &Image, line: &[&str]) -> Result<String, EmulatorError> {
-    let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
-    emulator
-        .arg("-semihosting-config")
-        .arg(format!("enable=on,target=native{line}"))
-        .arg("-kernel")
-        .arg(image.path());
-    output_of(emulator)
 }

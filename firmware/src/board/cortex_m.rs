@@ -2,14 +2,14 @@
 //! each takes 2^N ns.
 #![allow(unsafe_code)]
 
-use core::arch::asm;
 use core::hint::black_box;
 use core::sync::atomic::{AtomicU32, Ordering};
 use cortex_m::Peripherals;
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
-use cortex_m_rt::{ExceptionFrame, exception};
+use cortex_m_rt::exception;
 
+use super::arm::probe;
 use super::stack::Watch;
 use super::{PROBE, TOLERANCE};
 use crate::count::Instruments;
@@ -85,27 +85,7 @@ impl Instruments for Counter {
     }
 }
 
-/// [`PROBE`] instructions.
-#[inline(always)]
-fn probe() {
-    // SAFETY: changes nothing but a scratch register and the flags.
-    unsafe {
-        asm!(
-            "movs {n}, #250",
-            "2: subs {n}, {n}, #1",
-            "bne 2b",
-            n = out(reg) _,
-            options(nomem, nostack),
-        );
-    }
-}
-
 #[exception]
 fn SysTick() {
     ROUNDS.store(ROUNDS.load(Ordering::SeqCst) + 1, Ordering::SeqCst);
-}
-
-#[exception]
-unsafe fn HardFault(_: &ExceptionFrame) -> ! {
-    semihosting::process::exit(102)
 }

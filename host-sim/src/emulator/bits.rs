@@ -6,7 +6,7 @@ use stiction_scene::NumberType;
 use stiction_tools::process::{EmulatorError, output_of};
 
 use super::image::{Image, Profile};
-use super::{Board, run};
+use super::{Board, pico};
 
 /// A machine whose bits are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,12 +23,13 @@ pub enum Machine {
 
 impl Machine {
     /// All machines.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Debug,
         Self::Release,
         Self::Board(Board::Stm32F405),
         Self::Board(Board::Nrf51822),
         Self::Board(Board::RiscV),
+        Self::Board(Board::Rp2040),
         Self::WebAssembly,
     ];
 
@@ -53,7 +54,12 @@ impl Machine {
             Self::Release => on_this_computer(Profile::Release, [name, &frames])?,
             Self::Board(board) => {
                 let image = Image::of_board(board, &format!("bits_{name}"), Profile::Device)?;
-                run(board.emulator(), &image, &["bits", &frames])?
+                let line = ["bits", frames.as_str()];
+                let folder = tempfile::tempdir()?;
+                match board.qemu() {
+                    Some(qemu) => qemu.run(&image, (folder.path(), &line), false)?,
+                    None => pico::run(image.path(), folder.path(), &line)?,
+                }
             }
             Self::WebAssembly => in_node([name, &frames])?,
         };

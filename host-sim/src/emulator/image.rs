@@ -137,6 +137,13 @@ fn baseline(board: Board, profile: Profile) -> Result<u64, EmulatorError> {
 fn cargo_for(board: Board, binary: &str, profile: Profile) -> Command {
     let mut cargo = cargo(profile, Some(board.target()));
     cargo.args(["--features", "board", "--bin", binary]);
+    if board == Board::Rp2040 {
+        // Apart from the other board of this target.
+        cargo.env("STICTION_CHIP", "rp2040");
+        cargo
+            .arg("--target-dir")
+            .arg(workspace().join("target/rp2040"));
+    }
     cargo
 }
 

@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
+use object::read::elf::{FileHeader, ProgramHeader};
+use object::{Endianness, Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
 use serde_json::Value;
 
 use crate::process::{EmulatorError, output_of};
@@ -45,6 +46,30 @@ fn artifact(message: &str) -> Option<PathBuf> {
     files
         .find_map(|file| file.as_str().filter(|name| name.ends_with(".wasm")))
         .map(PathBuf::from)
+}
+
+/// The contents of a flash that begins at an address and has been written with an image; what the image leaves is 0.
+///
+/// # Errors
+/// The file cannot be read, or is no image of 32 bits for a flash there.
+pub fn flashed(image: &Path, begin: u32) -> Result<Vec<u8>, EmulatorError> {
+    let bytes = fs::read(image)?;
+    let unread = |error: object::Error| EmulatorError::Output(error.to_string());
+    let file = elf::FileHeader32::<Endianness>::parse(&*bytes).map_err(unread)?;
+    let endian = file.endian().map_err(unread)?;
+    let mut flash = Vec::new();
+    for part in file.program_headers(endian, &*bytes).map_err(unread)? {
+        let unplaced = || EmulatorError::Output(format!("nothing belongs to {begin:#x}"));
+        let data = part.data(endian, &*bytes).map_err(|()| unplaced())?;
+        if part.p_type(endian) != elf::PT_LOAD || data.is_empty() {
+            continue;
+        }
+        let at = part.p_paddr(endian).checked_sub(begin);
+        let at = at.ok_or_else(unplaced)? as usize;
+        flash.resize(flash.len().max(at + data.len()), 0);
+        flash[at..at + data.len()].copy_from_slice(data);
+    }
+    Ok(flash)
 }
 
 /// What is in the image of a board.

@@ -1,0 +1,316 @@
+//! A Raspberry Pi Pico in this process: an image with its command line runs cycle by cycle on one Cortex-M0+, whose clock is
+//! read where the program asks for it. Its files are those of a folder, by semihosting.
+//!
+//! The model is that of the crate `rp2040-emu`, whose branches take the three cycles of a Cortex-M0, with the two that a Cortex-M0+
+//! takes: every instruction takes what Arm's manual (DDI 0484C, table 3-1) states for a memory without wait states. It leaves out
+//! misses of the cache through which the chip runs code from its flash, and what else is on the bus.
+
+use std::fs::File;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+
+use rp2040_emu::{Config, Emulator, EmulatorBuilder, ROM_SIZE};
+use stiction_tools::image::flashed;
+use stiction_tools::process::EmulatorError;
+
+/// Where the flash begins.
+const FLASH: u32 = 0x1000_0000;
+/// The vector table lies behind the second boot stage.
+const VECTORS: u32 = 0x100;
+/// An image that takes longer does not come to an end: an hour of the chip at 125 MHz.
+const LONGEST: u64 = 450_000_000_000;
+
+/// `bkpt`: a request to the debugger, by the number in its lower byte.
+const BREAKPOINT: u8 = 0xBE;
+/// The clock is set to 0.
+const BEGIN: u8 = 1;
+/// The clock is read.
+const END: u8 = 2;
+const SEMIHOSTING: u8 = 0xAB;
+
+/// Runs an image with a command line, its files in a folder. What it prints.
+///
+/// # Errors
+/// It is no image for this chip, ends with an error, or not at all.
+pub(super) fn run(image: &Path, folder: &Path, line: &[&str]) -> Result<String, EmulatorError> {
+    let mut pico = Pico::new(flashed(image, FLASH)?, folder, line)?;
+    loop {
+        match pico.step()? {
+            None => {}
+            Some(0) => return Ok(String::from_utf8_lossy(&pico.printed).into_owned()),
+            Some(status) => return Err(not_understood(format!("the image ends with {status}"))),
+        }
+    }
+}
+
+fn not_understood(what: impl Into<String>) -> EmulatorError {
+    EmulatorError::Output(what.into())
+}
+
+/// The chip, and what its debugger does for it.
+struct Pico {
+    chip: Emulator,
+    flash: Vec<u8>,
+    /// The cycles since it was started, and at the last mark.
+    cycles: u64,
+    begun: u64,
+    folder: PathBuf,
+    line: String,
+    /// By handle, from 1 on.
+    files: Vec<Stream>,
+    printed: Vec<u8>,
+}
+
+/// What can be read or written.
+enum Stream {
+    File(File),
+    Console,
+    Closed,
+}
+
+impl Pico {
+    fn new(flash: Vec<u8>, folder: &Path, line: &[&str]) -> Result<Self, EmulatorError> {
+        // A quantum of one instruction.
+        let chip = EmulatorBuilder::new(Config::default()).step_quantum(1);
+        let mut chip = chip
+            .build()
+            .map_err(|error| not_understood(format!("{error:?}")))?;
+        chip.load_bootrom(&[0; ROM_SIZE]);
+        chip.load_flash(&flash);
+        chip.reset();
+        chip.direct_boot_from_flash(VECTORS);
+        Ok(Self {
+            chip,
+            flash,
+            cycles: 0,
+            begun: 0,
+            folder: folder.to_owned(),
+            line: line.join(" "),
+            files: Vec::new(),
+            printed: Vec::new(),
+        })
+    }
+
+    /// One instruction, or what the debugger is asked for. The exit status where that is its end.
+    fn step(&mut self) -> Result<Option<u32>, EmulatorError> {
+        let at = self.chip.core(0).regs.pc();
+        let instruction = self.instruction(at)?;
+        let Some(request) = requested(instruction) else {
+            let cycles = self.chip.step();
+            let cycles = cycles.map_err(|error| not_understood(error.to_string()))?;
+            let core = self.chip.core(0);
+            if core.is_in_hardfault() || cycles == 0 || self.cycles > LONGEST {
+                return Err(not_understood(format!(
+                    "the image comes to nothing at {at:#x}"
+                )));
+            }
+            // No instruction but a branch leads elsewhere than to the next one.
+            let branches = core.regs.pc() != at + length(instruction);
+            self.cycles += cycles - u64::from(branches);
+            return Ok(None);
+        };
+        let answer = match request {
+            BEGIN => {
+                self.begun = self.cycles;
+                0
+            }
+            END => u32::try_from(self.cycles - self.begun).unwrap_or(u32::MAX),
+            _ => match self.serve()? {
+                Served::Answer(answer) => answer,
+                Served::Exit(status) => return Ok(Some(status)),
+            },
+        };
+        let core = self.chip.core_mut(0);
+        core.set_reg(0, answer);
+        // Past the breakpoint, which takes no time.
+        core.regs.set_pc(at + length(instruction));
+        Ok(None)
+    }
+
+    /// The instruction at an address of the flash, the first half of a long one.
+    fn instruction(&self, at: u32) -> Result<u16, EmulatorError> {
+        let offset = at.wrapping_sub(FLASH) as usize;
+        let bytes = self.flash.get(offset..).and_then(|rest| rest.first_chunk());
+        let bytes = bytes.ok_or_else(|| not_understood(format!("the image goes on at {at:#x}")))?;
+        Ok(u16::from_le_bytes(*bytes))
+    }
+
+    /// A call of semihosting: its number in register 0, where its words are in register 1.
+    fn serve(&mut self) -> Result<Served, EmulatorError> {
+        const FAILED: u32 = u32::MAX;
+        /// Modes of files from here on are for writing.
+        const FOR_WRITING: u32 = 4;
+        let index = |handle: u32| (handle as usize).wrapping_sub(1);
+        let core = self.chip.core(0);
+        let (call, at) = (core.reg(0), core.reg(1));
+        let word = |index: u32| self.chip.peek(at + 4 * index);
+        Ok(Served::Answer(match call {
+            // SYS_OPEN
+            0x01 => {
+                let (name, mode, length) = (word(0), word(1), word(2));
+                let name = String::from_utf8_lossy(&self.bytes(name, length)).into_owned();
+                let path = self.folder.join(&name);
+                let stream = if name == ":tt" {
+                    Ok(Stream::Console)
+                } else if mode < FOR_WRITING {
+                    File::open(path).map(Stream::File)
+                } else {
+                    File::create(path).map(Stream::File)
+                };
+                stream.map_or(FAILED, |stream| {
+                    self.files.push(stream);
+                    self.files.len() as u32
+                })
+            }
+            // SYS_CLOSE
+            0x02 => match self.files.get_mut(index(word(0))) {
+                Some(stream) => {
+                    *stream = Stream::Closed;
+                    0
+                }
+                None => FAILED,
+            },
+            // SYS_WRITE: how many bytes are not written.
+            0x05 => {
+                let (handle, from, length) = (word(0), word(1), word(2));
+                let bytes = self.bytes(from, length);
+                match self.files.get_mut(index(handle)) {
+                    Some(Stream::File(file)) => file.write_all(&bytes)?,
+                    Some(Stream::Console) => self.printed.extend(bytes),
+                    _ => return Ok(Served::Answer(length)),
+                }
+                0
+            }
+            // SYS_READ: how many bytes are not read.
+            0x06 => {
+                let (handle, to, length) = (word(0), word(1), word(2));
+                let mut bytes = Vec::new();
+                if let Some(Stream::File(file)) = self.files.get_mut(index(handle)) {
+                    file.take(u64::from(length)).read_to_end(&mut bytes)?;
+                }
+                self.chip.load_image(to, &bytes);
+                length - bytes.len() as u32
+            }
+            // SYS_GET_CMDLINE
+            0x15 => {
+                let (to, room) = (word(0), word(1));
+                let line = [self.line.as_bytes(), &[0]].concat();
+                if line.len() as u32 > room {
+                    FAILED
+                } else {
+                    self.chip.load_image(to, &line);
+                    self.chip.poke(at + 4, line.len() as u32 - 1);
+                    0
+                }
+            }
+            // SYS_EXIT_EXTENDED
+            0x20 => return Ok(Served::Exit(word(1))),
+            _ => {
+                let what = format!("the image asks for call {call:#x} of semihosting");
+                return Err(not_understood(what));
+            }
+        }))
+    }
+
+    fn bytes(&self, from: u32, length: u32) -> Vec<u8> {
+        let byte = |at: u32| self.chip.peek(at & !3).to_le_bytes()[(at & 3) as usize];
+        (from..from + length).map(byte).collect()
+    }
+}
+
+/// What has come of a call.
+enum Served {
+    Answer(u32),
+    Exit(u32),
+}
+
+/// What the debugger is asked for by an instruction, if it is.
+fn requested(instruction: u16) -> Option<u8> {
+    let [number, kind] = instruction.to_le_bytes();
+    let is_known = [BEGIN, END, SEMIHOSTING].contains(&number);
+    (kind == BREAKPOINT && is_known).then_some(number)
+}
+
+/// Of an instruction, by its first half (bytes).
+fn length(instruction: u16) -> u32 {
+    if instruction >> 11 > 0b11100 { 4 } else { 2 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The cycles of some code between the marks, in the flash, with the stack in RAM and r4 at its end.
+    fn cycles(code: &[u16]) -> u32 {
+        const BEFORE: [u16; 2] = [0x466C, 0xBE01]; // mov r4, sp; bkpt #1
+        const AFTER: [u16; 2] = [0xBE02, 0xE7FE]; // bkpt #2; b .
+        let mut flash = vec![0; VECTORS as usize];
+        flash.extend(0x2000_1000_u32.to_le_bytes());
+        flash.extend((FLASH + VECTORS + 8 + 1).to_le_bytes());
+        for half in BEFORE.iter().chain(code).chain(&AFTER) {
+            flash.extend(half.to_le_bytes());
+        }
+        let end = FLASH + flash.len() as u32 - 4;
+        let mut pico = Pico::new(flash, Path::new("."), &[]).unwrap();
+        while pico.chip.core(0).regs.pc() != end {
+            assert_eq!(pico.step().unwrap(), None);
+        }
+        assert_eq!(pico.step().unwrap(), None);
+        pico.chip.core(0).reg(0)
+    }
+
+    /// Arm's table of a Cortex-M0+: DDI 0484C, table 3-1.
+    #[test]
+    fn instructions_take_the_cycles_of_the_manual() {
+        let sequences: [(&str, &[u16], u32); 20] = [
+            ("movs r1, #1", &[0x2101], 1),
+            ("adds r1, r2, r3; cmp r1, r2", &[0x18D1, 0x4291], 2),
+            (
+                "lsls r1, r2, #3; uxtb r1, r2; rev r1, r2",
+                &[0x00D1, 0xB2D1, 0xBA11],
+                3,
+            ),
+            ("muls r1, r2, r1", &[0x4351], 1),
+            ("ldr r1, [sp]", &[0x9900], 2),
+            ("ldr r1, [pc]", &[0x4900], 2),
+            ("str r1, [sp]", &[0x9100], 2),
+            ("ldrb r1, [r4]; strh r1, [r4]", &[0x7821, 0x8021], 4),
+            ("push {r1-r3}", &[0xB40E], 4),
+            ("push {r1-r3}; pop {r1-r3}", &[0xB40E, 0xBC0E], 8),
+            ("stm r4!, {r1, r2}", &[0xC406], 3),
+            ("ldm r4!, {r1, r2}", &[0xCC06], 3),
+            ("b over a nop", &[0xE000, 0xBF00], 2),
+            ("nop", &[0xBF00], 1),
+            ("movs r1, #1; beq over a nop", &[0x2101, 0xD000, 0xBF00], 3),
+            ("movs r1, #1; bne over a nop", &[0x2101, 0xD100, 0xBF00], 3),
+            (
+                "movs r1, #3; 1: subs r1, #1; bne 1b",
+                &[0x2103, 0x3901, 0xD1FD],
+                9,
+            ),
+            ("bl f; b; f: bx lr", &[0xF000, 0xF801, 0xE000, 0x4770], 7),
+            (
+                "bl f; b; f: push {lr}; pop {pc}",
+                &[0xF000, 0xF801, 0xE001, 0xB500, 0xBD00],
+                11,
+            ),
+            (
+                "bl f; b; f: mov r3, lr; blx r3",
+                &[0xF000, 0xF801, 0xE001, 0x4673, 0x4798],
+                8,
+            ),
+        ];
+        for (text, code, expected) in sequences {
+            assert_eq!(cycles(code), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn an_image_that_leaves_its_flash_is_an_error() {
+        let vectors = VECTORS as usize;
+        let flash = [vec![0; vectors], vec![0, 0, 0, 0x20, 0x11, 0x22, 0, 0x10]].concat();
+        let mut pico = Pico::new(flash, Path::new("."), &[]).unwrap();
+        let error = pico.step().unwrap_err().to_string();
+        assert!(error.contains("0x10002210"), "{error}");
+    }
+}
