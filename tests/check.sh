@@ -18,7 +18,7 @@ stage 'format'
 cargo fmt --all --check
 
 stage 'lints'
-cargo clippy --workspace --all-targets --locked -- -D warnings
+cargo clippy --workspace --all-targets --features stiction-host-sim/cycles --locked -- -D warnings
 
 boards=()
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
@@ -77,7 +77,7 @@ stage 'images of emulated boards'
 
 stage 'tests'
 # With debug assertions and overflow checks.
-cargo test --workspace --exclude stiction-bench --locked
+cargo test --workspace --exclude stiction-bench --features stiction-host-sim/cycles --locked
 
 # Takes minutes to compile: beside what does not need all cores.
 deny=target/cargo-deny.log

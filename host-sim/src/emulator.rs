@@ -7,7 +7,22 @@
 mod bits;
 mod chip;
 mod image;
+#[cfg(feature = "cycles")]
 mod pico;
+#[cfg(not(feature = "cycles"))]
+mod pico {
+    //! Not compiled in.
+
+    use std::path::Path;
+    use stiction_tools::process::EmulatorError;
+
+    pub(super) fn run(_: &Path, _: &Path, _: &[&str]) -> Result<String, EmulatorError> {
+        Err(EmulatorError::Missing {
+            what: "the emulated Pico".to_owned(),
+            install: "the same command with --features stiction-host-sim/cycles".to_owned(),
+        })
+    }
+}
 
 pub use bits::Machine;
 pub(crate) use chip::Chip;
