@@ -230,7 +230,7 @@ fn on<R: Real>(sliding: R) -> Next<R> {
     Next::Relax((sliding != R::ZERO).then_some(sliding))
 }
 
-/// The table: the state after a verb, which slid along sliding·t, and what it does next.
+/// The table: the state after a verb, which slid along sliding·t, and what it does next. A call of its own, as the verbs are.
 #[inline(never)]
 pub(crate) fn apply<R: Real, W: World<R>>(
     scene: &W,

@@ -209,7 +209,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self.follow_hand(state, &to, (work, log));
     }
 
-    /// Piece by piece to the end of the hand's path, or until the work that is left is less than the next piece may take.
+    /// Piece by piece to the end of the hand's path, or until the work that is left is less than the next piece may take. Each piece is
+    /// a call of its own (`inline(never)`): the stack holds the work of one.
     fn follow_hand(
         &self,
         state: &mut State<R>,
