@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
 use stiction_firmware::job::Frame;
-use stiction_host_sim::emulator::{Board, Counter, Profile, job};
+use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, job};
 use stiction_host_sim::trade::{Case, Group, Suite};
 use stiction_scene::NumberType;
 use stiction_tools::readme::Section;
@@ -97,18 +97,17 @@ impl Chip {
         }
     }
 
-    /// All steps of the drags, drag by drag.
-    fn steps(
+    /// All drags.
+    fn counted(
         &self,
         (evolution, budget): (Evolution, u32),
         drags: &[&Case],
-    ) -> Result<Vec<Vec<Frame>>, Box<dyn Error>> {
+    ) -> Result<Vec<Counted>, Box<dyn Error>> {
         let counter = Counter::new(self.board, self.number, Profile::Device)?;
         let ride = |case: &&Case| {
             let samples = case.path.frames(Some(f64::from(self.rate)));
             let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
-            let counted = counter.count(&job(&case.scene, (evolution, budget), &hands))?;
-            Ok(counted.steps().to_vec())
+            Ok(counter.count(&job(&case.scene, (evolution, budget), &hands))?)
         };
         drags.iter().map(ride).collect()
     }
@@ -125,10 +124,12 @@ struct Taken {
     /// Steps one after the other, at most, in which the body is behind.
     longest: usize,
     over: usize,
+    /// The deepest stack of a step (bytes).
+    stack: u32,
 }
 
-fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
-    let steps = || drags.iter().flatten();
+fn taken(drags: &[Counted], tick: f64) -> Taken {
+    let steps = || drags.iter().flat_map(Counted::steps);
     let count = steps().count();
     let sum: f64 = steps().map(|step| f64::from(step.instructions)).sum();
     let work: f64 = steps().map(|step| f64::from(step.work)).sum();
@@ -140,7 +141,7 @@ fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
     let is_behind = |step: &Frame| step.status == Status::Behind;
     let runs = drags
         .iter()
-        .flat_map(|drag| drag.split(|step| !is_behind(step)));
+        .flat_map(|drag| drag.steps().split(|step| !is_behind(step)));
     Taken {
         steps: count,
         mean: sum / count.max(1) as f64,
@@ -151,6 +152,11 @@ fn taken(drags: &[Vec<Frame>], tick: f64) -> Taken {
         over: steps()
             .filter(|step| f64::from(step.instructions) > tick)
             .count(),
+        stack: drags
+            .iter()
+            .map(|drag| drag.totals.stack)
+            .max()
+            .unwrap_or(0),
     }
 }
 
@@ -169,20 +175,20 @@ fn main() -> Result<(), Box<dyn Error>> {
          average / at most / at most in steps of {LONG} units and more. The budget is what seven eighths of a tick have room for, at the last of these. From the least one\n\
          on no step takes more than its budget; below it a single piece of work may.\n\n\
          | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
-         budget / least (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick |\n\
-         |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+         budget / least (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick | deepest stack (bytes) |\n\
+         |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         drags.len()
     );
     for chip in &CHIPS {
         for evolution in Evolution::ALL {
             let tick = chip.tick();
-            let free = taken(&chip.steps((evolution, u32::MAX), &drags)?, tick);
+            let free = taken(&chip.counted((evolution, u32::MAX), &drags)?, tick);
             let [mean, most, in_long] = free.unit;
             let budget = (tick * PART / in_long) as u32;
-            let bound = taken(&chip.steps((evolution, budget), &drags)?, tick);
+            let bound = taken(&chip.counted((evolution, budget), &drags)?, tick);
             let _ = writeln!(
                 text,
-                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget} / {} | {} | {} | {:.0} | {} | {} |",
+                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget} / {} | {} | {} | {:.0} | {} | {} | {} |",
                 chip.name,
                 chip.megahertz,
                 chip.rate,
@@ -196,6 +202,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 bound.longest as f64 * 1000.0 / f64::from(chip.rate),
                 thousands(u64::from(bound.most)),
                 bound.over,
+                thousands(u64::from(free.stack)),
             );
             println!("{} {}: mean {:.0}", chip.name, evolution.name(), free.mean);
         }
