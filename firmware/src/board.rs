@@ -10,7 +10,7 @@ use semihosting::process;
 use stiction_core::{Description, Evolution, Model, Real, Scene, SceneError, SiFloat};
 
 use crate::bits;
-use crate::count::{self, Failure, FileError, Files};
+use crate::count::{self, Failure, FileError, Files, Instruments};
 
 #[cfg(target_arch = "arm")]
 mod arm;
@@ -28,13 +28,13 @@ use self::cortex_m::Counter;
 use self::riscv::Counter;
 #[cfg(chip = "rp2040")]
 use self::rp2040::Counter;
+use self::stack::Watch;
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
 
 /// Instructions of a loop that must be counted.
-#[cfg_attr(chip = "rp2040", allow(dead_code))]
 const PROBE: u32 = 501;
 /// The compiler may put so many instructions of the caller between the two readings of the counter.
 const TOLERANCE: u32 = 4;
@@ -75,12 +75,36 @@ pub fn count_in_model<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: M
     measured(|files, instruments| count::run_in_model::<R, V, S, M>(evolution, files, instruments))
 }
 
-fn measured(job: impl FnOnce(&mut HostFiles, &mut Counter) -> Result<(), Failure>) -> ! {
+/// What counts, and what looks at the stack.
+struct Board {
+    counter: Counter,
+    watch: Option<Watch>,
+}
+
+impl Instruments for Board {
+    #[inline(always)]
+    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+        self.counter.count(work)
+    }
+    #[inline(always)]
+    fn watch_stack(&mut self) {
+        self.watch = Some(Watch::begin());
+    }
+    fn deepest_stack(&mut self) -> u32 {
+        self.watch.as_ref().map_or(0, Watch::depth)
+    }
+}
+
+fn measured(job: impl FnOnce(&mut HostFiles, &mut Board) -> Result<(), Failure>) -> ! {
     let Some(mut files) = open() else {
         process::exit(1)
     };
-    let Some(mut instruments) = Counter::take() else {
+    let Some(counter) = Counter::take() else {
         process::exit(5)
+    };
+    let mut instruments = Board {
+        counter,
+        watch: None,
     };
     process::exit(match job(&mut files, &mut instruments) {
         Ok(()) => 0,

@@ -75,6 +75,19 @@ impl Board {
         }
     }
 
+    /// Runs an image with a command line, its files in a folder; `counting` instructions, where the program does. What it prints.
+    fn run(
+        self,
+        image: &Image,
+        (folder, line): (&Path, &[&str]),
+        counting: bool,
+    ) -> Result<String, EmulatorError> {
+        match self.qemu() {
+            Some(qemu) => qemu.run(image, (folder, line), counting),
+            None => pico::run(image.path(), folder, line),
+        }
+    }
+
     /// QEMU for this board; none that is emulated in this process.
     fn qemu(self) -> Option<Qemu> {
         let (program, machine, shift): (_, &[_], _) = match self {
@@ -100,7 +113,7 @@ struct Qemu {
 }
 
 impl Qemu {
-    /// Runs an image with a command line; `counting` instructions, where the program does. What it prints.
+    /// See [`Board::run`].
     fn run(
         &self,
         image: &Image,
@@ -194,10 +207,7 @@ impl Counter {
         let folder = tempfile::tempdir()?;
         fs::write(folder.path().join("job"), job)?;
         let line = ["count", "job", "results"];
-        match self.board.qemu() {
-            Some(qemu) => qemu.run(&self.image, (folder.path(), &line), true)?,
-            None => pico::run(self.image.path(), folder.path(), &line)?,
-        };
+        self.board.run(&self.image, (folder.path(), &line), true)?;
         let bytes = fs::read(folder.path().join("results"))?;
         let unread = |error| EmulatorError::Output(format!("the results of the board: {error}"));
         let results = Results::read(&bytes).map_err(unread)?;

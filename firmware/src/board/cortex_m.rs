@@ -10,9 +10,7 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 
 use super::arm::probe;
-use super::stack::Watch;
 use super::{PROBE, TOLERANCE};
-use crate::count::Instruments;
 
 /// Clock of SysTick (Hz) and N of `-icount shift=N`, which make more than 4 ticks of an instruction.
 #[cfg(chip = "stm32f405")]
@@ -29,7 +27,6 @@ static ROUNDS: AtomicU32 = AtomicU32::new(0);
 /// Counts instructions.
 pub(super) struct Counter {
     systick: SYST,
-    watch: Option<Watch>,
     /// Ticks of no work at all.
     idle: u64,
 }
@@ -42,11 +39,7 @@ impl Counter {
         systick.set_reload(RELOAD);
         systick.enable_interrupt();
         systick.enable_counter();
-        let mut counter = Self {
-            systick,
-            watch: None,
-            idle: 0,
-        };
+        let mut counter = Self { systick, idle: 0 };
         (counter.idle, ()) = counter.ticks(|| ());
         let (counted, ()) = counter.count(probe);
         (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
@@ -65,23 +58,15 @@ impl Counter {
         // Nothing of this is put off into the next work.
         (black_box(ticks), done)
     }
-}
 
-impl Instruments for Counter {
+    /// Does some work and counts it.
     #[inline(always)]
-    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+    pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let (ticks, done) = self.ticks(work);
         let (clock, shift) = CLOCK_AND_SHIFT;
         let per_second = 1_000_000_000 >> shift;
         let instructions = (ticks.saturating_sub(self.idle) * per_second + clock / 2) / clock;
         (u32::try_from(instructions).unwrap_or(u32::MAX), done)
-    }
-    #[inline(always)]
-    fn watch_stack(&mut self) {
-        self.watch = Some(Watch::begin());
-    }
-    fn deepest_stack(&mut self) -> u32 {
-        self.watch.as_ref().map_or(0, Watch::depth)
     }
 }
 

@@ -5,13 +5,10 @@ use core::arch::asm;
 use core::hint::black_box;
 use riscv::register::minstret;
 
-use super::stack::Watch;
 use super::{PROBE, TOLERANCE};
-use crate::count::Instruments;
 
 /// Counts instructions.
 pub(super) struct Counter {
-    watch: Option<Watch>,
     /// Instructions of no work at all.
     idle: u64,
 }
@@ -19,20 +16,16 @@ pub(super) struct Counter {
 impl Counter {
     /// The counter of this board. `None`: the emulator was not started with `-icount`.
     pub(super) fn take() -> Option<Self> {
-        let mut counter = Self {
-            watch: None,
-            idle: 0,
-        };
+        let mut counter = Self { idle: 0 };
         let (idle, ()) = counter.count(|| ());
         counter.idle = u64::from(idle);
         let (counted, ()) = counter.count(probe);
         (counted.abs_diff(PROBE) <= TOLERANCE).then_some(counter)
     }
-}
 
-impl Instruments for Counter {
+    /// Does some work and counts it.
     #[inline(always)]
-    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+    pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let begun = minstret::read64();
         let done = work();
         let ended = minstret::read64();
@@ -42,13 +35,6 @@ impl Instruments for Counter {
             black_box(u32::try_from(instructions).unwrap_or(u32::MAX)),
             done,
         )
-    }
-    #[inline(always)]
-    fn watch_stack(&mut self) {
-        self.watch = Some(Watch::begin());
-    }
-    fn deepest_stack(&mut self) -> u32 {
-        self.watch.as_ref().map_or(0, Watch::depth)
     }
 }
 

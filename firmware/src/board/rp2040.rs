@@ -4,31 +4,26 @@
 use core::arch::asm;
 use core::hint::black_box;
 
-use super::TOLERANCE;
 use super::arm::probe;
-use super::stack::Watch;
-use crate::count::Instruments;
+use super::{PROBE, TOLERANCE};
 
-/// Cycles of [`probe`]: every branch that is taken takes one more than an instruction.
-const CYCLES: u32 = 750;
+/// Cycles of [`probe`]: each of its 249 branches that are taken takes one more than an instruction.
+const CYCLES: u32 = PROBE + 249;
 
 /// Counts cycles.
-pub(super) struct Counter {
-    watch: Option<Watch>,
-}
+pub(super) struct Counter;
 
 impl Counter {
     /// The counter of this board. `None`: the emulator does not know the marks.
     pub(super) fn take() -> Option<Self> {
-        let mut counter = Self { watch: None };
+        let mut counter = Self;
         let (counted, ()) = counter.count(probe);
         (counted.abs_diff(CYCLES) <= TOLERANCE).then_some(counter)
     }
-}
 
-impl Instruments for Counter {
+    /// Does some work and counts it.
     #[inline(always)]
-    fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
+    pub(super) fn count<T>(&mut self, work: impl FnOnce() -> T) -> (u32, T) {
         let cycles;
         // SAFETY: the emulator goes on behind it.
         unsafe { asm!("bkpt #1", out("r0") _) };
@@ -37,12 +32,5 @@ impl Instruments for Counter {
         unsafe { asm!("bkpt #2", out("r0") cycles) };
         // Nothing of this is put off into the next work.
         (black_box(cycles), done)
-    }
-    #[inline(always)]
-    fn watch_stack(&mut self) {
-        self.watch = Some(Watch::begin());
-    }
-    fn deepest_stack(&mut self) -> u32 {
-        self.watch.as_ref().map_or(0, Watch::depth)
     }
 }

@@ -1,12 +1,13 @@
 //! The walk of the hand on every machine: from a number of frames to the hash of all bits, see [`stiction_firmware::bits`].
 
+use std::path::Path;
 use std::process::Command;
 
 use stiction_scene::NumberType;
 use stiction_tools::process::{EmulatorError, output_of};
 
+use super::Board;
 use super::image::{Image, Profile};
-use super::{Board, pico};
 
 /// A machine whose bits are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,12 +55,8 @@ impl Machine {
             Self::Release => on_this_computer(Profile::Release, [name, &frames])?,
             Self::Board(board) => {
                 let image = Image::of_board(board, &format!("bits_{name}"), Profile::Device)?;
-                let line = ["bits", frames.as_str()];
-                let folder = tempfile::tempdir()?;
-                match board.qemu() {
-                    Some(qemu) => qemu.run(&image, (folder.path(), &line), false)?,
-                    None => pico::run(image.path(), folder.path(), &line)?,
-                }
+                // It has no files.
+                board.run(&image, (Path::new("."), &["bits", &frames]), false)?
             }
             Self::WebAssembly => in_node([name, &frames])?,
         };
