@@ -16,7 +16,7 @@ fn main() {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-changed=memory");
     println!(
-        "cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"rp2040\", \"virt\"))"
+        "cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"rp2040\", \"an505\", \"virt\"))"
     );
     println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
 
@@ -25,6 +25,7 @@ fn main() {
         "thumbv7em-none-eabihf" => "stm32f405",
         "thumbv6m-none-eabi" if asked.as_deref() == Some("rp2040") => "rp2040",
         "thumbv6m-none-eabi" => "nrf51822",
+        "thumbv8m.main-none-eabihf" => "an505",
         "riscv32imc-unknown-none-elf" => "virt",
         _ => return,
     };

@@ -21,7 +21,7 @@ stage 'lints'
 cargo clippy --workspace --all-targets --features stiction-host-sim/cycles --locked -- -D warnings
 
 boards=()
-for target in thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
+for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
   stage "core and firmware on $target"
   if rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"; then
     cargo build -p stiction-core --profile device --locked --target "$target"

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 
 use stiction_core::{Evolution, Fixed, Hand, Real, SiFloat, Solver, Status};
 use stiction_firmware::job::Frame;
-use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, job};
+use stiction_host_sim::emulator::{Chip, Counted, Counter, Profile, job};
 use stiction_host_sim::trade::{Case, Group, Suite};
 use stiction_scene::NumberType;
 use stiction_tools::readme::Section;
@@ -24,92 +24,49 @@ const PART: f64 = 0.875;
 /// A shorter step fits a tick whatever its units take.
 const LONG: u32 = 100;
 
-/// A chip with its clock and the ticks that its steps are to fit.
-struct Chip {
-    name: &'static str,
-    /// The board whose instructions it has; of the RP2040, whose cycles.
-    board: Board,
-    number: NumberType,
-    megahertz: u32,
-    /// Ticks per second (Hz), and hands per second.
-    rate: u32,
-    /// Cycles of an instruction, on average: an estimate, from above; 1 where cycles are counted.
-    cycles: f64,
+/// Ticks per second (Hz), and hands per second, that a chip is asked for.
+const fn rate(chip: Chip) -> u32 {
+    match chip {
+        Chip::CortexM0 => 250,
+        _ => 1000,
+    }
 }
 
-const CHIPS: [Chip; 4] = [
-    Chip {
-        name: "Cortex-M4F",
-        board: Board::Stm32F405,
-        number: NumberType::F32,
-        megahertz: 168,
-        rate: 1000,
-        cycles: 1.5,
-    },
-    Chip {
-        name: "Cortex-M33",
-        board: Board::Stm32F405,
-        number: NumberType::F32,
-        megahertz: 150,
-        rate: 1000,
-        cycles: 1.5,
-    },
-    Chip {
-        name: "Cortex-M0+",
-        board: Board::Rp2040,
-        number: NumberType::Fixed,
-        megahertz: 125,
-        rate: 1000,
-        cycles: 1.0,
-    },
-    Chip {
-        name: "Cortex-M0",
-        board: Board::Nrf51822,
-        number: NumberType::Fixed,
-        megahertz: 16,
-        rate: 250,
-        // With branches of three cycles those counted of an M0+ become at most 1.64 of an instruction.
-        cycles: 1.65,
-    },
-];
+/// What a tick has room for: instructions, or cycles where they are counted.
+fn tick(chip: Chip) -> f64 {
+    1e6 / f64::from(rate(chip)) / chip.microseconds(1.0)
+}
 
-impl Chip {
-    /// Instructions of a tick, or cycles where they are counted.
-    fn tick(&self) -> f64 {
-        f64::from(self.megahertz) * 1e6 / f64::from(self.rate) / self.cycles
+fn least(number: NumberType) -> u32 {
+    fn of<R: Real<Si: SiFloat>>() -> u32 {
+        Solver::<R, 8, 4>::LEAST_BUDGET
     }
-
-    /// Cycles of an instruction, for a reader.
-    fn per_instruction(&self) -> String {
-        match self.board {
-            Board::Rp2040 => "counted".to_owned(),
-            _ => self.cycles.to_string(),
-        }
+    match number {
+        NumberType::F32 => of::<f32>(),
+        NumberType::Fixed => of::<Fixed>(),
     }
+}
 
-    fn least(&self) -> u32 {
-        fn least<R: Real<Si: SiFloat>>() -> u32 {
-            Solver::<R, 8, 4>::LEAST_BUDGET
-        }
-        match self.number {
-            NumberType::F32 => least::<f32>(),
-            NumberType::Fixed => least::<Fixed>(),
-        }
-    }
+/// Drags on a chip.
+fn counted(
+    chip: Chip,
+    (evolution, budget): (Evolution, u32),
+    drags: &[&Case],
+) -> Result<Vec<Counted>, Box<dyn Error>> {
+    let counter = Counter::new(chip.board(), chip.number(), Profile::Device)?;
+    let ride = |case: &&Case| {
+        let samples = case.path.frames(Some(f64::from(rate(chip))));
+        let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
+        Ok(counter.count(&job(&case.scene, (evolution, budget), &hands))?)
+    };
+    drags.iter().map(ride).collect()
+}
 
-    /// All drags.
-    fn counted(
-        &self,
-        (evolution, budget): (Evolution, u32),
-        drags: &[&Case],
-    ) -> Result<Vec<Counted>, Box<dyn Error>> {
-        let counter = Counter::new(self.board, self.number, Profile::Device)?;
-        let ride = |case: &&Case| {
-            let samples = case.path.frames(Some(f64::from(self.rate)));
-            let hands: Vec<Hand<f64>> = samples.map(|sample| sample.hand).collect();
-            Ok(counter.count(&job(&case.scene, (evolution, budget), &hands))?)
-        };
-        drags.iter().map(ride).collect()
+/// Cycles of an instruction, for a reader.
+fn per_instruction(chip: Chip) -> String {
+    match chip {
+        Chip::CortexM0Plus => "counted".to_owned(),
+        _ => chip.cycles().to_string(),
     }
 }
 
@@ -171,40 +128,45 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut text = format!(
         "Written by `cargo run --release -p stiction-host-sim --features cycles --example budget`: {} random drags of 4 s through a solver of 8 vertices and\n\
          4 surfaces, on emulated chips. Of the M0+ cycles are counted, in memory without wait states. Of the others instructions are counted, and cycles are estimated at so\n\
-         many of an instruction, on average; the M33 is taken to have the instructions of the M4F. A unit of work takes so many instructions, of the M0+ cycles: on\n\
+         many of an instruction, on average, from above. A unit of work takes so many instructions, of the M0+ cycles: on\n\
          average / at most / at most in steps of {LONG} units and more. The budget is what seven eighths of a tick have room for, at the last of these. From the least one\n\
          on no step takes more than its budget; below it a single piece of work may.\n\n\
          | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
-         budget / least (units) | steps | behind | longest behind (ms) | most instructions | steps over the tick | deepest stack (bytes) |\n\
+         budget / least (units) | steps | behind | longest behind (ms) | longest step (ms) | steps over the tick | deepest stack (bytes) |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         drags.len()
     );
-    for chip in &CHIPS {
+    for chip in Chip::ALL {
         for evolution in Evolution::ALL {
-            let tick = chip.tick();
-            let free = taken(&chip.counted((evolution, u32::MAX), &drags)?, tick);
+            let tick = tick(chip);
+            let free = taken(&counted(chip, (evolution, u32::MAX), &drags)?, tick);
             let [mean, most, in_long] = free.unit;
             let budget = (tick * PART / in_long) as u32;
-            let bound = taken(&chip.counted((evolution, budget), &drags)?, tick);
+            let bound = taken(&counted(chip, (evolution, budget), &drags)?, tick);
             let _ = writeln!(
                 text,
-                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget} / {} | {} | {} | {:.0} | {} | {} | {} |",
-                chip.name,
-                chip.megahertz,
-                chip.rate,
-                chip.per_instruction(),
+                "| {} | {} | {} | {} | {} | {mean:.0} / {most:.0} / {in_long:.0} | {} | {} | {budget} / {} | {} | {} | {:.0} | {:.2} | {} | {} |",
+                chip.name(),
+                chip.megahertz(),
+                rate(chip),
+                per_instruction(chip),
                 evolution.name(),
                 thousands(u64::from(free.most)),
                 thousands(tick as u64),
-                chip.least(),
+                least(chip.number()),
                 thousands(bound.steps as u64),
                 bound.behind,
-                bound.longest as f64 * 1000.0 / f64::from(chip.rate),
-                thousands(u64::from(bound.most)),
+                bound.longest as f64 * 1000.0 / f64::from(rate(chip)),
+                chip.microseconds(f64::from(bound.most)) / 1000.0,
                 bound.over,
                 thousands(u64::from(free.stack)),
             );
-            println!("{} {}: mean {:.0}", chip.name, evolution.name(), free.mean);
+            println!(
+                "{} {}: mean {:.0}",
+                chip.name(),
+                evolution.name(),
+                free.mean
+            );
         }
     }
     print!("{text}");

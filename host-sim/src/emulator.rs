@@ -6,6 +6,7 @@
 
 mod bits;
 mod chip;
+mod estimate;
 mod image;
 #[cfg(feature = "cycles")]
 mod pico;
@@ -25,18 +26,19 @@ mod pico {
 }
 
 pub use bits::Machine;
-pub(crate) use chip::Chip;
+pub use chip::Chip;
 pub use image::{Profile, footprint};
 
 use std::convert::Infallible;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::{self, Frame, Results, Totals};
 use stiction_scene::{NumberType, SceneFile};
-use stiction_tools::process::{EmulatorError, output_of};
+use stiction_tools::image::flashed;
+use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 
 use image::Image;
 
@@ -49,13 +51,21 @@ pub enum Board {
     Nrf51822,
     /// QEMU's RISC-V machine, RV32IMC.
     RiscV,
+    /// Arm MPS2+ with the FPGA image AN505: Cortex-M33 with a floating point unit.
+    An505,
     /// RP2040 (Raspberry Pi Pico): Cortex-M0+, 2 MB flash, 264 KB RAM. What is counted are cycles, not instructions.
     Rp2040,
 }
 
 impl Board {
     /// All boards.
-    pub const ALL: [Self; 4] = [Self::Stm32F405, Self::Nrf51822, Self::RiscV, Self::Rp2040];
+    pub const ALL: [Self; 5] = [
+        Self::Stm32F405,
+        Self::Nrf51822,
+        Self::RiscV,
+        Self::An505,
+        Self::Rp2040,
+    ];
 
     /// The name for a reader.
     pub const fn name(self) -> &'static str {
@@ -63,6 +73,7 @@ impl Board {
             Self::Stm32F405 => "Cortex-M4F (STM32F405)",
             Self::Nrf51822 => "Cortex-M0 (nRF51822)",
             Self::RiscV => "RISC-V (RV32IMC)",
+            Self::An505 => "Cortex-M33 (AN505)",
             Self::Rp2040 => "Cortex-M0+ (RP2040)",
         }
     }
@@ -71,7 +82,17 @@ impl Board {
         match self {
             Self::Stm32F405 => "thumbv7em-none-eabihf",
             Self::Nrf51822 | Self::Rp2040 => "thumbv6m-none-eabi",
+            Self::An505 => "thumbv8m.main-none-eabihf",
             Self::RiscV => "riscv32imc-unknown-none-elf",
+        }
+    }
+
+    /// Where the flash begins of a board whose cycles can be estimated.
+    const fn estimated(self) -> Option<u32> {
+        match self {
+            Self::Stm32F405 => Some(0x0800_0000),
+            Self::An505 => Some(0x1000_0000),
+            Self::Nrf51822 | Self::RiscV | Self::Rp2040 => None,
         }
     }
 
@@ -93,6 +114,7 @@ impl Board {
         let (program, machine, shift): (_, &[_], _) = match self {
             Self::Stm32F405 => ("qemu-system-arm", &["netduinoplus2"], 5),
             Self::Nrf51822 => ("qemu-system-arm", &["microbit"], 8),
+            Self::An505 => ("qemu-system-arm", &["mps2-an505"], 8),
             Self::RiscV => ("qemu-system-riscv32", &["virt", "-bios", "none"], 0),
             Self::Rp2040 => return None,
         };
@@ -117,9 +139,13 @@ impl Qemu {
     fn run(
         &self,
         image: &Image,
-        (folder, line): (&Path, &[&str]),
+        files: (&Path, &[&str]),
         counting: bool,
     ) -> Result<String, EmulatorError> {
+        output_of(self.command(image, files, counting))
+    }
+
+    fn command(&self, image: &Image, (folder, line): (&Path, &[&str]), counting: bool) -> Command {
         let line: String = line.iter().map(|word| format!(",arg={word}")).collect();
         let mut command = Command::new(self.program);
         command
@@ -134,7 +160,7 @@ impl Qemu {
         if counting {
             command.arg("-icount").arg(format!("shift={}", self.shift));
         }
-        output_of(command)
+        command
     }
 }
 
@@ -215,5 +241,41 @@ impl Counter {
             frames: results.frames().collect::<Result<_, _>>().map_err(unread)?,
             totals: results.totals,
         })
+    }
+
+    /// Does a job on a board whose instructions are those of a Cortex-M4F, in QEMU: the cycles that an instruction of a step takes on
+    /// average, estimated from above from the cycles that Arm states.
+    ///
+    /// # Errors
+    /// As [`Counter::count`]; or the board is another one.
+    pub fn estimate(&self, job: &[u8]) -> Result<f64, EmulatorError> {
+        let (Some(qemu), Some(flash)) = (self.board.qemu(), self.board.estimated()) else {
+            let what = format!("no cycles are known of a {}", self.board.name());
+            return Err(EmulatorError::Output(what));
+        };
+        require_qemu_arm()?;
+        let folder = tempfile::tempdir()?;
+        fs::write(folder.path().join("job"), job)?;
+        let line = ["count", "job", "results"];
+        let mut command = qemu.command(&self.image, (folder.path(), &line), true);
+        // Every instruction by itself, and a line of standard error for each.
+        command.args(["-accel", "tcg,one-insn-per-tb=on", "-d", "exec,nochain"]);
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+        let mut child = command.stderr(Stdio::piped()).spawn()?;
+        let contents = flashed(self.image.path(), flash)?;
+        let taken = child
+            .stderr
+            .take()
+            .map(|log| estimate::read(log, (&contents, flash)));
+        let status = child.wait()?;
+        match taken {
+            Some(taken) if status.success() => {
+                let taken = taken?;
+                Ok(taken.cycles as f64 / taken.instructions as f64)
+            }
+            _ => Err(EmulatorError::Output(format!(
+                "the emulator ends with {status}"
+            ))),
+        }
     }
 }

@@ -1,8 +1,8 @@
-//! `stiction footprint`: which model of the solver a scene needs and why, and what that model takes on two emulated chips
+//! `stiction footprint`: which model of the solver a scene needs and why, and what that model takes on emulated chips
 //! beside the full one. From a scene to a table:
 //!
 //! ```text
-//! scene ─ model ─ measure (flash, state, stack, instructions) ─ table
+//! scene ─ model ─ measure (flash, state, stack, instructions or cycles) ─ table
 //! ```
 
 mod measure;
@@ -23,6 +23,7 @@ use stiction_tools::readme::Section;
 use crate::emulator::Chip;
 use crate::input::{open_path, open_scene};
 use crate::number::Number;
+use crate::options::evolution_parser;
 use crate::progress::measuring;
 use crate::report;
 use measure::measure;
@@ -34,6 +35,9 @@ pub struct FootprintArgs {
     /// Scene file (TOML), or the name of a bundled scene; without it a few bundled scenes
     #[arg(required_unless_present = "readme")]
     scene: Option<PathBuf>,
+    /// One evolution alone; without it both
+    #[arg(long, value_parser = evolution_parser())]
+    evolution: Option<Evolution>,
     /// Writes the table, without a scene that of a few bundled ones, between the marks <!-- footprint: begin --> and
     /// <!-- footprint: end --> of this file as well
     #[arg(long, value_name = "FILE")]
@@ -109,11 +113,15 @@ pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
         .as_ref()
         .map(|file| Section::find(file, "footprint").map_err(cannot_write(file)));
     let section = section.transpose()?;
+    let all = Evolution::ALL.into_iter();
+    let evolutions: Vec<_> = all
+        .filter(|evolution| args.evolution.is_none_or(|asked| asked == *evolution))
+        .collect();
     let mut rows = Vec::new();
     for case in &cases {
         report::print(&heading(case));
         let table = Table {
-            rows: measured(case)?,
+            rows: measured(case, &evolutions)?,
         };
         report::print(&format!("{table}\n"));
         rows.extend(table.rows);
@@ -139,13 +147,14 @@ fn heading(case: &Case) -> String {
 }
 
 /// The rows of a scene, behind a progress bar.
-fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
-    let models = Chip::ALL.len() * Evolution::ALL.len() * 2;
+fn measured(case: &Case, evolutions: &[Evolution]) -> Result<Vec<Row>, FootprintError> {
+    let models = Chip::ALL.len() * evolutions.len() * 2;
     let bar = &measuring(models as u64);
     bar.set_message(case.scene.title.clone());
-    // One chip computes while the image of the other one is built.
+    // One chip computes while the image of another one is built.
     let of_chips = thread::scope(|scope| {
-        let started = Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, case, bar)));
+        let started =
+            Chip::ALL.map(|chip| scope.spawn(move || of_chip(chip, (case, evolutions), bar)));
         started.map(|chip| chip.join().unwrap_or_else(|panic| resume_unwind(panic)))
     });
     bar.finish_and_clear();
@@ -157,10 +166,14 @@ fn measured(case: &Case) -> Result<Vec<Row>, FootprintError> {
 }
 
 /// The rows of a scene on a chip.
-fn of_chip(chip: Chip, case: &Case, bar: &ProgressBar) -> Result<Vec<Row>, EmulatorError> {
+fn of_chip(
+    chip: Chip,
+    (case, evolutions): (&Case, &[Evolution]),
+    bar: &ProgressBar,
+) -> Result<Vec<Row>, EmulatorError> {
     let Case { scene, hands } = case;
     let model = SceneModel::smallest(scene);
-    let row = |evolution| {
+    let row = |&evolution| {
         let of = |model| {
             let measured = measure(chip, model, scene, evolution, hands);
             bar.inc(1);
@@ -175,5 +188,5 @@ fn of_chip(chip: Chip, case: &Case, bar: &ProgressBar) -> Result<Vec<Row>, Emula
             full: of(model.full())?,
         })
     };
-    Evolution::ALL.into_iter().map(row).collect()
+    evolutions.iter().map(row).collect()
 }

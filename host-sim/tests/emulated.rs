@@ -4,9 +4,12 @@
 use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
 use stiction_firmware::bits::{Walk, of_walk};
 use stiction_firmware::job::Frame;
-use stiction_host_sim::emulator::{Board, Counted, Counter, Machine, Profile, footprint, job};
+use stiction_host_sim::emulator::{
+    Board, Chip, Counted, Counter, Machine, Profile, footprint, job,
+};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
+use stiction_host_sim::trade::{Group, Suite};
 use stiction_scene::{HostSolver, Motion, NumberType, SceneFile, SceneModel, rust_source};
 use stiction_tools::process::{EmulatorError, if_installed};
 
@@ -75,6 +78,34 @@ fn every_machine_gives_the_same_bits() {
                 assert_eq!(hash, here, "{} {}", machine.name(), number.name());
             }
         }
+    }
+}
+
+/// What a chip is said to take for an instruction is what random drags take, by Arm's table, or a little more.
+#[test]
+fn an_instruction_takes_no_more_cycles_than_is_said() {
+    let suite = Suite::new(None, true).unwrap();
+    let mut drags = suite
+        .cases
+        .iter()
+        .filter(|case| case.group == Group::Random);
+    let drag = drags.next().unwrap();
+    let hands: Vec<_> = drag.path.frames(Some(100.0)).map(|s| s.hand).collect();
+    let job = job(&drag.scene, (Evolution::Path, u32::MAX), &hands);
+    for chip in [Chip::CortexM4F, Chip::CortexM33] {
+        let estimate = Counter::new(chip.board(), chip.number(), Profile::Device)
+            .and_then(|counter| counter.estimate(&job));
+        let Some(estimate) = if_installed(estimate) else {
+            continue;
+        };
+        let said = chip.cycles();
+        let name = chip.name();
+        assert!((0.9 * said..=said).contains(&estimate), "{name} {estimate}");
+    }
+    let counter = Counter::new(Board::Nrf51822, NumberType::Fixed, Profile::Device);
+    if let Some(counter) = if_installed(counter) {
+        let error = counter.estimate(&job).unwrap_err().to_string();
+        assert!(error.contains("Cortex-M0"), "{error}");
     }
 }
 

@@ -179,19 +179,27 @@ fn chips_are_counted_in_emulation() {
     for row in rows {
         let number = row["number"].as_str().expect("a number type");
         let is_counted = ["all", "bundled"].contains(&row["scenes"].as_str().expect("scenes"));
-        for (chip, numbers) in [
-            ("cortex_m4f", &["f32"][..]),
-            ("cortex_m0", &["f32", "fixed"]),
-        ] {
+        let chips = [
+            ("cortex_m4f", "instructions", 2.0 / 168.0, &["f32"][..]),
+            ("cortex_m33", "instructions", 2.0 / 150.0, &["f32"]),
+            ("cortex_m0", "instructions", 1.65 / 16.0, &["f32", "fixed"]),
+            ("cortex_m0plus", "cycles", 1.0 / 125.0, &["fixed"]),
+        ];
+        for (chip, unit, time, numbers) in chips {
             let value = |name: &str| row[format!("{chip}_{name}")].as_f64();
             let is_short = row["memory"] == "0";
-            if !is_counted || is_short || !numbers.contains(&number) {
-                assert_eq!(value("instructions"), None, "{row}");
+            let is_here = chip != "cortex_m0plus" || cfg!(feature = "cycles");
+            if !is_here || !is_counted || is_short || !numbers.contains(&number) {
+                assert_eq!(value(unit), None, "{row}");
                 continue;
             }
             let value = |name| value(name).unwrap_or_else(|| panic!("no {name}: {row}"));
-            let (mean, worst) = (value("instructions"), value("instructions_worst"));
-            assert!(300.0 < mean && mean < worst && worst < 1e6, "{row}");
+            let worst = format!("{unit}_worst");
+            let (mean, worst) = (value(unit), value(&worst));
+            assert!(300.0 < mean && mean < worst && worst < 2e6, "{row}");
+            for (counted, us) in [(mean, value("us")), (worst, value("us_worst"))] {
+                assert!((us / (counted * time) - 1.0).abs() < 1e-12, "{row}");
+            }
             assert!(
                 (5_000.0..200_000.0).contains(&value("flash_bytes")),
                 "{row}"

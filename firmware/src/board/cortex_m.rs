@@ -17,6 +17,8 @@ use super::{PROBE, TOLERANCE};
 const CLOCK_AND_SHIFT: (u64, u32) = (168_000_000, 5);
 #[cfg(chip = "nrf51822")]
 const CLOCK_AND_SHIFT: (u64, u32) = (16_000_000, 8);
+#[cfg(chip = "an505")]
+const CLOCK_AND_SHIFT: (u64, u32) = (20_000_000, 8);
 
 /// SysTick counts down from here.
 const RELOAD: u32 = 0x00FF_FFFF;

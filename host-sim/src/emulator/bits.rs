@@ -24,12 +24,13 @@ pub enum Machine {
 
 impl Machine {
     /// All machines.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Debug,
         Self::Release,
         Self::Board(Board::Stm32F405),
         Self::Board(Board::Nrf51822),
         Self::Board(Board::RiscV),
+        Self::Board(Board::An505),
         Self::Board(Board::Rp2040),
         Self::WebAssembly,
     ];

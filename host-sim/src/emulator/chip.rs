@@ -1,4 +1,5 @@
-//! The chips that figures are given for: their names, their emulated boards, the number type that suits them.
+//! The chips that figures are given for: their names, their emulated boards, the number type that suits them, and the time that they take
+//! for what is counted.
 
 use stiction_scene::NumberType;
 
@@ -6,22 +7,37 @@ use super::Board;
 
 /// A chip on which the solver is counted in emulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Chip {
-    /// Cortex-M4 with a floating point unit.
+pub enum Chip {
+    /// Cortex-M4 with a floating point unit, in an STM32F405.
     CortexM4F,
-    /// Cortex-M0.
+    /// Cortex-M33 with a floating point unit, in an RP2350.
+    CortexM33,
+    /// Cortex-M0, in an nRF51822.
     CortexM0,
+    /// Cortex-M0+, in an RP2040. Its cycles are counted, not its instructions.
+    CortexM0Plus,
 }
 
 impl Chip {
-    /// All chips.
-    pub(crate) const ALL: [Self; 2] = [Self::CortexM4F, Self::CortexM0];
+    /// All chips that can be emulated; those whose cycles are counted with the feature `cycles`.
+    #[cfg(feature = "cycles")]
+    pub const ALL: [Self; 4] = [
+        Self::CortexM4F,
+        Self::CortexM33,
+        Self::CortexM0,
+        Self::CortexM0Plus,
+    ];
+    /// All chips that can be emulated; those whose cycles are counted with the feature `cycles`.
+    #[cfg(not(feature = "cycles"))]
+    pub const ALL: [Self; 3] = [Self::CortexM4F, Self::CortexM33, Self::CortexM0];
 
     /// The name for a reader.
-    pub(crate) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::CortexM4F => "Cortex-M4F",
+            Self::CortexM33 => "Cortex-M33",
             Self::CortexM0 => "Cortex-M0",
+            Self::CortexM0Plus => "Cortex-M0+",
         }
     }
 
@@ -29,23 +45,82 @@ impl Chip {
     pub(crate) const fn key(self) -> &'static str {
         match self {
             Self::CortexM4F => "cortex_m4f",
+            Self::CortexM33 => "cortex_m33",
             Self::CortexM0 => "cortex_m0",
+            Self::CortexM0Plus => "cortex_m0plus",
         }
     }
 
     /// The emulated board that has it.
-    pub(crate) const fn board(self) -> Board {
+    pub const fn board(self) -> Board {
         match self {
             Self::CortexM4F => Board::Stm32F405,
+            Self::CortexM33 => Board::An505,
             Self::CortexM0 => Board::Nrf51822,
+            Self::CortexM0Plus => Board::Rp2040,
+        }
+    }
+
+    /// The board for which its flash is measured: chips of one instruction set run the same code.
+    pub(crate) const fn flash_board(self) -> Board {
+        match self {
+            Self::CortexM0Plus => Board::Nrf51822,
+            _ => self.board(),
         }
     }
 
     /// The number type that suits it: fixed point where there is no floating point unit.
-    pub(crate) const fn number(self) -> NumberType {
+    pub const fn number(self) -> NumberType {
         match self {
-            Self::CortexM4F => NumberType::F32,
-            Self::CortexM0 => NumberType::Fixed,
+            Self::CortexM4F | Self::CortexM33 => NumberType::F32,
+            Self::CortexM0 | Self::CortexM0Plus => NumberType::Fixed,
+        }
+    }
+
+    /// Its clock (MHz).
+    pub const fn megahertz(self) -> u32 {
+        match self {
+            Self::CortexM4F => 168,
+            Self::CortexM33 => 150,
+            Self::CortexM0 => 16,
+            Self::CortexM0Plus => 125,
+        }
+    }
+
+    /// What is counted on it, for a reader.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::CortexM0Plus => "cycles",
+            _ => "instructions",
+        }
+    }
+
+    /// Cycles of what is counted on it, on average: 1 where they are counted, else an estimate.
+    ///
+    /// Of the M4F and the M33 it is that of [`Counter::estimate`](super::Counter::estimate), from above: 1.93 to 1.99 for random drags.
+    /// With branches that take the three cycles of an M0, those counted of an M0+ are 1.53 to 1.64 of an instruction.
+    pub const fn cycles(self) -> f64 {
+        match self {
+            Self::CortexM4F | Self::CortexM33 => 2.0,
+            Self::CortexM0 => 1.65,
+            Self::CortexM0Plus => 1.0,
+        }
+    }
+
+    /// The time that it takes for what is counted on it (µs).
+    pub fn microseconds(self, counted: f64) -> f64 {
+        counted * self.cycles() / f64::from(self.megahertz())
+    }
+
+    /// How its time is known, for a reader.
+    pub(crate) fn timing(self) -> String {
+        let (name, megahertz) = (self.name(), self.megahertz());
+        match self {
+            Self::CortexM0Plus => format!("{name} at {megahertz} MHz, cycles counted"),
+            _ => format!(
+                "{name} at {megahertz} MHz, estimated at {} cycles of an instruction",
+                self.cycles()
+            ),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! One model of a scene on one chip: images built for flash and for speed, the hand's path run in QEMU.
+//! One model of a scene on one chip: images built for flash and for speed, the hand's path run in emulation.
 
 use stiction_core::{Evolution, Hand};
 use stiction_scene::{SceneFile, SceneModel, rust_source};
@@ -6,7 +6,7 @@ use stiction_tools::process::EmulatorError;
 
 use crate::emulator::{Chip, Counted, Counter, Profile, footprint, job};
 
-/// What a model takes on a chip. Instructions and stack are those of the build for speed.
+/// What a model takes on a chip. Stack, instructions and cycles are those of the build for speed.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Measured {
     /// Flash of the build for little flash (bytes).
@@ -18,12 +18,12 @@ pub(super) struct Measured {
 }
 
 impl Measured {
-    /// Instructions per frame, mean and worst; the start is not among them. `None`: there is no frame but that.
-    pub(super) fn instructions(&self) -> Option<(u64, u32)> {
+    /// What is counted per frame (see [`Chip::unit`]), mean and worst; the start is not among them. `None`: there is no frame but that.
+    pub(super) fn per_frame(&self) -> Option<[u64; 2]> {
         let steps = self.counted.steps();
         let sum: u64 = steps.iter().map(|step| u64::from(step.instructions)).sum();
         let worst = steps.iter().map(|step| step.instructions).max()?;
-        Some((sum / steps.len() as u64, worst))
+        Some([sum / steps.len() as u64, u64::from(worst)])
     }
 }
 
@@ -42,8 +42,8 @@ pub(super) fn measure(
     let code = rust_source(scene, model, number, evolution);
     let job = job(scene, (evolution, u32::MAX), hands);
     Ok(Measured {
-        flash_small: footprint(board, Profile::DeviceSmall, &code)?,
-        flash_fast: footprint(board, Profile::Device, &code)?,
+        flash_small: footprint(chip.flash_board(), Profile::DeviceSmall, &code)?,
+        flash_fast: footprint(chip.flash_board(), Profile::Device, &code)?,
         counted: Counter::of_model(board, Profile::Device, &code)?.count(&job)?,
     })
 }

@@ -13,8 +13,9 @@ use crate::emulator::Chip;
 pub(super) const LEGEND: &str = "\
 Smallest model of the scene / full model (Full, room for at least 4 vertices and 2 surfaces). Flash: of the solver with its
 scene, built for little flash (opt-level z) and for speed (opt-level 3). State: of a run. Stack: the deepest that any frame
-went. Instructions: of a frame, counted in QEMU along the scene's own path of the hand; stack and instructions are those of
-the build for speed.
+went. Instructions, of the M0+ cycles: of a frame, counted along the scene's own path of the hand, the mean and the most;
+their time at the clock of the chip, M4F 168 MHz, M33 150 MHz, M0 16 MHz, M0+ 125 MHz: an estimate but for the M0+. Stack,
+instructions and time are those of the build for speed.
 ";
 
 /// A scene on a chip.
@@ -35,7 +36,7 @@ pub(super) struct Table {
 
 /// Columns on the left that are words.
 const WORDS: usize = 4;
-const HEADER: [&str; 10] = [
+const HEADER: [&str; 12] = [
     "scene",
     "smallest model",
     "chip",
@@ -46,32 +47,46 @@ const HEADER: [&str; 10] = [
     "stack (bytes)",
     "instructions, mean",
     "instructions, worst",
+    "µs, mean",
+    "µs, worst",
 ];
 
 /// A chip with its number type.
-const fn label(chip: Chip) -> &'static str {
-    match chip {
-        Chip::CortexM4F => "M4F, f32",
-        Chip::CortexM0 => "M0, fixed",
-    }
+fn label(chip: Chip) -> String {
+    let name = chip.name().trim_start_matches("Cortex-");
+    format!("{name}, {}", chip.number().name())
 }
 
 impl Row {
     fn cells(&self) -> [String; HEADER.len()] {
-        let both = |figure: fn(&Measured) -> String| {
-            format!("{} / {}", figure(&self.smallest), figure(&self.full))
+        fn pair(row: &Row, figure: impl Fn(&Measured) -> String) -> String {
+            format!("{} / {}", figure(&row.smallest), figure(&row.full))
+        }
+        let both = |figure: fn(&Measured) -> String| pair(self, figure);
+        let counted = |k: usize| {
+            pair(self, |measured| {
+                or_none(measured.per_frame().map(|all| all[k]))
+            })
+        };
+        let time = |k: usize| {
+            pair(self, |measured| {
+                let time = |all: [u64; 2]| self.chip.microseconds(all[k] as f64);
+                or_none(measured.per_frame().map(|all| format!("{:.1}", time(all))))
+            })
         };
         [
             self.scene.clone(),
             self.model.to_string(),
-            label(self.chip).to_owned(),
+            label(self.chip),
             self.evolution.name().to_owned(),
             both(|measured| measured.flash_small.to_string()),
             both(|measured| measured.flash_fast.to_string()),
             both(|measured| measured.counted.totals.state.to_string()),
             both(|measured| measured.counted.totals.stack.to_string()),
-            both(|measured| or_none(measured.instructions().map(|(mean, _)| mean))),
-            both(|measured| or_none(measured.instructions().map(|(_, worst)| worst))),
+            counted(0),
+            counted(1),
+            time(0),
+            time(1),
         ]
     }
 }
@@ -159,10 +174,8 @@ mod tests {
         let [header, rule, row] = lines[..] else {
             panic!("{text}");
         };
-        assert!(
-            header.len() == rule.len() && rule.len() == row.len(),
-            "{text}"
-        );
+        let [header, rule, width] = [header, rule, row].map(|line| line.chars().count());
+        assert!(header == rule && rule == width, "{text}");
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
         let expected = [
             "tip",
@@ -175,6 +188,8 @@ mod tests {
             "40 / 40",
             "15 / -",
             "20 / -",
+            "1.5 / -",
+            "2.1 / -",
         ];
         assert_eq!(cells, expected);
     }

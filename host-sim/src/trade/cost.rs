@@ -1,4 +1,4 @@
-//! What a frame costs: its time on this computer, its instructions and memory on emulated chips.
+//! What a frame costs: its time on this computer, its instructions or cycles and memory on emulated chips.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -11,9 +11,9 @@ use crate::emulator::Chip;
 /// What a setting costs on an emulated chip.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Emulated {
-    /// Instructions per frame, mean.
-    pub(super) instructions: f64,
-    /// Instructions of the worst frame.
+    /// What is counted per frame, see [`Chip::unit`]: mean.
+    pub(super) mean: f64,
+    /// Likewise, of the worst frame.
     pub(super) worst: u32,
     /// Flash (bytes).
     pub(super) flash: u64,

@@ -1,5 +1,5 @@
 //! What settings cost on emulated chips: the bundled scenes of the suite through every setting that makes sense on the chip.
-//! From scenes to the instructions of a frame, the stack, the state, and the flash, all of one and the same solver.
+//! From scenes to the instructions or cycles of a frame, the stack, the state, and the flash, all of one and the same solver.
 
 use stiction_core::{Evolution, Hand};
 use stiction_scene::{NumberType, SceneModel, rust_source};
@@ -43,23 +43,16 @@ struct Build {
     number: NumberType,
 }
 
-/// Fixed point is for the chip that has no unit for single precision.
-const BUILDS: [Build; 3] = [
-    Build {
-        chip: Chip::CortexM4F,
-        number: NumberType::F32,
-    },
-    Build {
-        chip: Chip::CortexM0,
-        number: NumberType::F32,
-    },
-    Build {
-        chip: Chip::CortexM0,
-        number: NumberType::Fixed,
-    },
-];
-
 impl Build {
+    /// Every chip with the number type that suits it; one without a unit for single precision with that, too.
+    fn all() -> impl Iterator<Item = Self> {
+        let number = |chip: Chip| (chip == Chip::CortexM0).then_some(NumberType::F32);
+        Chip::ALL.into_iter().flat_map(move |chip| {
+            let numbers = number(chip).into_iter().chain([chip.number()]);
+            numbers.map(move |number| Self { chip, number })
+        })
+    }
+
     fn settings(&self) -> impl Iterator<Item = Setting> {
         let number = Number::from(self.number);
         let counted =
@@ -76,7 +69,7 @@ impl Build {
         let code = rust_source(&first.scene, model, self.number, evolution);
         Ok(Built {
             counter: Counter::of_model(self.chip.board(), PROFILE, &code)?,
-            flash: footprint(self.chip.board(), PROFILE, &code)?,
+            flash: footprint(self.chip.flash_board(), PROFILE, &code)?,
         })
     }
 }
@@ -115,15 +108,15 @@ impl Built {
             cost.state = counted.totals.state;
             cost.stack = cost.stack.max(counted.totals.stack);
         }
-        cost.instructions = sum as f64 / f64::from(steps.max(1_u32));
+        cost.mean = sum as f64 / f64::from(steps.max(1_u32));
         Ok(cost)
     }
 }
 
 /// How many times [`count`] says that a setting is done at a rate.
 pub(super) fn extent() -> usize {
-    let settings = BUILDS.iter().flat_map(Build::settings);
-    settings.count() * RATES.len()
+    let settings = Build::all().map(|build| build.settings().count());
+    settings.sum::<usize>() * RATES.len()
 }
 
 /// Counts on all chips; `done` hears of every setting at a rate. All figures of a setting are those of one solver, which has what
@@ -141,7 +134,7 @@ pub(super) fn count(
         .filter(|case| case.group == Group::Bundled);
     let cases: Vec<&Case> = bundled.collect();
     let mut counts = Vec::new();
-    for build in &BUILDS {
+    for build in Build::all() {
         for evolution in Evolution::ALL {
             let solver = build.solver(&cases, evolution)?;
             let settings = build.settings();

@@ -81,14 +81,17 @@ impl Row {
         let mut add = |name: &str, value: Value| columns.push((name.to_owned(), value));
         add("host_ns", self.cost.host.into());
         for (chip, counted) in Chip::ALL.iter().zip(self.cost.emulated) {
-            let key = chip.key();
+            let (key, unit) = (chip.key(), chip.unit());
+            let time = |counted| chip.microseconds(counted);
+            add(&format!("{key}_{unit}"), counted.map(|c| c.mean).into());
             add(
-                &format!("{key}_instructions"),
-                counted.map(|c| c.instructions).into(),
-            );
-            add(
-                &format!("{key}_instructions_worst"),
+                &format!("{key}_{unit}_worst"),
                 counted.map(|c| c.worst).into(),
+            );
+            add(&format!("{key}_us"), counted.map(|c| time(c.mean)).into());
+            add(
+                &format!("{key}_us_worst"),
+                counted.map(|c| time(f64::from(c.worst))).into(),
             );
             add(
                 &format!("{key}_flash_bytes"),

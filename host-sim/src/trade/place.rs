@@ -1,4 +1,4 @@
-//! Where a cost is counted: this computer, in ns, and the emulated chips, in instructions.
+//! Where a cost is counted: this computer, in ns, and the emulated chips, in instructions or cycles.
 
 use super::cost::Cost;
 use super::measure::Row;
@@ -9,7 +9,7 @@ use crate::emulator::Chip;
 pub(super) enum Place {
     /// On this computer, ns.
     Host,
-    /// On an emulated chip (of [`Chip::ALL`]), instructions.
+    /// On an emulated chip (of [`Chip::ALL`]), in its [`unit`](Chip::unit).
     Chip(usize),
 }
 
@@ -51,7 +51,7 @@ impl Place {
     pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Host => "ns",
-            Self::Chip(_) => "instructions",
+            Self::Chip(k) => Chip::ALL[k].unit(),
         }
     }
 
@@ -59,7 +59,7 @@ impl Place {
     pub(super) fn cost(self, cost: &Cost) -> Option<f64> {
         match self {
             Self::Host => Some(cost.host),
-            Self::Chip(k) => cost.emulated[k].map(|counted| counted.instructions),
+            Self::Chip(k) => cost.emulated[k].map(|counted| counted.mean),
         }
     }
 

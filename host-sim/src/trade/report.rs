@@ -67,8 +67,9 @@ impl Report {
             ..2 => "",
             _ => {
                 " Emulated: the bundled scenes only; one solver for all of them, with the room and the parts that they need, \
-                 built for speed, of which all figures of a row are. Instructions: of a frame, mean and worst of all frames, the \
-                 start not counted; flash: what the solver adds to an image; stack: the deepest below the caller."
+                 built for speed, of which all figures of a row are. Instructions, of the M0+ cycles: of a frame, mean and worst of \
+                 all frames, the start not counted; their time from the clock of the chip and the cycles of an instruction, which \
+                 are an estimate but for the M0+; flash: what the solver adds to an image; stack: the deepest below the caller."
             }
         };
         format!(
@@ -90,7 +91,7 @@ impl Report {
         let mut text = format!("{}\n\n{}", self.caption(), Table::of(&rows).text());
         for (k, chip) in Chip::ALL.iter().enumerate() {
             if let Some(table) = Table::of_chip(&rows, k) {
-                text += &format!("\n{}, emulated:\n{}", chip.name(), table.text());
+                text += &format!("\n{}:\n{}", chip.timing(), table.text());
             }
         }
         text + "\n" + &self.advice.join("\n") + "\n\n"
@@ -99,7 +100,7 @@ impl Report {
     /// A few rows, for a README.
     pub(super) fn short(&self) -> String {
         format!(
-            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions, not cycles. Error: 50 / 90 / 99 % of all \
+            "Written by `stiction trade`, on {}; chips in QEMU, which counts instructions; their time is an estimate. Error: 50 / 90 / 99 % of all \
              frames of whole runs are within this distance of where the reference (f64, path) has the body.\n\n{}",
             self.machine,
             Table::short(&self.overall()).markdown()
@@ -116,7 +117,7 @@ impl Report {
         );
         for (k, chip) in Chip::ALL.iter().enumerate() {
             if let Some(table) = Table::of_chip(&rows, k) {
-                text += &format!("\n{}, emulated:\n\n{}", chip.name(), table.markdown());
+                text += &format!("\n{}:\n\n{}", chip.timing(), table.markdown());
             }
         }
         for place in Place::of(&rows) {

@@ -54,25 +54,32 @@ impl Table {
         }
     }
 
-    /// Instructions and memory on an emulated chip (of [`Chip::ALL`]); `None` where nothing was counted on it.
+    /// Instructions or cycles, time and memory on an emulated chip (of [`Chip::ALL`]); `None` where nothing was counted on it.
     pub(super) fn of_chip(rows: &[Row], chip: usize) -> Option<Self> {
+        let its = Chip::ALL.get(chip)?;
+        let per_frame = format!("{} per frame", its.unit());
         let header = [
             "number",
             "evolution",
             "memory (L)",
             "Hz",
-            "instructions per frame",
+            &per_frame,
             "worst frame",
+            "µs per frame",
+            "worst (µs)",
             "flash (bytes)",
             "state (bytes)",
             "stack (bytes)",
         ];
         let cells = |row: &Row| {
             let counted = row.cost.emulated[chip]?;
+            let time = |counted| figure(its.microseconds(counted));
             let mut cells = names(row).to_vec();
             cells.extend([
-                format!("{:.0}", counted.instructions),
+                format!("{:.0}", counted.mean),
                 counted.worst.to_string(),
+                time(counted.mean),
+                time(f64::from(counted.worst)),
                 counted.flash.to_string(),
                 counted.state.to_string(),
                 counted.stack.to_string(),
@@ -80,7 +87,7 @@ impl Table {
             Some(cells)
         };
         let rows: Vec<_> = rows.iter().filter_map(cells).collect();
-        (!rows.is_empty() && chip < Chip::ALL.len()).then(|| Self {
+        (!rows.is_empty()).then(|| Self {
             header: header.map(str::to_owned).to_vec(),
             rows,
         })
@@ -95,23 +102,39 @@ impl Table {
             "error (µm)",
             "ns per frame",
             "instructions, mean / worst",
+            "its time (µs)",
             "flash, stack (bytes)",
         ];
         let cells = |row: &Row| {
             let [number, evolution, ..] = names(row);
             let counted = Chip::ALL.iter().zip(row.cost.emulated);
-            let mut counted = counted.filter_map(|(chip, counted)| Some((chip.name(), counted?)));
-            let (chip, instructions, memory) = match counted.next() {
-                Some((chip, counted)) => (
-                    chip.to_owned(),
-                    format!("{:.0} / {}", counted.instructions, counted.worst),
-                    format!("{}, {}", counted.flash, counted.stack),
-                ),
+            let mut counted = counted.filter_map(|(chip, counted)| Some((chip, counted?)));
+            let [chip, instructions, its_time, memory] = match counted.next() {
+                Some((chip, counted)) => {
+                    let [mean, worst] = [counted.mean, f64::from(counted.worst)]
+                        .map(|counted| figure(chip.microseconds(counted)));
+                    [
+                        format!("{} at {} MHz", chip.name(), chip.megahertz()),
+                        format!("{:.0} / {}", counted.mean, counted.worst),
+                        format!("{mean} / {worst}"),
+                        format!("{}, {}", counted.flash, counted.stack),
+                    ]
+                }
                 None => Default::default(),
             };
             let error = spread(row.accuracy.position);
             let time = format!("{:.0}", row.cost.host);
-            [number, evolution, chip, error, time, instructions, memory].to_vec()
+            [
+                number,
+                evolution,
+                chip,
+                error,
+                time,
+                instructions,
+                its_time,
+                memory,
+            ]
+            .to_vec()
         };
         let usual = |row: &&Row| row.rate == FINEST && row.setting.memory == Memory::DEFAULT;
         Self {

@@ -17,7 +17,7 @@ pub(crate) struct Chip {
     pub(crate) board: Board,
     /// Of its package.
     features: &'static str,
-    /// An instruction takes 2^N ns: near to what it takes on the chip.
+    /// An instruction takes 2^N ns: between half of what it takes on the chip and twice that.
     pub(crate) shift: u32,
 }
 

@@ -2,10 +2,11 @@
 
 use crate::bits::{SAMPLES, same_bits};
 use crate::budgets::{Taken, measure};
-use crate::chip::{Chip, F405, MICROBIT};
+use crate::chip::{self, F405, MICROBIT};
 use crate::line::silence;
 use stiction_core::Fixed;
 use stiction_core::frame::NumberType;
+use stiction_host_sim::emulator::Chip;
 use stiction_tools::readme::Section;
 use stiction_tools::table::thousands;
 use stiction_tools::workspace;
@@ -22,11 +23,11 @@ struct Column {
     with_scenes: [u64; 2],
     silence_us: u32,
     same: u32,
-    /// Of its core in a second.
-    cycles: u32,
+    /// Its chip, with the time that it takes.
+    timing: Chip,
 }
 
-fn column(chip: &'static Chip, cycles: u32) -> Option<Column> {
+fn column(chip: &'static chip::Chip, timing: Chip) -> Option<Column> {
     let taken = measure(chip)?;
     let [first, second] = SCENES.map(|scene| chip.image_of(Some(scene)));
     let same = match taken.about.number {
@@ -38,18 +39,20 @@ fn column(chip: &'static Chip, cycles: u32) -> Option<Column> {
         with_scenes: [first?.contents.flash, second?.contents.flash],
         silence_us: silence(chip)?,
         same,
-        cycles,
+        timing,
     })
 }
 
 impl Column {
-    /// Cycles of a tick at the rate after power-up.
-    fn tick(&self) -> u32 {
-        self.cycles / u32::from(self.taken.about.mode.tick_rate)
+    /// The time of instructions (s).
+    fn seconds(&self, instructions: u32) -> f64 {
+        1e-6 * self.timing.microseconds(f64::from(instructions))
     }
 
+    /// Instructions, and the part that they take of a tick at the rate after power-up.
     fn of_tick(&self, instructions: u32) -> String {
-        let percent = 100.0 * f64::from(instructions) / f64::from(self.tick());
+        let rate = f64::from(self.taken.about.mode.tick_rate);
+        let percent = 100.0 * self.seconds(instructions) * rate;
         format!("{} ({percent:.0} %)", thousands(instructions.into()))
     }
 }
@@ -81,13 +84,16 @@ const ROWS: [Row; 15] = [
     ("budget of a step then (units of work)", |c| {
         thousands(c.taken.about.budget.into())
     }),
-    ("cycles of such a tick", |c| thousands(c.tick().into())),
-    ("the longest step (instructions)", |c| {
-        c.of_tick(c.taken.step)
+    ("cycles of an instruction, estimated", |c| {
+        c.timing.cycles().to_string()
     }),
+    (
+        "the longest step (instructions, part of such a tick)",
+        |c| c.of_tick(c.taken.step),
+    ),
     ("the longest tick", |c| c.of_tick(c.taken.tick)),
     ("the most ticks per second that are all in time", |c| {
-        thousands((c.cycles / c.taken.tick).into())
+        thousands((1.0 / c.seconds(c.taken.tick)) as u64)
     }),
     ("the longest tick with a command", |c| {
         c.of_tick(c.taken.command)
@@ -115,7 +121,7 @@ fn table(f405: &Column, microbit: &Column) -> String {
     }));
     format!(
         "Written by `{COMMAND}`, measured in QEMU along {SAMPLES}\nsamples of a hand that presses, drags, tips and \
-         whirls the box: instructions, not cycles, those of the serial line's\ninterrupts among them.\n\n{}\n",
+         whirls the box: instructions, those of the serial line's\ninterrupts among them; their time is an estimate.\n\n{}\n",
         lines.join("\n")
     )
 }
@@ -123,7 +129,10 @@ fn table(f405: &Column, microbit: &Column) -> String {
 #[test]
 #[ignore = "writes a table of the README"]
 fn the_table_of_the_readme() {
-    let columns = (column(&F405, 168_000_000), column(&MICROBIT, 16_000_000));
+    let columns = (
+        column(&F405, Chip::CortexM4F),
+        column(&MICROBIT, Chip::CortexM0),
+    );
     let (Some(f405), Some(microbit)) = columns else {
         return;
     };
