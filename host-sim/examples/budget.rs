@@ -21,6 +21,8 @@ use stiction_tools::workspace;
 const DRAGS: usize = 100;
 /// Of a tick, for the step: the rest is for the line, the forces and interrupts.
 const PART: f64 = 0.875;
+/// Parts of all steps (%).
+const PARTS: [f64; 4] = [50.0, 99.0, 99.9, 99.99];
 /// A shorter step fits a tick whatever its units take.
 const LONG: u32 = 100;
 
@@ -62,6 +64,12 @@ fn counted(
     drags.iter().map(ride).collect()
 }
 
+/// What parts of all steps stay within, and the longest one.
+fn steps_within(taken: &Taken) -> String {
+    let within = taken.within.map(|part| thousands(part.into())).join(" / ");
+    format!("{within}, {}", thousands(taken.most.into()))
+}
+
 /// Cycles of an instruction, for a reader.
 fn per_instruction(chip: Chip) -> String {
     match chip {
@@ -75,6 +83,8 @@ struct Taken {
     steps: usize,
     mean: f64,
     most: u32,
+    /// Instructions that a part of the steps, of [`PARTS`], stays within.
+    within: [u32; PARTS.len()],
     /// Instructions of a unit of work: on average, at most, and at most in a step of [`LONG`] units and more.
     unit: [f64; 3],
     behind: usize,
@@ -90,6 +100,12 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
     let count = steps().count();
     let sum: f64 = steps().map(|step| f64::from(step.instructions)).sum();
     let work: f64 = steps().map(|step| f64::from(step.work)).sum();
+    let mut sorted: Vec<u32> = steps().map(|step| step.instructions).collect();
+    sorted.sort_unstable();
+    let within = |percent: f64| {
+        let last = (percent / 100.0 * count as f64).ceil() as usize;
+        sorted.get(last.saturating_sub(1)).copied().unwrap_or(0)
+    };
     let of_unit = |step: &Frame| f64::from(step.instructions) / f64::from(step.work);
     let most_of_unit = |least: u32| {
         let long = steps().filter(|step| step.work >= least);
@@ -102,7 +118,8 @@ fn taken(drags: &[Counted], tick: f64) -> Taken {
     Taken {
         steps: count,
         mean: sum / count.max(1) as f64,
-        most: steps().map(|step| step.instructions).max().unwrap_or(0),
+        most: sorted.last().copied().unwrap_or(0),
+        within: PARTS.map(within),
         unit: [sum / work, most_of_unit(1), most_of_unit(LONG)],
         behind: steps().filter(|step| is_behind(step)).count(),
         longest: runs.map(<[Frame]>::len).max().unwrap_or(0),
@@ -131,7 +148,7 @@ fn main() -> Result<(), Box<dyn Error>> {
          many of an instruction, on average, from above. A unit of work takes so many instructions, of the M0+ cycles: on\n\
          average / at most / at most in steps of {LONG} units and more. The budget is what seven eighths of a tick have room for, at the last of these. From the least one\n\
          on no step takes more than its budget; below it a single piece of work may.\n\n\
-         | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | most instructions without a budget | of a tick | \
+         | chip | MHz | tick (Hz) | cycles per instruction | evolution | instructions of a unit | without a budget: 50 / 99 / 99.9 / 99.99 % of the steps, longest | of a tick | \
          budget / least (units) | steps | behind | longest behind (ms) | longest step (ms) | steps over the tick | deepest stack (bytes) |\n\
          |---|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n",
         drags.len()
@@ -151,7 +168,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 rate(chip),
                 per_instruction(chip),
                 evolution.name(),
-                thousands(u64::from(free.most)),
+                steps_within(&free),
                 thousands(tick as u64),
                 least(chip.number()),
                 thousands(bound.steps as u64),
