@@ -6,6 +6,7 @@ use crate::geometry::{Orientation, Pose, Vec2};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
+use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
 /// The body placed by one of its points.
@@ -208,6 +209,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R, H>,
     ) -> Option<Pair> {
         let mut first = None;
+        extent.looks.add(TOUCH);
         let radius = self.radius(scene, None);
         let lasting = || moving.lasting.iter();
         for index in scene.surface_indices() {
@@ -218,6 +220,7 @@ impl<R: Real> Placed<R> {
             if height - along > radius.doubled() {
                 continue;
             }
+            extent.looks.add(SURFACE);
             let mut visit = |vertex: u8| {
                 let contact = Pair {
                     vertex,
@@ -229,6 +232,7 @@ impl<R: Real> Placed<R> {
                 if clear > R::TOUCH || moving.lasting.contains(&contact) {
                     return;
                 }
+                extent.looks.add(VERTEX_AT_SURFACE);
                 let margin = self.margin(scene, contact, moving.path);
                 if moving.curve.stop_at(&margin, extent) {
                     first = Some(contact);

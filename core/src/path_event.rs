@@ -10,6 +10,7 @@ use crate::settle::{Next, Settling, apply, keep, touch};
 use crate::state::{ContactState, Free};
 use crate::transition::{clear_arm, fold_arm};
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
 
 /// The hand at the event, and where it is going.
@@ -30,14 +31,14 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     (at, to): (&mut Grip<R>, &Grip<R>),
     state: &mut ContactState<R>,
     trigger: Trigger<R>,
-    log: &mut Log<R>,
+    (work, log): (&mut Work, &mut Log<R>),
 ) -> Settling<R> {
     log.ambiguous = false;
     let before = state.motion();
-    let next = match outcome(scene, (at, to), state, trigger, log) {
+    let next = match outcome(scene, (at, to), state, trigger, (work, log)) {
         Outcome::Next(next) => next,
         Outcome::Release => {
-            *at = at.toward(scene, to, state.release(scene, at));
+            *at = at.toward(scene, to, state.release(scene, at, work));
             Next::Relax(None)
         }
     };
@@ -49,11 +50,11 @@ fn outcome<R: Real, W: World<R>>(
     path: Path<'_, R>,
     state: &mut ContactState<R>,
     trigger: Trigger<R>,
-    log: &mut Log<R>,
+    (work, log): (&mut Work, &mut Log<R>),
 ) -> Outcome<R> {
     match trigger {
-        Trigger::Touch(pair) => touches(scene, path, state, pair, log),
-        Trigger::Slide(sign) => yields(scene, path, state, sign, log),
+        Trigger::Touch(pair) => touches(scene, path, state, pair, (work, log)),
+        Trigger::Slide(sign) => yields(scene, path, state, sign, (work, log)),
         Trigger::Pressed => {
             state.set_regime(Regime::Stick { stiction: true });
             Outcome::Next(Next::Rest)
@@ -93,7 +94,7 @@ fn touches<R: Real, W: World<R>>(
     path: Path<'_, R>,
     state: &mut ContactState<R>,
     pair: Pair,
-    log: &mut Log<R>,
+    (work, log): (&mut Work, &mut Log<R>),
 ) -> Outcome<R> {
     let (before, regime) = (state.kind(), state.regime());
     let bears = match state {
@@ -112,7 +113,7 @@ fn touches<R: Real, W: World<R>>(
         }
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
         (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s)) => {
-            s.slide_on(scene, path, sign);
+            s.slide_on(scene, path, (sign, work));
         }
         (_, Regime::Slide(_), state) => state.set_regime(Regime::LOOSE),
     }
@@ -125,7 +126,7 @@ fn yields<R: Real, W: World<R>>(
     path: Path<'_, R>,
     state: &mut ContactState<R>,
     sign: R,
-    log: &mut Log<R>,
+    (work, log): (&mut Work, &mut Log<R>),
 ) -> Outcome<R> {
     if state.regime().has_stiction() {
         return Outcome::Next(Next::Slip(sign));
@@ -163,7 +164,7 @@ fn yields<R: Real, W: World<R>>(
             s.regime = Regime::Slide(sign);
             Outcome::Next(Next::Rest)
         }
-        ContactState::TwoVertex(s) if W::SURFACES => match s.begin_slide(scene, path) {
+        ContactState::TwoVertex(s) if W::SURFACES => match s.begin_slide(scene, path, work) {
             Some(regime) => {
                 s.regime = regime;
                 Outcome::Next(Next::Rest)

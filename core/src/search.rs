@@ -9,6 +9,8 @@ use crate::real::Real;
 pub(crate) struct Looks {
     most: u8,
     left: u8,
+    /// What else was done for the searches, in units of work.
+    beside: u8,
 }
 
 impl Looks {
@@ -16,11 +18,17 @@ impl Looks {
     pub(crate) const MOST: u8 = 64;
     /// Every search has so many of its own, so that all of them get away from where they begin.
     const OWN: u8 = 4;
+    /// Of what else is done no more is counted.
+    pub(crate) const MOST_BESIDE: u8 = 32;
     /// At a motion of that kind that was not looked at yet.
     pub(crate) const ALL: Self = Self::at_most(Self::MOST);
 
     pub(crate) const fn at_most(most: u8) -> Self {
-        Self { most, left: most }
+        Self {
+            most,
+            left: most,
+            beside: 0,
+        }
     }
 
     /// One more for a search that took some, if there is one.
@@ -35,9 +43,14 @@ impl Looks {
         true
     }
 
-    /// So many were taken.
+    /// Something else was done that takes as long as so many.
+    pub(crate) fn add(&mut self, units: u8) {
+        self.beside = self.beside.saturating_add(units).min(Self::MOST_BESIDE);
+    }
+
+    /// So many were taken, with what else was done.
     pub(crate) fn taken(self) -> u32 {
-        u32::from(self.most.saturating_sub(self.left))
+        u32::from(self.most.saturating_sub(self.left)).saturating_add(u32::from(self.beside))
     }
 }
 

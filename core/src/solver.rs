@@ -145,8 +145,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// From this budget on no step takes more, with at most four contacts at once, in units of work: two certified frames that fail and
-    /// the piece that takes most.
+    /// From this budget on no step takes more, with at most three contacts at once, in units of work: a certified frame that fails and
+    /// the piece that takes most. To take hold of the body is not counted.
     pub const LEAST_BUDGET: u32 = least(S > 1);
 
     /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A

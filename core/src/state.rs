@@ -23,6 +23,7 @@ use crate::moment::{Pinned, Sliding};
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Relax, Trigger, seat};
+use crate::work::Work;
 use crate::world::World;
 
 mod corner;
@@ -44,7 +45,7 @@ pub(crate) use edge::Edge;
 pub(crate) use free::Free;
 pub(crate) use locked::Locked;
 pub(crate) use single_vertex::SingleVertex;
-pub(crate) use trammel::MOST_OF_RUN;
+pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, SLIDE};
 pub(crate) use two_vertex::{Slip, TwoVertex};
 
 /// The contact state with its memory.
@@ -122,20 +123,25 @@ impl<R: Real> ContactState<R> {
 
     /// The contacts hold the body, but only with reactions beyond the limit (STATICS 6).
     #[inline(never)]
-    pub(crate) fn is_jammed<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+    pub(crate) fn is_jammed<W: World<R>>(
+        &self,
+        scene: &W,
+        grip: &Grip<R>,
+        work: &mut Work,
+    ) -> bool {
         match self {
-            Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip),
-            Self::Corner(s) if W::SURFACES => s.is_jammed(scene, grip),
-            Self::Locked(s) if W::SURFACES => s.is_jammed(scene, grip),
+            Self::TwoVertex(s) if W::SURFACES => s.is_jammed(scene, grip, work),
+            Self::Corner(s) if W::SURFACES => s.is_jammed(scene, grip, work),
+            Self::Locked(s) if W::SURFACES => s.is_jammed(scene, grip, work),
             _ => false,
         }
     }
 
     /// A displacement of the hand after which what the contacts have just borne is surely not borne any more.
-    pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> R {
+    pub(crate) fn release<W: World<R>>(&self, scene: &W, grip: &Grip<R>, work: &mut Work) -> R {
         match self {
-            Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip),
-            Self::Locked(s) if W::SURFACES => s.release(scene, grip),
+            Self::TwoVertex(s) if W::SURFACES => s.release(scene, grip, work),
+            Self::Locked(s) if W::SURFACES => s.release(scene, grip, work),
             _ => self.load(scene, grip).release(),
         }
     }
@@ -205,8 +211,10 @@ impl<R: Real> ContactState<R> {
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> bool {
         let path = (from, to);
+        work.spend(self.certified_work());
         match self {
             Self::Free(s) if W::GLIDES => s.follow::<Sliding<R>>(scene, path),
             Self::Free(s) => s.follow::<Pinned>(scene, path),
@@ -216,8 +224,8 @@ impl<R: Real> ContactState<R> {
                 Regime::Stick { .. } => s.follow(scene, path),
             },
             Self::Edge(s) if W::EDGES => s.follow(scene, path),
-            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path),
-            Self::Locked(s) if W::SURFACES => s.follow(scene, to),
+            Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path, work),
+            Self::Locked(s) if W::SURFACES => s.follow(scene, to, work),
             _ => false,
         }
     }

@@ -63,7 +63,7 @@ pub(crate) struct Moved<R> {
     pub(crate) unsure: bool,
     /// A slip ended elsewhere than in balance: one that began out of balance, when another contact opened, or was blocked.
     pub(crate) unbalanced: bool,
-    /// The looks of its searches, in units of work.
+    /// What it took besides what every one of its kind takes, in units of work.
     pub(crate) work: u32,
 }
 

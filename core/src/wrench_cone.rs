@@ -5,6 +5,7 @@
 mod facets;
 mod shares;
 
+use core::cell::Cell;
 use heapless::Vec;
 
 use crate::contact::MAX_CONTACTS;
@@ -42,9 +43,26 @@ pub(crate) struct WrenchCone<R: Real> {
     edges: Vec<Edge<R>, MAX_EDGES>,
     /// Of the contacts, from the pivot.
     levers: Vec<Vec2<R>, MAX_CONTACTS>,
+    /// What was done with it so far, in units of work.
+    work: Cell<u32>,
 }
 
 impl<R: Real> WrenchCone<R> {
+    /// Counts work that is done with it.
+    pub(crate) fn spend(&self, units: u32) {
+        self.work.set(self.work.get().saturating_add(units));
+    }
+
+    /// So many contacts it has.
+    pub(crate) fn count(&self) -> u32 {
+        u32::try_from(self.levers.len()).unwrap_or(u32::MAX)
+    }
+
+    /// What was done with it so far, in units of work.
+    pub(crate) fn work(&self) -> u32 {
+        self.work.get()
+    }
+
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
         for &(n, t) in &bearing.edges {
             let force = bearing.normal * n + bearing.tangent * t;

@@ -17,7 +17,7 @@ fn happens<R: Real>(
     trigger: Trigger<R>,
     log: &mut Log<R>,
 ) {
-    let mut settling = super::happens(scene, (at, to), state, trigger, log);
+    let mut settling = super::happens(scene, (at, to), state, trigger, (&mut Work::within(0), log));
     while !settling.go_on(scene, at, state, log).1 {}
 }
 
@@ -255,7 +255,7 @@ fn certified_stick_gains_stiction_and_keeps_it() {
                 continue;
             }
             let mut state = case.state(Regime::Stick { stiction });
-            if !state.follow(&scene, (&from, &to)) {
+            if !state.follow(&scene, (&from, &to), &mut Work::within(0)) {
                 continue;
             }
             let regime = Regime::Stick {

@@ -155,22 +155,21 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             hand,
             angle: angle.offset_from(state.rest_offset),
         };
+        let mut tried = false;
         if again && !state.errand.is_done() {
             log.limit(state.course.limited);
         } else {
             Self::turn_to_a_new_place(state);
+            tried = matches!(state.errand.stage, Stage::OnPath);
             if state.errand.is_done() && to == state.grip {
                 log.limit(state.unrest);
                 return true;
             }
-            if state.errand.stage == Stage::OnPath {
-                work.spend(state.contact.certified_work());
-                if (state.contact).follow(&self.scene, (&state.grip, &to)) {
-                    rests(&state.contact, log);
-                    (state.grip, state.unrest) = (to, Status::Ok);
-                    (state.errand, state.course) = (Errand::NONE, Course::NEW);
-                    return true;
-                }
+            if tried && (state.contact).follow(&self.scene, (&state.grip, &to), work) {
+                rests(&state.contact, log);
+                (state.grip, state.unrest) = (to, Status::Ok);
+                (state.errand, state.course) = (Errand::NONE, Course::NEW);
+                return true;
             }
             if !state.contact.can_be_held(&self.scene, &to) {
                 return false;
@@ -178,7 +177,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             (state.errand.left, state.course.has_jumped) = (R::ONE, false);
         }
         state.course.limited = Status::Ok;
-        self.follow_hand(state, &to, (work, log));
+        self.follow_hand(state, (&to, tried), (work, log));
         true
     }
 
@@ -206,37 +205,43 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             has_jumped: true,
             ..Course::NEW
         };
-        self.follow_hand(state, &to, (work, log));
+        self.follow_hand(state, (&to, false), (work, log));
     }
 
     /// Piece by piece to the end of the hand's path, or until the work that is left is less than the next piece may take. Each piece is
-    /// a call of its own (`inline(never)`): the stack holds the work of one.
+    /// a call of its own (`inline(never)`): the stack holds the work of one. `tried`: a certified frame to there, in vain.
     fn follow_hand(
         &self,
         state: &mut State<R>,
-        to: &Grip<R>,
+        (to, mut tried): (&Grip<R>, bool),
         (work, log): (&mut Work, &mut Log<R>),
     ) {
         // One piece at least, so that the body gets on.
         let mut is_first = true;
-        while is_first || work.allows(self.most_of_piece(state)) {
+        loop {
+            let most = self.most_of_piece(state, tried);
+            if !is_first && !work.allows(most) {
+                break;
+            }
+            work.begin(most);
             is_first = false;
             let stage = core::mem::replace(&mut state.errand.stage, Stage::OnPath);
             match stage {
                 Stage::Arrived => {
                     work.spend(state.contact.rest_work());
-                    if state.contact.is_jammed(&self.scene, &state.grip) {
+                    if (state.contact).is_jammed(&self.scene, &state.grip, work) {
                         log.limit(Status::Jammed);
                     }
                     state.unrest = log.unrest();
                     (state.errand, state.course) = (Errand::NONE, Course::NEW);
                     return;
                 }
-                Stage::OnPath => self.along_path(state, to, (work, log)),
+                Stage::OnPath => self.along_path(state, (to, tried), (work, log)),
                 Stage::AtEvent(trigger) => {
-                    work.spend(state.contact.event_work(&self.scene));
+                    work.spend(state.contact.event_work(&trigger));
                     let path = (&mut state.grip, to);
-                    let settling = happens(&self.scene, path, &mut state.contact, trigger, log);
+                    let contact = &mut state.contact;
+                    let settling = happens(&self.scene, path, contact, trigger, (work, log));
                     if settling.is_over() {
                         self.settle_on(state, to, settling, (work, log));
                     } else {
@@ -245,6 +250,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 }
                 Stage::Settling(settling) => self.settle_on(state, to, settling, (work, log)),
             }
+            tried = false;
         }
         state.errand.left = state.errand.left.max(R::EPSILON);
         let is_settled = state.errand.stage == Stage::Arrived;
@@ -279,13 +285,15 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     }
 
     /// The most work that the next piece takes.
-    fn most_of_piece(&self, state: &State<R>) -> u32 {
+    fn most_of_piece(&self, state: &State<R>, tried: bool) -> u32 {
         let contact = &state.contact;
-        match state.errand.stage {
-            Stage::OnPath => (contact.most_of_verb()).saturating_add(contact.certified_work()),
-            Stage::AtEvent(_) => contact.event_work(&self.scene),
-            Stage::Settling(_) => contact.most_of_verb(),
-            Stage::Arrived => contact.rest_work(),
+        match &state.errand.stage {
+            Stage::OnPath if state.course.events > 0 && !tried => {
+                (contact.most_of_verb()).saturating_add(contact.most_of_certified())
+            }
+            Stage::OnPath | Stage::Settling(_) => contact.most_of_verb(),
+            Stage::AtEvent(trigger) => contact.most_of_event(trigger),
+            Stage::Arrived => contact.most_of_rest(),
         }
     }
 
@@ -294,7 +302,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     fn along_path(
         &self,
         state: &mut State<R>,
-        to: &Grip<R>,
+        (to, tried): (&Grip<R>, bool),
         (work, log): (&mut Work, &mut Log<R>),
     ) {
         let Course {
@@ -313,10 +321,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             }
             return Self::jump(state, to, log);
         }
-        if events > 0 {
-            work.spend(state.contact.certified_work());
-        }
-        if events > 0 && state.contact.follow(&self.scene, (&state.grip, to)) {
+        let may_be_certified = events > 0 && !tried;
+        if may_be_certified && (state.contact).follow(&self.scene, (&state.grip, to), work) {
             rests(&state.contact, log);
             (state.grip, state.errand.stage) = (*to, Stage::Arrived);
             return;

@@ -13,6 +13,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
 
 /// The memory: the vertex on its first surface, the angle, and the second surface.
@@ -175,12 +176,19 @@ impl<R: Real> Corner<R> {
     }
 
     /// Surfaces press harder than the load pulls by at most 1 over the sine of their angle.
-    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> bool {
         let [first, second] =
             [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
         let narrow = first.cross(second).abs() * R::limit();
         let size = self.pivot.load(scene, grip).force.length_bound();
-        narrow < size && self.fixed_pose(scene).is_jammed(scene, grip)
+        let may_jam = narrow < size;
+        if !may_jam {
+            return false;
+        }
+        let fixed_pose = self.fixed_pose(scene);
+        let is_jammed = fixed_pose.is_jammed(scene, grip);
+        work.spend(fixed_pose.work());
+        is_jammed
     }
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {

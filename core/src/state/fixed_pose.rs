@@ -13,6 +13,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work;
 use crate::world::World;
 use crate::wrench_cone::{Bearing, WrenchCone, Yield};
 
@@ -86,6 +87,11 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
+    /// What was done with it so far, in units of work.
+    pub(super) fn work(&self) -> u32 {
+        work::pose(self.cone.count()).saturating_add(self.cone.work())
+    }
+
     /// True if the contacts bear the load on three edges of their cones, within the limit: those of the last time, or others, which
     /// are remembered.
     pub(super) fn bears(
@@ -130,18 +136,20 @@ impl<R: Real> FixedPose<R> {
     /// To the end of the hand's path, or to where the load is not borne any more. The loads that are borne are convex, so that
     /// the end decides.
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
-        match self.bears_until(scene, (from, to)) {
-            Borne::ToTheEnd => Moved::by(Trigger::Balanced),
-            Borne::Unknown => Moved::by(self.give_way(scene, (to, to), 0)),
+        let (part, trigger) = match self.bears_until(scene, (from, to)) {
+            Borne::ToTheEnd => (R::ONE, Trigger::Balanced),
+            Borne::Unknown => (R::ONE, self.give_way(scene, (to, to), 0)),
             Borne::Until(part) => {
                 let at = from.lerp(to, part);
                 // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
                 let ahead = at.ahead(scene, to, self.release(scene, &at));
-                Moved {
-                    part,
-                    ..Moved::by(self.give_way(scene, (&at, &ahead), 0))
-                }
+                (part, self.give_way(scene, (&at, &ahead), 0))
             }
+        };
+        Moved {
+            part,
+            work: self.work(),
+            ..Moved::by(trigger)
         }
     }
 
@@ -168,11 +176,15 @@ impl<R: Real> FixedPose<R> {
     }
 
     /// At rest, or what begins. `tried`: how many motions did not move the body.
-    pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Trigger<R> {
-        if self.holds(&self.pivot.load(scene, grip)) {
+    pub(super) fn test(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
+        let trigger = if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
         } else {
             self.give_way(scene, (grip, grip), tried)
+        };
+        Moved {
+            work: self.work(),
+            ..Moved::by(trigger)
         }
     }
 

@@ -9,6 +9,7 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::Moved;
+use crate::work::Work;
 use crate::world::World;
 use heapless::Vec;
 
@@ -43,9 +44,11 @@ impl<R: Real> Locked<R> {
     }
 
     /// A certified frame: it stays. The loads that are borne are convex, so that the end of the way decides.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>) -> bool {
+    pub(crate) fn follow(&mut self, scene: &impl World<R>, to: &Grip<R>, work: &mut Work) -> bool {
         let fixed_pose = self.fixed_pose(scene);
-        fixed_pose.bears(scene, to, &mut self.bearers)
+        let bears = fixed_pose.bears(scene, to, &mut self.bearers);
+        work.spend(fixed_pose.work());
+        bears
     }
 
     /// Stays as the hand moves, as long as the contacts bear the load.
@@ -57,16 +60,21 @@ impl<R: Real> Locked<R> {
     /// Puts the contacts to the test as they are.
     #[inline(never)]
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, tried: usize) -> Moved<R> {
+        self.fixed_pose(scene).test(scene, grip, tried)
+    }
+
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> bool {
         let fixed_pose = self.fixed_pose(scene);
-        Moved::by(fixed_pose.test(scene, grip, tried))
+        let is_jammed = fixed_pose.is_jammed(scene, grip);
+        work.spend(fixed_pose.work());
+        is_jammed
     }
 
-    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
-        self.fixed_pose(scene).is_jammed(scene, grip)
-    }
-
-    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
-        self.fixed_pose(scene).release(scene, grip)
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> R {
+        let fixed_pose = self.fixed_pose(scene);
+        let release = fixed_pose.release(scene, grip);
+        work.spend(fixed_pose.work());
+        release
     }
 
     pub(crate) fn reactions(&self, scene: &impl World<R>, load: &Load<R>) -> Reactions<R> {

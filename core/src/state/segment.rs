@@ -134,7 +134,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         self.extent.looks
     }
 
-    /// The looks at it, in units of work.
+    /// The looks at it and what else was done for them, in units of work.
     pub(super) fn work(&self) -> u32 {
         self.extent.looks.taken()
     }

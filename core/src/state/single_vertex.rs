@@ -17,6 +17,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::SLIP;
 use crate::world::{Surface, World};
 
 /// The memory: where the vertex is held, the angle, which is the branch, and whether it sticks.
@@ -306,6 +307,7 @@ impl<R: Real> SingleVertex<R> {
         }
         Moved {
             slip: self.pivot.foot - slip.foot,
+            work: moved.work.saturating_add(SLIP),
             ..moved
         }
     }

@@ -21,10 +21,11 @@ mod slide;
 use kinematics::Quantities;
 
 pub(crate) use certified::certified_slide;
-pub(crate) use slide::{SlideEnding, Slides};
+pub(crate) use slide::{MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
-/// A look at the motion of two contacts takes as long as so many at that of one.
-const LOOK: u32 = 6;
+/// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.
+const LOOK: u32 = 7;
+const RUN: u32 = 32;
 
 /// So many looks at a motion of two contacts: from where they lead it goes on with others.
 const MOST_LOOKS: u8 = 12;
@@ -32,8 +33,9 @@ const MOST_LOOKS: u8 = 12;
 /// The looks for a touch on such a motion.
 const MOST_FOR_TOUCH: u8 = 32;
 
-/// The most looks of a run, in units of work.
-pub(crate) const MOST_OF_RUN: u32 = LOOK * MOST_LOOKS as u32 + MOST_FOR_TOUCH as u32;
+/// The most that a run takes but for the looks of its own, in units of work.
+pub(crate) const MOST_OF_RUN: u32 =
+    RUN + LOOK * MOST_LOOKS as u32 + MOST_FOR_TOUCH as u32 + Looks::MOST_BESIDE as u32;
 
 /// One direction of the trammel motion, from a present place, all about contact 1.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +83,7 @@ pub(crate) struct Run<R> {
     pub(crate) slide: R,
     pub(crate) turn: R,
     pub(crate) unsure: bool,
-    /// The looks for its end, in units of work.
+    /// What it took, in units of work.
     pub(crate) work: u32,
 }
 
@@ -357,7 +359,9 @@ impl<R: Real> Trammel<R> {
             turn: extent.end.turn,
             // What goes as far as its bounds hold goes on from there.
             unsure: extent.unsure && (ending != Ending::Window || extent.end.x == R::ZERO),
-            work: work_of(looks, &extent),
+            work: RUN
+                .saturating_add(looks.taken().saturating_mul(LOOK))
+                .saturating_add(extent.looks.taken()),
         };
         (run, ending)
     }
@@ -390,11 +394,6 @@ pub(crate) fn sliding_reactions<R: Real>(
     }
     let trammel = Trammel::in_sense(scene, contacts, grip, direction);
     (trammel.reactions(), trammel.signs())
-}
-
-/// The units of work of the looks at the two contacts, and of those for a touch.
-fn work_of<R>(looks: Looks, extent: &Extent<R>) -> u32 {
-    (looks.taken().saturating_mul(LOOK)).saturating_add(extent.looks.taken())
 }
 
 /// (N, T) of contacts that slide from the parts of their reactions along the edges of the dynamic cones.

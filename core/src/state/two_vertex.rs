@@ -3,7 +3,7 @@
 
 use super::fixed_pose::FixedPose;
 use super::trammel::{
-    Demand, Ending, Run, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
+    Demand, Ending, Run, SLIDE, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::geometry::{Angle, Orientation};
@@ -14,6 +14,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::sign::Sign;
 use crate::verb::{Moved, Relax, Trigger, seat_sliding};
+use crate::work::{DRIVEN, Work};
 use crate::world::{Surface, World};
 
 /// The memory: where the first contact is held, the fixed angle, the other contact, and whether they stick.
@@ -81,7 +82,12 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// A certified frame: it stays, as the loads that are borne are convex and the end of the way decides; or it slides on.
-    pub(crate) fn follow(&mut self, scene: &impl World<R>, path: (&Grip<R>, &Grip<R>)) -> bool {
+    pub(crate) fn follow(
+        &mut self,
+        scene: &impl World<R>,
+        path: (&Grip<R>, &Grip<R>),
+        work: &mut Work,
+    ) -> bool {
         if let Some(sense) = self.regime.slide() {
             let slide = certified_slide(scene, (&self.pivot, self.other), path, sense);
             let slide = slide.filter(|slide| self.has_room(scene, slide.travel_bound));
@@ -89,7 +95,9 @@ impl<R: Real> TwoVertex<R> {
             return slide.is_some();
         }
         let fixed_pose = self.fixed_pose(scene);
-        fixed_pose.bears(scene, path.1, &mut self.bearers)
+        let bears = fixed_pose.bears(scene, path.1, &mut self.bearers);
+        work.spend(fixed_pose.work());
+        bears
     }
 
     /// True if no further vertex can reach a surface on a way that begins here.
@@ -177,8 +185,12 @@ impl<R: Real> TwoVertex<R> {
         &self,
         scene: &impl World<R>,
         path: (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> Option<Regime<R>> {
-        let signs = self.fixed_pose(scene).sliding_signs(scene, path.0)?;
+        let fixed_pose = self.fixed_pose(scene);
+        let signs = fixed_pose.sliding_signs(scene, path.0);
+        work.spend(fixed_pose.work());
+        let signs = signs?;
         let mut senses = [R::ONE, -R::ONE].into_iter();
         senses.find_map(|sense| {
             let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);
@@ -186,6 +198,7 @@ impl<R: Real> TwoVertex<R> {
             if !velocities.all(|(velocity, sign)| velocity * sign >= R::ZERO) {
                 return None;
             }
+            work.spend(SLIDE);
             let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
             match slides.begins() {
                 Some(SlideEnding::Arrives) => Some(Regime::Slide(sense)),
@@ -197,7 +210,12 @@ impl<R: Real> TwoVertex<R> {
 
     /// The other contact has just closed while the first one slid along a sign: both slide if the motion that goes on with that
     /// follows the hand and presses the new contact on, else both stick (rule 10g).
-    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, path: (&Grip<R>, &Grip<R>), sign: R) {
+    pub(crate) fn slide_on(
+        &mut self,
+        scene: &impl World<R>,
+        path: (&Grip<R>, &Grip<R>),
+        (sign, work): (R, &mut Work),
+    ) {
         self.regime = Regime::LOOSE;
         for sense in [R::ONE, -R::ONE] {
             let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), path.0, sense);
@@ -205,6 +223,7 @@ impl<R: Real> TwoVertex<R> {
             if first != sign {
                 continue;
             }
+            work.spend(SLIDE);
             let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
             if let Some((advances, [_, pressing])) = slides.rates()
                 && advances > R::ZERO
@@ -220,10 +239,16 @@ impl<R: Real> TwoVertex<R> {
     pub(crate) fn relax(&self, scene: &impl World<R>, grip: &Grip<R>, how: Relax<R>) -> Moved<R> {
         let driven =
             || Trammel::driven(scene, (&self.pivot, self.other), grip, Demand::Pressed).is_some();
-        Moved::by(match how.sliding {
-            Some(sign) if driven() => Trigger::Slide(sign),
-            _ => slides(self.fixed_pose(scene).test(scene, grip, how.tried)),
-        })
+        let moved = match how.sliding {
+            Some(sign) if driven() => Moved::by(Trigger::Slide(sign)),
+            _ => self.fixed_pose(scene).test(scene, grip, how.tried),
+        };
+        let asked = if how.sliding.is_some() { DRIVEN } else { 0 };
+        Moved {
+            trigger: slides(moved.trigger),
+            work: moved.work.saturating_add(asked),
+            ..moved
+        }
     }
 
     /// Slips on both surfaces to the first of (E6), N_i = 0, touch. Where it ends in balance both stick if one of them went as far as
@@ -247,7 +272,11 @@ impl<R: Real> TwoVertex<R> {
                 let trigger = opens.unwrap_or(Trigger::Stopped);
                 self.end_slip(scene, grip, &slip, (trigger, true))
             }
-            None => Moved::by(Trigger::Undriven),
+            // In both senses, with either demand.
+            None => Moved {
+                work: DRIVEN + DRIVEN,
+                ..Moved::by(Trigger::Undriven)
+            },
         }
     }
 
@@ -321,13 +350,15 @@ impl<R: Real> TwoVertex<R> {
         under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
         slip.opens = None;
+        let mut work = run.work;
         let ends = match ending {
             Ending::Stopped => Some(Trigger::Stopped),
             Ending::Touches(pair) => Some(Trigger::Touch(pair)),
             Ending::Window | Ending::Reverses => None,
             Ending::Opens { lasts, sliding } => {
                 slip.opens = Some((lasts == 0, Sign::of(sliding)));
-                let opens = self.can_open(scene, grip, lasts, sliding);
+                let (opens, units) = self.can_open(scene, grip, lasts, sliding);
+                work = work.saturating_add(units);
                 opens.then(|| keep(lasts, sliding))
             }
         };
@@ -346,7 +377,7 @@ impl<R: Real> TwoVertex<R> {
         };
         Moved {
             unsure: run.unsure,
-            work: run.work,
+            work: work.saturating_add(moved.work),
             ..moved
         }
     }
@@ -374,7 +405,10 @@ impl<R: Real> TwoVertex<R> {
             return moved;
         }
         // Where opposite surfaces clamp the body, what ends a slip is not always a balance.
-        if !self.fixed_pose(scene).is_at_rest(scene, grip) {
+        let fixed_pose = self.fixed_pose(scene);
+        let is_at_rest = fixed_pose.is_at_rest(scene, grip);
+        moved.work = fixed_pose.work();
+        if !is_at_rest {
             moved.unbalanced = true;
             let turn = (self.pivot.orientation.angle()).minus(slip.angle);
             if slide.abs() + turn.abs() <= R::MICRO {
@@ -404,20 +438,37 @@ impl<R: Real> TwoVertex<R> {
         has_stiction && pairs.iter().zip(surfaces()).any(renews)
     }
 
-    /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide.
-    fn can_open(&self, scene: &impl World<R>, grip: &Grip<R>, lasts: usize, sliding: R) -> bool {
+    /// True if the contact that does not last can leave its surface, by a turn about the one that lasts or by its slide; and what
+    /// that took, in units of work.
+    fn can_open(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        lasts: usize,
+        sliding: R,
+    ) -> (bool, u32) {
         let fixed_pose = self.fixed_pose(scene);
-        [None, Some(sliding)]
+        let opens = [None, Some(sliding)]
             .into_iter()
-            .any(|sliding| fixed_pose.opens(scene, grip, &([lasts, lasts], sliding)))
+            .any(|sliding| fixed_pose.opens(scene, grip, &([lasts, lasts], sliding)));
+        (opens, fixed_pose.work())
     }
 
-    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
-        self.regime.slide().is_none() && self.fixed_pose(scene).is_jammed(scene, grip)
+    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> bool {
+        if self.regime.slide().is_some() {
+            return false;
+        }
+        let fixed_pose = self.fixed_pose(scene);
+        let is_jammed = fixed_pose.is_jammed(scene, grip);
+        work.spend(fixed_pose.work());
+        is_jammed
     }
 
-    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
-        self.fixed_pose(scene).release(scene, grip)
+    pub(crate) fn release(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> R {
+        let fixed_pose = self.fixed_pose(scene);
+        let release = fixed_pose.release(scene, grip);
+        work.spend(fixed_pose.work());
+        release
     }
 
     /// The reactions, and the directions along t in which the contacts slide: 0 where they stick.

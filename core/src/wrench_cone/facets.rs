@@ -4,6 +4,7 @@
 use super::{Edge, WrenchCone};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
+use crate::work;
 use crate::wrench2::Wrench2;
 
 /// The incipient motion at a facet.
@@ -98,6 +99,7 @@ impl<R: Real> WrenchCone<R> {
     /// Visits the facets: inner normal of unit size, how exactly it is known, from 0 (its edges are parallel) to 1, and the
     /// incipient motion when the load crosses it.
     fn each_facet(&self, visit: &mut dyn FnMut(Wrench2<R>, R, Yield<R>)) {
+        self.spend(work::facets(self.count()));
         for (i, a) in self.edges.iter().enumerate() {
             for (k, b) in self.edges.iter().enumerate().skip(i.saturating_add(1)) {
                 let normal = a.wrench.cross(b.wrench);

@@ -7,6 +7,7 @@ use crate::contact::MAX_CONTACTS;
 use crate::list::gather;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
+use crate::work::{THREE, TRIAL};
 use crate::wrench2::Wrench2;
 
 /// The parts of edges that lie almost in a plane are looked at so many times at most, and refined in between.
@@ -37,7 +38,10 @@ impl<R: Real> WrenchCone<R> {
                 return true;
             }
             let presses = |&part: &R| part >= R::ZERO;
-            let mut solutions = self.triples().filter_map(|t| self.on_three(t, part));
+            let mut solutions = self.triples().filter_map(|t| {
+                self.spend(THREE);
+                self.on_three(t, part)
+            });
             let is_beyond = solutions.any(|(solution, _)| {
                 let parts = solution.map(|(_, part)| part);
                 parts.iter().all(presses) && parts.iter().any(|&part| part >= R::HUGE)
@@ -146,6 +150,7 @@ impl<R: Real> WrenchCone<R> {
                 .chain(pair.map(gather))
                 .chain(single.map(gather));
             for solution in solutions {
+                self.spend(TRIAL);
                 beyond |= solution.iter().any(|&(_, part)| part >= R::HUGE);
                 let mut trial = parts.clone();
                 add(&mut trial, &solution);
@@ -207,6 +212,7 @@ impl<R: Real> WrenchCone<R> {
         load: Wrench2<R>,
         little: R,
     ) -> Option<[(usize, R); 3]> {
+        self.spend(THREE);
         let (solution, volume) = self.on_three(edges, load)?;
         let presses = |solution: &[(usize, R); 3]| {
             solution

@@ -137,7 +137,7 @@ fn certified_edge_slides_as_the_searched_one() {
         let to = hand(from.hand.x + along, normal + press);
         let begin = edge(-0.5, Regime::Slide(sign));
         let (mut followed, mut searched) = (begin.clone(), begin.clone());
-        let follows = followed.follow(&scene, (&from, &to));
+        let follows = followed.follow(&scene, (&from, &to), &mut Work::within(0));
         let moved = searched.advance(&scene, &from, &to);
         // The lag goes with mu_d N.
         let advance = sign * along - MU_D * press;

@@ -10,6 +10,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::state::trammel::{Demand, Trammel};
 use crate::thresholds::Thresholds;
+use crate::work::{DRIVEN, MOTION};
 use crate::world::{Surface, World};
 
 /// The instantaneous velocity of the body: of the pivot, and the turn.
@@ -63,6 +64,7 @@ impl<R: Real> FixedPose<R> {
         mode: &Mode<R>,
         demand: Demand,
     ) -> Option<Twist<R>> {
+        self.cone.spend(MOTION);
         let ([first, second], sliding) = *mode;
         let [a, b] = [first, second].map(|i| self.contact(i));
         let load = self.pivot.load(scene, grip);
@@ -94,6 +96,7 @@ impl<R: Real> FixedPose<R> {
             }
             Some(_) if a.vertex == b.vertex => None,
             Some(_) => {
+                self.cone.spend(DRIVEN);
                 let pivot = Pivot::at(scene, &load.placed.pose(), a);
                 let (slide, turn) = Trammel::driven(scene, (&pivot, b), grip, demand)?.twist();
                 let arm = load.placed.arm(scene, a.vertex);

@@ -37,7 +37,7 @@ fn point_on_one_surface_has_one_contact() {
         let (grip, before) = (grip(force), grip((0.0, -1.1)));
         for begin in states() {
             let mut state = begin.clone();
-            assert!(!state.follow(&scene, (&before, &grip)));
+            assert!(!state.follow(&scene, (&before, &grip), &mut Work::within(0)));
             let moved = [
                 state.advance(&scene, &before, &grip),
                 state.relax(&scene, &grip, Relax::default()),

@@ -32,7 +32,7 @@ fn every_motion_is_tried_once() {
             hand: middle + random.vector(),
             angle: Angle::from_radians(random.next()),
         };
-        let test = |attempt: usize| fixed_pose.test(room, &grip, attempt);
+        let test = |attempt: usize| fixed_pose.test(room, &grip, attempt).trigger;
         let first = test(0);
         if first == Trigger::Balanced {
             continue;

@@ -93,6 +93,10 @@ fn tip_that_does_not_press_is_not_certified() {
             angle: Angle::from_radians(turn),
         };
         let mut state = ContactState::SingleVertex(SingleVertex::new(pivot(0.0)));
-        assert_eq!(state.follow(&point, (&grip, &grip)), follows, "{press}");
+        assert_eq!(
+            state.follow(&point, (&grip, &grip), &mut Work::within(0)),
+            follows,
+            "{press}"
+        );
     }
 }

@@ -2,7 +2,7 @@
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
 use super::kinematics::Kinematics;
-use super::{MOST_FOR_TOUCH, MOST_LOOKS, Run, Trammel, work_of};
+use super::{MOST_FOR_TOUCH, MOST_LOOKS, Run, Trammel};
 use crate::balance_curve::Extent;
 use crate::bounded::{Bounded, Quantity, QuantityVec, Sloped};
 use crate::contact::Pair;
@@ -13,6 +13,21 @@ use crate::real::Real;
 use crate::search::{Found, Looks, Samples, first_zero};
 use crate::thresholds::Thresholds;
 use crate::world::World;
+
+/// What it takes to find the trammel of a slide with the hand and the bounds of its motion, in units of work.
+pub(crate) const SLIDE: u32 = 49;
+
+/// A look at two contacts that slide with the hand takes as long as so many at the motion of one.
+const LOOK: u32 = 13;
+
+/// Besides those of its search a run takes so many at most.
+const MOST_OF_OTHERS: u32 = 3;
+
+/// The most that a run takes but for the looks of its own, in units of work.
+pub(crate) const MOST_OF_SLIDE: u32 = SLIDE
+    + LOOK * (MOST_LOOKS as u32 + MOST_OF_OTHERS)
+    + MOST_FOR_TOUCH as u32
+    + Looks::MOST_BESIDE as u32;
 
 /// What ended a slide with the hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -296,7 +311,7 @@ impl<R: Real> Slides<R> {
             slide: R::ZERO,
             turn: R::ZERO,
             unsure: false,
-            work: 0,
+            work: SLIDE,
         };
         if standing.stability.value <= R::ZERO {
             return (nowhere, R::ZERO, SlideEnding::Folds);
@@ -339,12 +354,15 @@ impl<R: Real> Slides<R> {
         } else if let Some((opens, at)) = arrival.and_then(|last| self.opens_in_place(&last)) {
             (ending, part) = (opens, at);
         }
+        let others = if arrival.is_some() { MOST_OF_OTHERS } else { 1 };
         let run = Run {
             slide: extent.part(),
             turn: extent.end.turn,
             // What goes as far as its bounds hold goes on from there.
             unsure: extent.unsure && (ending != SlideEnding::Window || x == R::ZERO),
-            work: work_of(looks, &extent),
+            work: SLIDE
+                .saturating_add((looks.taken().saturating_add(others)).saturating_mul(LOOK))
+                .saturating_add(extent.looks.taken()),
         };
         (run, part, ending)
     }

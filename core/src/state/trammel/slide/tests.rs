@@ -5,6 +5,7 @@ use crate::contact::Regime;
 use crate::fixtures::bench::HandAt;
 use crate::fixtures::{Random, sampled};
 use crate::verb::Trigger;
+use crate::work::Work;
 use ladder::{Case, Ladder};
 
 mod ladder;
@@ -295,7 +296,11 @@ fn certified_slide_is_all_that_happens() {
         let before = state.clone();
         let to = ladder.grip(&sliding.hand.on(sliding.way, 1.0));
         driven += usize::from(sliding.drive() > 0.0 && sliding.stability() > 0.0);
-        if !state.follow(&sliding.case.scene, (&sliding.case.grip, &to)) {
+        if !state.follow(
+            &sliding.case.scene,
+            (&sliding.case.grip, &to),
+            &mut Work::within(0),
+        ) {
             assert!(state.pivot == before.pivot && state.regime == before.regime);
             continue;
         }

@@ -84,7 +84,11 @@ fn rates_are_those_of_the_balances() {
         let mut state = sliding.case.state.clone();
         let to = ladder.grip(&sliding.hand.on(sliding.way, 1.0));
         let sign = (ladder.speeds(ladder.theta)[0] * ladder.sense).signum();
-        state.slide_on(&sliding.case.scene, (&sliding.case.grip, &to), sign);
+        state.slide_on(
+            &sliding.case.scene,
+            (&sliding.case.grip, &to),
+            (sign, &mut Work::within(0)),
+        );
         let should = if advances > 0.0 && presses > 0.0 {
             Regime::Slide(sliding.direction)
         } else {
