@@ -92,7 +92,7 @@ fn without_a_budget() -> Beside<f32> {
 
 #[test]
 fn in_time_with_ticks_a_body_behind_the_hand_comes_to_it_without_samples() {
-    let mut rig = working(400_000);
+    let mut rig = working(300_000);
     let mut beside = without_a_budget();
     let [near, far] = jump();
     for hand in [near, far] {

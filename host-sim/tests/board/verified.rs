@@ -59,7 +59,7 @@ fn the_budget_of_a_tick_is_that_of_both() {
     let arguments = ["--tick", "2000", "--rate", "50"];
     let (folder, socket) = place(DRAGGED);
     let tricks = Tricks {
-        work_rate: Some(1_000_000),
+        work_rate: Some(500_000),
         ..Tricks::default()
     };
     let _fake = behind_socket::<f32>(&socket, 1, tricks);
@@ -73,8 +73,8 @@ fn the_budget_of_a_tick_is_that_of_both() {
     let output = board(&folder, &[&record[..], &arguments].concat());
     assert!(output.status.success(), "{}", said(&output));
     let recording = folder.read("recording.jsonl");
-    assert!(recording.contains(r#","budget":500,"#) && recording.contains(r#""status":"behind""#));
-    let run = ["run", "scene.toml", "--out", "run.jsonl", "--budget", "500"];
+    assert!(recording.contains(r#","budget":250,"#) && recording.contains(r#""status":"behind""#));
+    let run = ["run", "scene.toml", "--out", "run.jsonl", "--budget", "250"];
     let output_of_run = folder.stiction(&[&run[..], &arguments[2..]].concat());
     assert!(output_of_run.status.success(), "{}", said(&output_of_run));
     assert_eq!(folder.read("board.jsonl"), folder.read("run.jsonl"));
