@@ -16,9 +16,10 @@ use crate::state::{ContactState, Free};
 use crate::work::{Work, least};
 
 mod answer;
+mod evolution;
 mod evolve;
 
-pub use evolve::Evolution;
+pub use evolution::Evolution;
 use evolve::{Course, Errand};
 
 /// The solver of one scene. It holds no state of a run: one solver serves many.

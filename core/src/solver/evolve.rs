@@ -1,7 +1,7 @@
 //! How a frame is evolved: certified where nothing happens; else event by event along the path of the hand (STATICS 7), or in one
 //! jump.
 
-use super::{Solver, State};
+use super::{Evolution, Solver, State};
 use crate::event::Status;
 use crate::geometry::{Angle, Vec2};
 use crate::grip::Grip;
@@ -12,63 +12,6 @@ use crate::real::Real;
 use crate::settle::{Settling, rests};
 use crate::verb::Trigger;
 use crate::work::Work;
-
-/// How a frame is evolved (STATICS 7).
-///
-/// ```
-/// # use stiction_core::{Description, Scene, SurfaceDescription};
-/// use stiction_core::{Evolution, Hand, Solver};
-///
-/// # let scene: Scene<f32, 4, 1> = Scene::new(&Description {
-/// #     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
-/// #     start: [0.0, 0.03, 0.0],
-/// #     weight: 0.0,
-/// #     holding_point: Some([0.0, 0.02]),
-/// #     reach: 0.0,
-/// #     stiffness_translation: 500.0,
-/// #     stiffness_rotation: 0.5,
-/// #     surfaces: &[SurfaceDescription {
-/// #         normal: [0.0, 1.0],
-/// #         offset: 0.0,
-/// #         friction_static: 0.5,
-/// #         friction_dynamic: 0.3,
-/// #         memory: None,
-/// #     }],
-/// # })?;
-/// // A box, flat on the floor, mu = 0.5 / 0.3, is pressed 10 mm down and dragged by 0.1 m in a
-/// // single frame. It breaks away at a lag of 0.5 · 10 mm, then every (0.5 - 0.3) · 10 mm; where
-/// // the hand jumps, it slips the rest of the way at once.
-/// let drag = |evolution| {
-///     let solver = Solver::new(scene.clone(), evolution);
-///     let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
-///     solver.step(&mut state, Hand::new(0.1, 0.04, 0.0)).slips
-/// };
-/// assert_eq!(drag(Evolution::Path), 48);
-/// assert_eq!(drag(Evolution::Frame), 2);
-/// # Ok::<(), stiction_core::SceneError<f32>>(())
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Evolution {
-    /// Exact events along the straight path of the hand: the result does not depend on the frame rate.
-    #[default]
-    Path,
-    /// From the first event of a frame the hand jumps to its new pose (as in the paper, but for that event). What else happens,
-    /// happens at the end of the frame, so that number and length of slips depend on the frame rate.
-    Frame,
-}
-
-impl Evolution {
-    /// Both evolutions.
-    pub const ALL: [Self; 2] = [Self::Path, Self::Frame];
-
-    /// The name on a command line: `path` or `frame`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Path => "path",
-            Self::Frame => "frame",
-        }
-    }
-}
 
 /// Where the following of the hand stands.
 #[derive(Clone, Debug, PartialEq)]

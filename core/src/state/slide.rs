@@ -266,7 +266,7 @@ impl<R: Real> SingleVertex<R> {
         } else {
             self.rest(scene, grip, &edge)
         };
-        if !(self.pivot.placed(scene).touching(scene, -R::TOUCH)).is_empty() {
+        if self.is_inside(scene) {
             self.pivot = begin;
             let found_to = Self::found_to(&self.pivot.load(scene, grip));
             slides &= self.sliding_moment(scene, grip, sign).now().abs() <= found_to;
@@ -278,6 +278,12 @@ impl<R: Real> SingleVertex<R> {
             Regime::LOOSE
         };
         slides
+    }
+
+    /// A vertex is inside a surface.
+    pub(super) fn is_inside(&self, scene: &impl World<R>) -> bool {
+        let placed = self.pivot.placed(scene);
+        !placed.touching(scene, -R::TOUCH).is_empty()
     }
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.

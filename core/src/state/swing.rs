@@ -289,10 +289,15 @@ impl<R: Real> SingleVertex<R> {
         swing.load.lever.dot(swing.edge.reaction) > R::ZERO
     }
 
-    /// Lays the lever on the edge of the cone.
+    /// Lays the lever on the edge of the cone. Of a vertex that is hardly pressed that may be a turn which a further one does not allow:
+    /// then it bears as it is.
     fn lean(&mut self, scene: &impl World<R>, grip: &Grip<R>, swing: &Swing<R>) {
+        let begin = self.pivot;
         self.pivot = self.pivot.moved(R::ZERO, swing.lean());
         self.pivot.slide(scene, grip, &swing.edge);
+        if self.is_inside(scene) {
+            self.pivot = begin;
+        }
     }
 
     /// The same where a slip or a stick has come to it, but for what that is found to.
