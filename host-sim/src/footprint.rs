@@ -129,7 +129,9 @@ pub fn footprint(args: &FootprintArgs) -> Result<(), FootprintError> {
     report::print(table::LEGEND);
     if let (Some(section), Some(file)) = (section, &args.readme) {
         let (legend, table) = (table::LEGEND, Table { rows });
-        let text = format!("Written by `stiction footprint`. {legend}\n{table}");
+        let asked = args.evolution.map(Evolution::name);
+        let asked = asked.map_or(String::new(), |name| format!(" --evolution {name}"));
+        let text = format!("Written by `stiction footprint{asked}`. {legend}\n{table}");
         section.write(&text).map_err(cannot_write(file))?;
     }
     Ok(())
