@@ -29,6 +29,8 @@ pub(super) enum Happening {
     Memory,
     /// A sliding foot turns back.
     Reversal,
+    /// The contact of this index slides off its side.
+    Off(usize),
 }
 
 impl Reference {
@@ -44,6 +46,8 @@ impl Reference {
         let place = |part: f64| [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k]));
         let mut done = 0.0;
         for _ in 0..EVENTS {
+            self.before = self.pose;
+            self.look();
             if let Ok(pose) = self.carried(to, way) {
                 self.pose = pose;
                 self.hand = to;
@@ -79,13 +83,18 @@ impl Reference {
     /// The pose with the hand at `hand`, or what has happened before.
     fn carried(&self, hand: [f64; 3], way: [f64; 3]) -> Result<Pose, Happening> {
         let pose = self.followed(hand).ok_or(Happening::Fold)?;
+        if self.slide.is_some()
+            && let Some(index) = self.off_side(&pose, &self.contacts)
+        {
+            return Err(Happening::Off(index));
+        }
         if self.enters(&pose, CLEARANCE) {
             return Err(Happening::Touch);
         }
         match *self.contacts.as_slice() {
             [] => return Ok(pose),
             [_] => self.still_presses(&pose, hand)?,
-            [a, b] if a.surface == b.surface => self.edge_presses(&pose, hand)?,
+            [_, _] if self.flat() => self.edge_presses(&pose, hand)?,
             _ => {}
         }
         if self.slide.is_some() {

@@ -1,7 +1,8 @@
 //! Motion out of contact with the hand frozen: the pose in which only hand and weight act, and the way there, looked at for
 //! the first touch.
 
-use super::scene::{Pose, Touch, add, scale, sub};
+use super::contact::Touch;
+use super::scene::{Pose, add, scale, sub};
 use super::search::{bisect, descend};
 use super::walk::End;
 use super::{CLEARANCE, Reference};
@@ -48,18 +49,21 @@ impl Reference {
             .iter()
             .map(|&touch| (touch, f64::NEG_INFINITY))
             .collect();
+        let mut seer = self.clone();
         for look in 0..LOOKS {
             let (now, next) = (
                 f64::from(look) / f64::from(LOOKS),
                 f64::from(look + 1) / f64::from(LOOKS),
             );
-            if self.enters_beside(&at(next), &closed, CLEARANCE) {
+            if seer.enters_beside(&at(next), &closed, CLEARANCE) {
                 let (before, _) = bisect(now, next, |part| {
-                    self.enters_beside(&at(part), &closed, 0.0)
+                    seer.enters_beside(&at(part), &closed, 0.0)
                 });
                 return (at(before), End::Touch);
             }
-            closed.retain(|&(touch, _)| self.scene.gap(&at(next), touch) < CLEARANCE * self.size);
+            closed.retain(|&(touch, _)| self.still_closed(&at(next), touch));
+            seer.pose = at(next);
+            seer.look();
         }
         (self.pose, End::Lost)
     }
