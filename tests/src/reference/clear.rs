@@ -27,7 +27,7 @@ fn off_end(shape: &[Vector], end: usize) -> Vector {
 
 impl Reference {
     /// All axes between the body and an obstacle.
-    fn axes(&self, obstacle: usize) -> Vec<Axis> {
+    pub(super) fn axes(&self, obstacle: usize) -> Vec<Axis> {
         let (shape, body) = (
             &self.scene.obstacles[obstacle].vertices,
             &self.scene.vertices,
@@ -43,7 +43,7 @@ impl Reference {
 
     /// The gap along an axis, m, without the pairs in contact; of those in `closed` what it has become more than the gap given with
     /// each.
-    fn gap_along(
+    pub(super) fn gap_along(
         &self,
         pose: &Pose,
         (obstacle, axis): (usize, Axis),
@@ -116,7 +116,7 @@ impl Reference {
 
     /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a
     /// point and a wall or a rod and a pin, the far side of the wall is no way to be apart: the body does not pass through.
-    fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
+    pub(super) fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
         let shape = &self.scene.obstacles[obstacle].vertices;
         let flat = shape.len() + self.scene.vertices.len() == 3;
         let seen = self.seen[obstacle];

@@ -100,8 +100,8 @@ impl Reference {
         self.contacts != before
     }
 
-    /// Leaves one contact of an obstacle at one place, and two in one line. The first `old` ones come first; of several new ones at one
-    /// place that which has closed last.
+    /// Leaves one contact of an obstacle at one place, and two in one line. The first `old` ones make room: a body that turns about
+    /// an overlap so short goes on about its other end. Of several new ones at one place that stays which has closed last.
     pub(super) fn reduce(&mut self, old: usize) {
         let new = self.contacts.split_off(old);
         let mut new: Vec<_> = new
@@ -115,12 +115,15 @@ impl Reference {
                 && a.obstacle() == b.obstacle()
                 && length(sub(b_at, a_at)) <= OVERLAP * self.size
         };
-        let mut kept = self.contacts.clone();
+        let mut found: Vec<Touch> = Vec::new();
         for (_, touch) in new {
-            if !kept.iter().any(|&other| together(touch, other)) {
-                kept.push(touch);
+            if !found.iter().any(|&other| together(touch, other)) {
+                found.push(touch);
             }
         }
+        let mut kept = self.contacts.clone();
+        kept.retain(|&touch| !found.iter().any(|&other| together(touch, other)));
+        kept.extend(found);
         let inner = |&touch: &Touch| {
             let tangent = self.scene.tangent(&self.pose, touch);
             let way = |&other: &Touch| {

@@ -52,12 +52,18 @@ impl Reference {
         }
     }
 
-    /// Forces of an edge, friction shared in proportion to the normal forces.
+    /// Forces of an edge, friction shared in proportion to what each contact can bear.
     fn edge_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
         let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
-        let share = if total == 0.0 { 0.0 } else { friction / total };
-        self.edge_normals(&self.pose, pair, self.hand)
-            .map(|normal| [normal, share * normal])
+        let normals = self.edge_normals(&self.pose, pair, self.hand);
+        let [a, b] = pair.map(|touch| self.grip(self.scene.friction(touch)));
+        if a == b {
+            let share = if total == 0.0 { 0.0 } else { friction / total };
+            return normals.map(|normal| [normal, share * normal]);
+        }
+        let most = a * normals[0] + b * normals[1];
+        let share = if most == 0.0 { 0.0 } else { friction / most };
+        [[normals[0], share * a * normals[0]], [normals[1], share * b * normals[1]]]
     }
 
     /// Normal forces of an edge from the moments about its ends.

@@ -169,7 +169,9 @@ impl Reference {
         }
         if normal <= 0.0 && self.comes_free(hand, 0.0) {
             self.contacts.clear();
-            self.pose = self.free_pose(hand);
+            if self.scene.obstacles.is_empty() {
+                self.pose = self.free_pose(hand);
+            }
             return false;
         }
         let way = way.unwrap_or(-sign(friction));

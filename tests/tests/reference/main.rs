@@ -1,4 +1,6 @@
 //! The slow reference against cases of obstacles with known answers.
+mod stress;
+
 use serde_json::Value;
 use stiction_tests::reference::{Obstacle, Reference, Scene, Surface, Touch};
 
