@@ -4,7 +4,7 @@ use super::contact::Touch;
 use super::relax::{Carry, Driven};
 use super::scene::{Pose, Screw, length, sub};
 use super::statics::sign;
-use super::walk::End;
+use super::walk::{End, SMALLEST};
 use super::{CLEARANCE, Reference};
 
 /// A joint slip shorter than this is none, in body sizes.
@@ -20,7 +20,11 @@ impl Reference {
         hand: [f64; 3],
         carry: &mut Carry,
     ) -> bool {
-        let (pose, end) = self.slide_vertex(slip, &carry.left, hand);
+        let (mut pose, end) = self.slide_vertex(slip, &carry.left, hand);
+        if end == End::Snap && pose == self.pose {
+            // It is at the fold and has to be taken over it.
+            pose = self.shifted(&pose, slip, 2.0 * SMALLEST * self.size);
+        }
         self.pose = pose;
         carry.slipping = false;
         match end {

@@ -13,7 +13,7 @@ pub(super) const SNAP: f64 = 0.03;
 /// Largest step of a slide, in body sizes.
 pub(super) const SLIDE: f64 = 1e-3;
 /// Smallest step of a slide, in body sizes: below, a snap is not resolved further.
-const SMALLEST: f64 = 1e-13;
+pub(super) const SMALLEST: f64 = 1e-13;
 /// Steps after which a slide is given up.
 const MANY: u32 = 200_000;
 
@@ -88,6 +88,15 @@ impl Reference {
         }
     }
 
+    /// The pose with the body moved along `way` times the tangent of a contact.
+    pub(super) fn shifted(&self, pose: &Pose, (touch, way): (Touch, f64), distance: f64) -> Pose {
+        let shift = scale(way * distance, self.scene.tangent(pose, touch));
+        Pose {
+            position: add(pose.position, shift),
+            angle: pose.angle,
+        }
+    }
+
     /// Slides the contact along `way` times the tangent, the moment balanced at every position, until dynamic
     /// friction holds it. The contacts in `left` may close no further; they count again once they are open.
     pub(super) fn slide_vertex(
@@ -100,11 +109,7 @@ impl Reference {
         let mut pose = self.pose;
         let mut step = SLIDE * self.size;
         let at = |pose: &Pose, distance: f64| {
-            let shift = scale(way * distance, self.scene.tangent(pose, touch));
-            let moved = Pose {
-                position: add(pose.position, shift),
-                angle: pose.angle,
-            };
+            let moved = self.shifted(pose, (touch, way), distance);
             self.turn(&moved, touch, hand, (SNAP, false))
         };
         let start = at(&pose, 0.0).0;
