@@ -2,9 +2,11 @@
 //! the ends of the interval in which the sides touch. A contact alone is passed on to the pair of the same place whose normal
 //! comes next in the direction of the slide.
 
+use super::cone::times;
 use super::contact::{Touch, sides};
 use super::relax::{Carry, Driven};
 use super::scene::{Pose, dot, length, scale, sub};
+use super::statics::sign;
 use super::{BESIDE, Reference};
 
 /// Pairs that come this close together with the first one touch with it, in body sizes.
@@ -219,9 +221,32 @@ impl Reference {
                     self.contacts.clear();
                 }
             }
-            _ => carry.slipping = self.contacts.len() > 1,
+            (Some(next), &[a, b]) => self.pair_goes_on(([a, b], next, way), hand, carry),
+            _ => carry.slipping = true,
         }
         false
+    }
+
+    /// One of two contacts that slip has a new normal: it opens if it is not pressed any more; else both slip on if they are driven.
+    fn pair_goes_on(
+        &mut self,
+        (pair, new, way): ([Touch; 2], Touch, f64),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) {
+        carry.slipping = true;
+        let index = usize::from(pair[1] == new);
+        let twist = self.free_twist(&self.pose, pair);
+        let onward = sign(way * self.speeds(&self.pose, pair, twist)[index]);
+        let twist = times(onward, twist);
+        let Some(state) = self.sliding(&self.pose, pair, twist, hand) else {
+            return;
+        };
+        if state.normals[index] <= self.force_tolerance(&self.pose, hand) {
+            self.contacts.remove(index);
+        } else if state.drive > 0.0 {
+            carry.driven = Some(Driven::Pair(pair, twist));
+        }
     }
 
     /// Finds the ends of a flat contact anew, without the pair that was one.

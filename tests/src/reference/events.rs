@@ -46,8 +46,8 @@ impl Reference {
         let place = |part: f64| [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k]));
         let mut done = 0.0;
         for _ in 0..EVENTS {
-            self.before = self.pose;
             self.look();
+            self.before = self.pose;
             if let Ok(pose) = self.carried(to, way) {
                 self.pose = pose;
                 self.hand = to;

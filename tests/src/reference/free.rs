@@ -87,11 +87,10 @@ impl Reference {
             seer.pose = at(next);
             seer.look();
         }
-        let end = if self.enters(target, CLEARANCE) {
+        if seer.enters(target, CLEARANCE) {
             (0.0, self.pose, End::Lost)
         } else {
             (1.0, *target, End::Rest)
-        };
-        end
+        }
     }
 }

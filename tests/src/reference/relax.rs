@@ -48,7 +48,6 @@ impl Reference {
         for _ in 0..MOTIONS {
             self.before = self.pose;
             self.look();
-            if std::env::var("DBG").is_ok() { eprintln!("    settle {:?} {:?} driven {} slipping {} left {:?} seen {:?}", self.pose, self.contacts, carry.driven.is_some(), carry.slipping, carry.left, self.seen); }
             let rested = match (carry.driven.take(), self.contacts.as_slice()) {
                 (Some(Driven::Vertex(touch, way)), _) => {
                     self.slip_vertex((touch, way), hand, &mut carry)

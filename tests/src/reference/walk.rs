@@ -17,6 +17,9 @@ pub(super) const SMALLEST: f64 = 1e-13;
 /// Steps after which a slide is given up.
 const MANY: u32 = 200_000;
 
+/// Rounds in which three contacts or more are brought to gap zero, one after the other: those of a short overlap are slow.
+const ROUNDS: u32 = 100_000;
+
 /// What ended a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
@@ -229,7 +232,11 @@ impl Reference {
 
     /// The nearest pose at which all `contacts` have gap zero.
     pub(super) fn onto(&self, mut pose: Pose, contacts: &[Touch]) -> Pose {
-        let rounds = if contacts.len() > 2 { 60 } else { 6 };
+        let rounds = match (contacts.len(), self.scene.obstacles.is_empty()) {
+            (..3, _) => 6,
+            (_, true) => 60,
+            (_, false) => ROUNDS,
+        };
         for _ in 0..rounds {
             let gap = |touch| -self.scene.gap(&pose, touch);
             let correction = if let [a, b] = *contacts {
@@ -253,6 +260,9 @@ impl Reference {
                 else {
                     break;
                 };
+                if rounds == ROUNDS && gap(worst).abs() <= 1e-3 * CLEARANCE * self.size {
+                    break;
+                }
                 let line = self.normal_line(&pose, worst);
                 times(gap(worst) / inner(line, line), line)
             };
