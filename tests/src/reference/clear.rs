@@ -27,7 +27,7 @@ fn off_end(shape: &[Vector], end: usize) -> Vector {
 
 impl Reference {
     /// All axes between the body and an obstacle.
-    pub(super) fn axes(&self, obstacle: usize) -> Vec<Axis> {
+    fn axes(&self, obstacle: usize) -> Vec<Axis> {
         let (shape, body) = (
             &self.scene.obstacles[obstacle].vertices,
             &self.scene.vertices,
@@ -43,7 +43,7 @@ impl Reference {
 
     /// The gap along an axis, m, without the pairs in contact; of those in `closed` what it has become more than the gap given with
     /// each.
-    pub(super) fn gap_along(
+    fn gap_along(
         &self,
         pose: &Pose,
         (obstacle, axis): (usize, Axis),
@@ -116,21 +116,42 @@ impl Reference {
 
     /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a
     /// point and a wall or a rod and a pin, the far side of the wall is no way to be apart: the body does not pass through.
-    pub(super) fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
-        let shape = &self.scene.obstacles[obstacle].vertices;
-        let flat = shape.len() + self.scene.vertices.len() == 3;
-        let seen = self.seen[obstacle];
-        let beyond = |axis: Axis| match (seen, axis) {
-            (Some(Axis::Side(one)), Axis::Side(other))
-            | (Some(Axis::BodySide(one)), Axis::BodySide(other)) => flat && one != other,
-            _ => false,
-        };
+    fn widest(
+        &self,
+        pose: &Pose,
+        obstacle: usize,
+        closed: &[(Touch, f64)],
+    ) -> (Axis, f64) {
         self.axes(obstacle)
             .into_iter()
-            .filter(|&axis| !beyond(axis))
+            .filter(|&axis| !self.far_side(obstacle, axis))
             .map(|axis| (axis, self.gap_along(pose, (obstacle, axis), closed)))
             .max_by(|a, b| a.1.total_cmp(&b.1))
             .unwrap_or((Axis::Side(0), f64::INFINITY))
+    }
+
+    /// Whether this is the side of a thin wall from which a point does not see it, or that of a rod on which a pin is not.
+    fn far_side(&self, obstacle: usize, axis: Axis) -> bool {
+        let shape = &self.scene.obstacles[obstacle].vertices;
+        let thin = shape.len() + self.scene.vertices.len() == 3;
+        thin && match (self.seen[obstacle], axis) {
+            (Some(Axis::Side(one)), Axis::Side(other))
+            | (Some(Axis::BodySide(one)), Axis::BodySide(other)) => one != other,
+            _ => false,
+        }
+    }
+
+    /// Whether a pair is on that side.
+    pub(super) fn on_far_side(&self, touch: Touch) -> bool {
+        match touch {
+            Touch::Surface { .. } => false,
+            Touch::Side { obstacle, side, .. } => self.far_side(obstacle, Axis::Side(side)),
+            Touch::Corner {
+                obstacle,
+                body_side,
+                ..
+            } => self.far_side(obstacle, Axis::BodySide(body_side)),
+        }
     }
 
     /// Notes from which side each obstacle is seen.

@@ -72,6 +72,7 @@ impl Reference {
         let obstacles = self.obstacle_pairs().into_iter().filter(|&touch| {
             self.scene.gap(pose, touch).abs() <= near
                 && self.scene.beyond(pose, touch) <= BESIDE * self.size
+                && !self.on_far_side(touch)
                 && self.supports(pose, touch, near)
         });
         self.surface_pairs()

@@ -63,7 +63,10 @@ impl Reference {
         }
         let most = a * normals[0] + b * normals[1];
         let share = if most == 0.0 { 0.0 } else { friction / most };
-        [[normals[0], share * a * normals[0]], [normals[1], share * b * normals[1]]]
+        [
+            [normals[0], share * a * normals[0]],
+            [normals[1], share * b * normals[1]],
+        ]
     }
 
     /// Normal forces of an edge from the moments about its ends.
