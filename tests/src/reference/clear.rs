@@ -53,6 +53,9 @@ impl Reference {
             &self.scene.obstacles[obstacle].vertices,
             &self.scene.vertices,
         );
+        if self.is_flat_on(obstacle, axis) {
+            return f64::INFINITY;
+        }
         let least = |gaps: &mut dyn Iterator<Item = f64>| gaps.fold(f64::INFINITY, f64::min);
         let of = |touch: Touch| self.gap_beside(pose, touch, closed);
         match axis {
@@ -89,6 +92,28 @@ impl Reference {
         }
     }
 
+    /// Whether the body lies flat against the obstacle along this axis: then they are apart, and what else is in that line is so by
+    /// rounding only.
+    fn is_flat_on(&self, obstacle: usize, axis: Axis) -> bool {
+        let along = |&&touch: &&Touch| match (touch, axis) {
+            (
+                Touch::Side {
+                    obstacle: on, side, ..
+                },
+                Axis::Side(of),
+            ) => self.scene.run(obstacle, of).0 == (on, side),
+            (Touch::Corner { body_side, .. }, Axis::BodySide(of)) => {
+                touch.obstacle() == Some(obstacle) && body_side == of
+            }
+            _ => false,
+        };
+        let flat = |touch: &Touch| {
+            let mut others = self.contacts.iter().filter(|&other| other != touch);
+            others.any(|&other| self.lined(&self.pose, [*touch, other]))
+        };
+        self.contacts.len() > 1 && self.contacts.iter().filter(along).any(flat)
+    }
+
     /// The gap of a pair that may not close: infinite in contact.
     fn gap_beside(&self, pose: &Pose, touch: Touch, closed: &[(Touch, f64)]) -> f64 {
         if self.contacts.contains(&touch) {
@@ -116,12 +141,7 @@ impl Reference {
 
     /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a
     /// point and a wall or a rod and a pin, the far side of the wall is no way to be apart: the body does not pass through.
-    fn widest(
-        &self,
-        pose: &Pose,
-        obstacle: usize,
-        closed: &[(Touch, f64)],
-    ) -> (Axis, f64) {
+    fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
         self.axes(obstacle)
             .into_iter()
             .filter(|&axis| !self.far_side(obstacle, axis))

@@ -102,7 +102,9 @@ impl Reference {
         } else if !self.stiction && self.pressed_hard(&pose, hand) {
             return Err(Happening::Memory);
         } else if !self.admissible(&pose, &self.contacts, hand) {
-            let lifts = self.contacts.len() > 1 && self.comes_free(hand, 0.0);
+            let lifts = self.contacts.len() > 1
+                && self.comes_free(hand, 0.0)
+                && (self.scene.obstacles.is_empty() || self.opens(hand));
             return Err(if lifts {
                 Happening::Lift
             } else {

@@ -79,7 +79,7 @@ impl Reference {
     }
 
     /// Whether the way to the free pose opens all contacts.
-    fn opens(&self, hand: [f64; 3]) -> bool {
+    pub(super) fn opens(&self, hand: [f64; 3]) -> bool {
         let held = self.scene.holding_point;
         let (from, target) = (self.pose, self.free_pose(hand));
         let shift = sub(target.apply(held), from.apply(held));

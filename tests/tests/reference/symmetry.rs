@@ -27,7 +27,29 @@ fn follow(name: &str, [one, other]: [&World; 2], seen: impl Fn([f64; 3]) -> [f64
         first.step(hand, SUBSTEPS);
         second.step(image, SUBSTEPS);
         let difference = apart(first.pose(), seen(second.pose()));
-        if std::env::var("DBG").is_ok() { println!("{name} {k} {hand:?}\n   {:?} {} {} {} {:?}\n   {:?} {} {} {} {:?}", first.pose(), first.slips(), first.events(), first.stiction(), first.contacts().iter().map(|c| (c.touch, c.slides)).collect::<Vec<_>>(), seen(second.pose()), second.slips(), second.events(), second.stiction(), second.contacts().iter().map(|c| (c.touch, c.slides)).collect::<Vec<_>>()); }
+        if std::env::var("DBG").is_ok() {
+            println!(
+                "{name} {k} {hand:?}\n   {:?} {} {} {} {:?}\n   {:?} {} {} {} {:?}",
+                first.pose(),
+                first.slips(),
+                first.events(),
+                first.stiction(),
+                first
+                    .contacts()
+                    .iter()
+                    .map(|c| (c.touch, c.slides))
+                    .collect::<Vec<_>>(),
+                seen(second.pose()),
+                second.slips(),
+                second.events(),
+                second.stiction(),
+                second
+                    .contacts()
+                    .iter()
+                    .map(|c| (c.touch, c.slides))
+                    .collect::<Vec<_>>()
+            );
+        }
         assert!(difference < SAME, "{name} frame {k}: {difference:e}");
         assert_eq!(first.state(), second.state(), "{name} frame {k}");
         assert_eq!(first.slips(), second.slips(), "{name} frame {k}");
@@ -120,6 +142,8 @@ fn a_large_block_is_a_floor() {
     let mut draw = Draw::new(23);
     for i in 0..SCENES {
         let mut block = world(&mut draw);
+        // A soft body that may turn over is let go by the rule of half-planes wherever its free pose is clear of them.
+        block.scene.k_theta = draw.between(30.0, 300.0);
         let [mu_s, mu_d] = friction(&mut draw);
         let memory = 1.0 / 1024.0;
         let corners = [[-50.0, -60.0], [50.0, -60.0], [50.0, -0.6], [-50.0, -0.6]];
