@@ -19,24 +19,28 @@ impl Scene {
                 ends(&self.obstacles[obstacle].vertices, side).map(|end| dot(tangent, end));
             [a.min(b), a.max(b)]
         };
-        let near = SAME * self.size();
         let friction = |obstacle: usize| {
             let obstacle = &self.obstacles[obstacle];
             (obstacle.mu_s, obstacle.mu_d, obstacle.memory)
         };
         let coplanar: Vec<_> = self
             .all_sides()
+            .filter(|&of| of != (obstacle, side) && friction(of.0) == friction(obstacle))
             .filter(|&(other, k)| {
                 let shape = &self.obstacles[other].vertices;
                 let facing = outward(shape, k);
-                (other, k) != (obstacle, side)
-                    && friction(other) == friction(obstacle)
-                    && dot(facing, normal) > 0.0
+                dot(facing, normal) > 0.0
                     && cross(facing, normal).abs() <= SAME
-                    && dot(normal, sub(shape[k], origin)).abs() <= near
+                    && dot(normal, sub(shape[k], origin)).abs() <= SAME * self.size()
             })
             .collect();
         let (mut first, mut whole) = ((obstacle, side), span(obstacle, side));
+        let near = SAME
+            * if coplanar.is_empty() {
+                0.0
+            } else {
+                self.size()
+            };
         for _ in 0..coplanar.len() {
             for &(other, k) in &coplanar {
                 let [low, high] = span(other, k);

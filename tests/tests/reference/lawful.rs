@@ -5,7 +5,7 @@ use stiction_tests::budget;
 use stiction_tests::draw::Draw;
 use stiction_tests::reference::{Reference, Scene, Touch};
 
-const SCENES: usize = budget(300, 6);
+const SCENES: usize = budget(150, 4);
 const SUBSTEPS: usize = 20;
 /// Depth of a body inside an obstacle, m: what three contacts at once are seated to.
 const INSIDE: f64 = 1e-9;
@@ -127,7 +127,7 @@ fn no_frame_among_obstacles_breaks_a_law() {
         }
     }
     println!("{met:?}");
-    if SCENES >= 300 {
+    if SCENES >= 150 {
         for state in [
             "edge VV",
             "edge VC",
