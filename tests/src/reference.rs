@@ -29,9 +29,28 @@
 //! * A slip counts where it ends at dynamic friction in contact; an opening before anything has moved is none.
 //! * Corners and three contacts or more get or lose the bit only through what remains of them.
 //!
+//! Among obstacles a contact is a vertex of the body on a side of an obstacle or a corner of an obstacle on a side of the body. All that
+//! is looked at is its point, its normal, which may turn with the body, its gap, and whether it is on its side. The rules:
+//! * Body and obstacle are apart by the largest gap along an axis. A point does not see a thin wall, nor a rod a pin, from the other
+//!   side before it has gone round an end of it.
+//! * A sliding or slipping contact that leaves its side is passed on to the pair at the same place, of this or another obstacle, whose
+//!   normal comes next as the normal turns towards the slide. What follows is a slip under the frozen hand in the same direction, counted
+//!   and remembered as any other. Where the new normal is not pressed the body is free; of two contacts, the new one opens.
+//! * A flat contact is two contacts, of the same obstacle or not, in one line within 1e-6 rad: the outermost. Where one of them leaves its
+//!   side the ends are looked for anew and the motion goes on; while it sticks nothing leaves a side.
+//! * Friction of a flat contact between different coefficients is shared as mu N; it has stiction where the sum of N / N* is 1.
+//! * Two contacts of one obstacle closer than 2^-19 body sizes are one: the new one, as the body turns on about it. Of several
+//!   that close at one place that stays whose gap was the larger before; then a vertex, then the lower index.
+//! * Coplanar sides of equal friction are one side, by the name of the first of them. Where corners of two obstacles meet, only the
+//!   first can be touched; one that lies elsewhere on or in an obstacle or a half-plane cannot.
+//! * A body that is let go moves straight, holding point and angle, until something is in its way. Where what it was let go from
+//!   blocks it at once, the holding point goes first and the body turns after. (From half-planes alone it is put where it is free.)
+//! * Several contacts lift before they yield only if the way to the free pose opens all of them at once.
+//!
 //! Where it is approximate:
 //! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not seen.
 //! * A snap is noticed as a turn of more than 0.03 rad; a smaller one happens unseen, with the same end.
+//! * A body can jump over an obstacle in a sub-step in which the hand goes farther than both are thick, and in a turn of 1e-3 rad.
 //! * Rates are differences over 3e-5 body sizes of the hand's way, 1e-6 after a touch.
 //! * Where two contacts slip, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
 //!   the slip, but the instant at which one of them opens depends on this choice.

@@ -102,9 +102,7 @@ impl Reference {
         } else if !self.stiction && self.pressed_hard(&pose, hand) {
             return Err(Happening::Memory);
         } else if !self.admissible(&pose, &self.contacts, hand) {
-            let lifts = self.contacts.len() > 1
-                && self.comes_free(hand, 0.0)
-                && (self.scene.obstacles.is_empty() || self.opens(hand));
+            let lifts = self.contacts.len() > 1 && self.lifts_off(hand);
             return Err(if lifts {
                 Happening::Lift
             } else {
@@ -119,6 +117,11 @@ impl Reference {
         let free = self.free_pose(hand);
         let clear = |&touch| self.scene.gap(&free, touch) >= least * self.size;
         self.contacts.iter().all(clear)
+    }
+
+    /// Whether the body comes free of all contacts, among obstacles also in the beginning of its way.
+    fn lifts_off(&self, hand: [f64; 3]) -> bool {
+        self.comes_free(hand, 0.0) && (self.scene.obstacles.is_empty() || self.opens(hand))
     }
 
     /// N = 0 of one vertex.
@@ -165,7 +168,7 @@ impl Reference {
                 .ok_or(Happening::Fold)?;
             let weak = usize::from(normals[1] < normals[0]);
             if normals[weak] < -self.force_tolerance(pose, hand) {
-                let lifts = self.comes_free(hand, 0.0);
+                let lifts = self.lifts_off(hand);
                 return Err(if lifts {
                     Happening::Lift
                 } else {
