@@ -84,7 +84,10 @@ impl Reference {
     fn touch(&mut self, way: [f64; 3]) {
         let before = self.contacts.clone();
         if !self.take_up() {
-            // It has only come to see an obstacle from another side.
+            // It has come to see an obstacle from another side, or turns over to a free pose behind one.
+            if before.is_empty() {
+                self.settle(self.hand, Carry::default());
+            }
             return;
         }
         let slide = self.slide.take();

@@ -75,7 +75,16 @@ impl Reference {
             .or_else(|| slide(true))
             .or_else(|| slide(false))
             .or_else(|| single(false).map(keep));
-        moves.or_else(|| self.opens(hand).then(|| Mode::Keep(Vec::new())))
+        let free = || self.opens(hand) || self.pulled_off(hand);
+        moves.or_else(|| free().then(|| Mode::Keep(Vec::new())))
+    }
+
+    /// Whether the load pulls the body off all contacts with obstacles: the holding point may go first, the body turns after.
+    fn pulled_off(&self, hand: [f64; 3]) -> bool {
+        let force = self.scene.applied_force(&self.pose, hand);
+        self.contacts.iter().all(|&touch| {
+            touch.obstacle().is_some() && dot(force, self.scene.normal(&self.pose, touch)) > 0.0
+        })
     }
 
     /// Whether the way to the free pose opens all contacts.
