@@ -29,16 +29,38 @@
 //! * A slip counts where it ends at dynamic friction in contact; an opening before anything has moved is none.
 //! * Corners and three contacts or more get or lose the bit only through what remains of them.
 //!
+//! Among obstacles a contact is a vertex of the body on a side of an obstacle or a corner of an obstacle on a side of the body. All that
+//! is looked at is its point, its normal, which may turn with the body, its gap, and whether it is on its side. The rules:
+//! * Body and obstacle are apart by the largest gap along an axis. A point does not see a thin wall, nor a rod a pin, from the other
+//!   side before it has gone round an end of it.
+//! * A sliding or slipping contact that leaves its side is passed on to the pair at the same place, of this or another obstacle, whose
+//!   normal comes next as the normal turns towards the slide. What follows is a slip under the frozen hand in the same direction, counted
+//!   and remembered as any other. Where the new normal is not pressed the body is free; of two contacts, the new one opens.
+//! * A flat contact is two contacts, of the same obstacle or not, in one line within 1e-6 rad: the outermost. Where one of them leaves its
+//!   side the ends are looked for anew and the motion goes on; while it sticks nothing leaves a side.
+//! * Friction of a flat contact between different coefficients is shared as mu N; it has stiction where the sum of N / N* is 1.
+//! * Two contacts of one obstacle closer than 2^-19 body sizes are one: the new one, as the body turns on about it. Of several
+//!   that close at one place that stays whose gap was the larger before; then a vertex, then the lower index.
+//! * Coplanar sides of equal friction are one side, by the name of the first of them. Where corners of two obstacles meet, only the
+//!   first can be touched; one that lies elsewhere on or in an obstacle or a half-plane cannot.
+//! * A body that is let go moves straight, holding point and angle, until something is in its way. Where what it was let go from
+//!   blocks it at once, the holding point goes first and the body turns after. (From half-planes alone it is put where it is free.)
+//! * Several contacts lift before they yield only if the way to the free pose opens all of them at once.
+//!
 //! Where it is approximate:
 //! * Two events that undo each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not seen.
 //! * A snap is noticed as a turn of more than 0.03 rad; a smaller one happens unseen, with the same end.
+//! * A body can jump over an obstacle in a sub-step in which the hand goes farther than both are thick, and in a turn of 1e-3 rad.
 //! * Rates are differences over 3e-5 body sizes of the hand's way, 1e-6 after a touch.
 //! * Where two contacts slip, the hand is balanced by equal viscous drag at both; their normal forces are right at the end of
 //!   the slip, but the instant at which one of them opens depends on this choice.
 //! * Of several motions of three contacts that fit, the one that turns about a sticking contact comes first, then the slip with the
 //!   strongest drive.
 
+mod clear;
 mod cone;
+mod contact;
+mod ends;
 mod events;
 mod follow;
 mod forces;
@@ -52,13 +74,19 @@ mod search;
 mod slip;
 mod statics;
 mod walk;
+mod world;
 
-pub use scene::{Scene, Surface};
+pub use contact::Touch;
+pub use scene::{Obstacle, Scene, Surface};
 
-use scene::{Pose, Touch};
+use clear::Axis;
+use scene::Pose;
 
 /// A vertex may be this far inside a surface unseen, in body sizes.
 const CLEARANCE: f64 = 1e-12;
+/// A contact is on its side as long as it is beyond the end by less than this, in body sizes: more than the rounding of the place at
+/// which it is passed on.
+const BESIDE: f64 = 1e-11;
 /// Vertices this close to a surface touch it from the beginning, in body sizes.
 const TOUCHING: f64 = 1e-5;
 /// Largest turn in one look at the moment, rad.
@@ -67,11 +95,9 @@ const TURN: f64 = 1e-3;
 /// The force of one contact on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactForce {
-    /// Index of the vertex.
-    pub vertex: usize,
-    /// Index of the surface.
-    pub surface: usize,
-    /// Force along the surface's normal, N.
+    /// What touches what.
+    pub touch: Touch,
+    /// Force along the contact's normal, N.
     pub normal: f64,
     /// Force along the tangent (n_y, -n_x), N.
     pub friction: f64,
@@ -82,10 +108,8 @@ pub struct ContactForce {
 /// A contact of a body that is put where another run has left it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Foot {
-    /// Index of the vertex.
-    pub vertex: usize,
-    /// Index of the surface.
-    pub surface: usize,
+    /// What touches what.
+    pub touch: Touch,
     /// The direction along the tangent in which the contact slides with the hand, 1 or -1; 0 while it sticks.
     pub slides: i8,
 }
@@ -97,10 +121,14 @@ pub struct Reference {
     size: f64,
     hand: [f64; 3],
     pose: Pose,
+    /// The pose from which the present motion began.
+    before: Pose,
     contacts: Vec<Touch>,
     /// For each contact the direction of its slide along the tangent, 1 or -1; `None` while they stick.
     slide: Option<Vec<f64>>,
     stiction: bool,
+    /// For each obstacle the axis along which the body is clear of it.
+    seen: Vec<Option<Axis>>,
     slips: u32,
     events: u32,
     skipped: bool,
@@ -114,18 +142,11 @@ impl Reference {
             position: [start[0], start[1]],
             angle: start[2],
         };
-        let size = scene.size();
-        let foot = |touch: Touch| Foot {
-            vertex: touch.vertex,
-            surface: touch.surface,
-            slides: 0,
-        };
-        let contacts: Vec<_> = scene
-            .touches()
-            .filter(|&touch| scene.gap(&pose, touch) <= TOUCHING * size)
-            .map(foot)
-            .collect();
-        let mut reference = Self::resumed(scene, start, (&contacts, false), first_hand);
+        let mut reference = Self::resumed(scene, start, (&[], false), first_hand);
+        reference.contacts = reference.touching(&pose, TOUCHING);
+        reference.reduce(0);
+        reference.contacts.sort();
+        reference.pose = reference.onto(pose, &reference.contacts);
         reference.relax(first_hand);
         reference
     }
@@ -143,26 +164,26 @@ impl Reference {
             angle: pose[2],
         };
         let mut feet = contacts.to_vec();
-        feet.sort_by_key(|foot| (foot.vertex, foot.surface));
-        let touch = |foot: &Foot| Touch {
-            vertex: foot.vertex,
-            surface: foot.surface,
-        };
+        feet.sort_by_key(|foot| foot.touch);
         let slides = !feet.is_empty() && feet.iter().all(|foot| foot.slides != 0);
+        let obstacles = scene.obstacles.len();
         let mut reference = Self {
             scene,
             size,
             hand,
             pose,
-            contacts: feet.iter().map(touch).collect(),
+            before: pose,
+            contacts: feet.iter().map(|foot| foot.touch).collect(),
             slide: slides.then(|| feet.iter().map(|foot| f64::from(foot.slides)).collect()),
             stiction,
+            seen: vec![None; obstacles],
             slips: 0,
             events: 0,
             skipped: false,
             ambiguous: false,
         };
         reference.pose = reference.onto(pose, &reference.contacts);
+        reference.look();
         reference
     }
 
@@ -196,14 +217,14 @@ impl Reference {
         match *self.contacts.as_slice() {
             [] => "non-contact",
             [_] => "single-vertex",
-            [a, b] if a.vertex == b.vertex => "corner",
-            [a, b] if a.surface == b.surface => "edge",
+            [_, _] if self.corner() => "corner",
+            [_, _] if self.flat() => "edge",
             [_, _] => "two-vertex",
             _ => "locked",
         }
     }
 
-    /// The contacts, by vertex, with their forces; of three or more, one possible set of forces.
+    /// The contacts with their forces; of three or more, one possible set of forces.
     pub fn contacts(&self) -> Vec<ContactForce> {
         self.contact_forces()
     }

@@ -29,6 +29,8 @@ pub(super) enum Happening {
     Memory,
     /// A sliding foot turns back.
     Reversal,
+    /// The contact of this index slides off its side.
+    Off(usize),
 }
 
 impl Reference {
@@ -44,6 +46,8 @@ impl Reference {
         let place = |part: f64| [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k]));
         let mut done = 0.0;
         for _ in 0..EVENTS {
+            self.look();
+            self.before = self.pose;
             if let Ok(pose) = self.carried(to, way) {
                 self.pose = pose;
                 self.hand = to;
@@ -79,13 +83,18 @@ impl Reference {
     /// The pose with the hand at `hand`, or what has happened before.
     fn carried(&self, hand: [f64; 3], way: [f64; 3]) -> Result<Pose, Happening> {
         let pose = self.followed(hand).ok_or(Happening::Fold)?;
+        if self.slide.is_some()
+            && let Some(index) = self.off_side(&pose, &self.contacts)
+        {
+            return Err(Happening::Off(index));
+        }
         if self.enters(&pose, CLEARANCE) {
             return Err(Happening::Touch);
         }
         match *self.contacts.as_slice() {
             [] => return Ok(pose),
             [_] => self.still_presses(&pose, hand)?,
-            [a, b] if a.surface == b.surface => self.edge_presses(&pose, hand)?,
+            [_, _] if self.flat() => self.edge_presses(&pose, hand)?,
             _ => {}
         }
         if self.slide.is_some() {
@@ -93,7 +102,7 @@ impl Reference {
         } else if !self.stiction && self.pressed_hard(&pose, hand) {
             return Err(Happening::Memory);
         } else if !self.admissible(&pose, &self.contacts, hand) {
-            let lifts = self.contacts.len() > 1 && self.comes_free(hand, 0.0);
+            let lifts = self.contacts.len() > 1 && self.lifts_off(hand);
             return Err(if lifts {
                 Happening::Lift
             } else {
@@ -108,6 +117,11 @@ impl Reference {
         let free = self.free_pose(hand);
         let clear = |&touch| self.scene.gap(&free, touch) >= least * self.size;
         self.contacts.iter().all(clear)
+    }
+
+    /// Whether the body comes free of all contacts, among obstacles also in the beginning of its way.
+    fn lifts_off(&self, hand: [f64; 3]) -> bool {
+        self.comes_free(hand, 0.0) && (self.scene.obstacles.is_empty() || self.opens(hand))
     }
 
     /// N = 0 of one vertex.
@@ -154,7 +168,7 @@ impl Reference {
                 .ok_or(Happening::Fold)?;
             let weak = usize::from(normals[1] < normals[0]);
             if normals[weak] < -self.force_tolerance(pose, hand) {
-                let lifts = self.comes_free(hand, 0.0);
+                let lifts = self.lifts_off(hand);
                 return Err(if lifts {
                     Happening::Lift
                 } else {

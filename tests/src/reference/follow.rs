@@ -3,7 +3,9 @@
 
 use super::Reference;
 use super::cone::times;
-use super::scene::{Pose, Touch, add, dot, scale};
+use super::contact::Touch;
+use super::mode::same_vertex;
+use super::scene::{Pose, add, scale};
 use super::search::{bisect, descend};
 use super::statics::sign;
 use super::walk::{End, SLIDE, SNAP};
@@ -17,34 +19,30 @@ impl Reference {
         match (self.contacts.as_slice(), self.slide.as_deref()) {
             ([], _) => Some(self.free_pose(hand)),
             (&[touch], Some(&[way])) => self.slid_vertex((touch, way), hand),
-            (&[a, b], Some(&[way, _])) if a.surface == b.surface => {
+            (&[a, b], Some(&[way, _])) if self.lined(&self.pose, [a, b]) => {
                 Some(self.slid_foot(&self.pose, (a, way), hand))
             }
             (&[a, b], Some(&[first, second])) => self.slid_pair([a, b], [first, second], hand),
-            ([first, rest @ ..], _) if rest.iter().all(|touch| touch.vertex == first.vertex) => {
-                let (pose, end) = self.turn(&self.pose, first.vertex, hand, (SNAP, false));
+            ([first, rest @ ..], _) if rest.iter().all(|&touch| same_vertex(touch, *first)) => {
+                let (pose, end) = self.turn(&self.pose, *first, hand, (SNAP, false));
                 (end == End::Rest).then_some(pose)
             }
             _ => Some(self.pose),
         }
     }
 
-    /// How far along its tangent the vertex of a contact is, m.
-    fn foot(&self, pose: &Pose, touch: Touch) -> f64 {
-        let tangent = self.scene.surfaces[touch.surface].tangent();
-        dot(tangent, pose.apply(self.scene.vertices[touch.vertex]))
-    }
-
     /// The pose shifted along the surface to where friction is dynamic friction against `way`.
     fn slid_foot(&self, pose: &Pose, (touch, way): (Touch, f64), hand: [f64; 3]) -> Pose {
-        let surface = &self.scene.surfaces[touch.surface];
         let shifted = |pose: &Pose, distance: f64| Pose {
-            position: add(pose.position, scale(distance, surface.tangent())),
+            position: add(
+                pose.position,
+                scale(distance, self.scene.tangent(pose, touch)),
+            ),
             angle: pose.angle,
         };
         let excess = |pose: &Pose| {
             let [normal, friction] = self.reaction(pose, touch, hand);
-            friction + way * surface.mu_d * normal
+            friction + way * self.rubbing(pose, touch, hand) * normal
         };
         let mut pose = *pose;
         for _ in 0..2 {
@@ -54,18 +52,21 @@ impl Reference {
         pose
     }
 
-    /// The balance of one vertex that slides.
+    /// The balance of one contact that slides.
     fn slid_vertex(&self, (touch, way): (Touch, f64), hand: [f64; 3]) -> Option<Pose> {
-        let surface = &self.scene.surfaces[touch.surface];
-        let held = self.scene.vertices[touch.vertex];
+        let held = self.scene.held(&self.pose, touch);
         let pin = add(
             self.pose.apply(held),
-            scale(-self.scene.gap(&self.pose, touch), surface.normal),
+            scale(
+                -self.scene.gap(&self.pose, touch),
+                self.scene.normal(&self.pose, touch),
+            ),
         );
         let at = |angle| self.slid_foot(&Pose::holding(held, pin, angle), (touch, way), hand);
         let moment = |angle| {
             let pose = at(angle);
-            self.scene.applied_moment(&pose, hand, pose.apply(held))
+            let about = self.scene.point(&pose, touch);
+            self.scene.applied_moment(&pose, hand, about)
         };
         descend(self.pose.angle, SNAP, moment).map(at)
     }
@@ -112,7 +113,8 @@ impl Reference {
         };
         let ways = self.slide.as_deref().unwrap_or_default();
         let rate = |(&touch, way): (&Touch, &f64)| {
-            way * (self.foot(&high, touch) - self.foot(&low, touch)) / (width * self.size)
+            way * (self.scene.place(&high, touch) - self.scene.place(&low, touch))
+                / (width * self.size)
         };
         Some(self.contacts.iter().zip(ways).map(rate).collect())
     }

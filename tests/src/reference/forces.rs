@@ -1,7 +1,8 @@
 //! The forces at the contacts of a body that rests or slides.
 
 use super::cone::{nearest, times};
-use super::scene::{Pose, Touch, Vector, add, cross, dot, scale, sub};
+use super::contact::Touch;
+use super::scene::{Pose, Vector, add, cross, dot, scale, sub};
 use super::{ContactForce, Reference};
 
 impl Reference {
@@ -13,8 +14,7 @@ impl Reference {
             way.map_or(0, |way| if way > 0.0 { 1 } else { -1 })
         };
         let force = |touch: Touch, [normal, friction]: [f64; 2]| ContactForce {
-            vertex: touch.vertex,
-            surface: touch.surface,
+            touch,
             normal,
             friction,
             slides: slides(touch),
@@ -24,22 +24,22 @@ impl Reference {
         };
         match *self.contacts.as_slice() {
             [only] => vec![force(only, self.reaction(&self.pose, only, self.hand))],
-            [a, b] if a.surface == b.surface => paired([a, b], self.edge_forces([a, b])),
-            [a, b] if a.vertex != b.vertex => {
+            [a, b] if self.flat() => paired([a, b], self.edge_forces([a, b])),
+            [a, b] if !self.corner() => {
                 let forces = self.sliding_forces([a, b]);
                 paired([a, b], forces.unwrap_or_else(|| self.braced_forces([a, b])))
             }
             _ => {
                 let load = times(-1.0, self.load(&self.pose, self.hand));
                 let edges =
-                    self.cone_edges(&self.pose, &self.contacts, |surface| self.grip(surface));
+                    self.cone_edges(&self.pose, &self.contacts, |friction| self.grip(friction));
                 let weights = nearest(&edges, load).weights;
                 let split = |(&touch, w): (&Touch, &[f64])| {
                     force(
                         touch,
                         [
                             w[0] + w[1],
-                            self.grip(&self.scene.surfaces[touch.surface]) * (w[0] - w[1]),
+                            self.grip(self.scene.friction(touch)) * (w[0] - w[1]),
                         ],
                     )
                 };
@@ -52,35 +52,56 @@ impl Reference {
         }
     }
 
-    /// Forces of an edge, friction shared in proportion to the normal forces.
+    /// Forces of an edge, friction shared in proportion to what each contact can bear.
     fn edge_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
         let [total, friction] = self.reaction(&self.pose, pair[0], self.hand);
-        let share = if total == 0.0 { 0.0 } else { friction / total };
-        self.edge_normals(&self.pose, pair, self.hand)
-            .map(|normal| [normal, share * normal])
+        let normals = self.edge_normals(&self.pose, pair, self.hand);
+        let [a, b] = pair.map(|touch| self.grip(self.scene.friction(touch)));
+        if a == b {
+            let share = if total == 0.0 { 0.0 } else { friction / total };
+            return normals.map(|normal| [normal, share * normal]);
+        }
+        let most = a * normals[0] + b * normals[1];
+        let share = if most == 0.0 { 0.0 } else { friction / most };
+        [
+            [normals[0], share * a * normals[0]],
+            [normals[1], share * b * normals[1]],
+        ]
     }
 
     /// Normal forces of an edge from the moments about its ends.
     pub(super) fn edge_normals(&self, pose: &Pose, pair: [Touch; 2], hand: [f64; 3]) -> [f64; 2] {
-        let normal = self.scene.surfaces[pair[0].surface].normal;
-        let points = pair.map(|touch| pose.apply(self.scene.vertices[touch.vertex]));
+        let normal = self.scene.normal(pose, pair[0]);
+        let points = pair.map(|touch| self.scene.point(pose, touch));
         let about = points.map(|point| self.scene.applied_moment(pose, hand, point));
         let reach = cross(sub(points[1], points[0]), normal);
         [about[1] / reach, -about[0] / reach]
+    }
+
+    /// The dynamic coefficient of a contact, or of an edge: what its contacts have on the average of their normal forces.
+    pub(super) fn rubbing(&self, pose: &Pose, touch: Touch, hand: [f64; 3]) -> f64 {
+        let mu_d = |touch| self.scene.friction(touch).mu_d;
+        match *self.contacts.as_slice() {
+            [a, b] if mu_d(a) != mu_d(b) && self.lined(pose, [a, b]) => {
+                let [first, second] = self.edge_normals(pose, [a, b], hand);
+                (mu_d(a) * first + mu_d(b) * second) / (first + second)
+            }
+            _ => mu_d(touch),
+        }
     }
 
     /// Forces of two contacts that slide on two surfaces.
     fn sliding_forces(&self, pair: [Touch; 2]) -> Option<[[f64; 2]; 2]> {
         let ways = self.pair_ways()?;
         let normals = self.pair_normals(&self.pose, pair, ways, self.hand)?;
-        let friction = |i: usize| -ways[i] * self.scene.surfaces[pair[i].surface].mu_d * normals[i];
+        let friction = |i: usize| -ways[i] * self.scene.friction(pair[i]).mu_d * normals[i];
         Some([0, 1].map(|i| [normals[i], friction(i)]))
     }
 
     /// Forces of two contacts on two surfaces: in the middle of the internal forces along their connection that both static
     /// cones allow, at the end if the other is infinite.
     fn braced_forces(&self, pair: [Touch; 2]) -> [[f64; 2]; 2] {
-        let points = pair.map(|touch| self.pose.apply(self.scene.vertices[touch.vertex]));
+        let points = pair.map(|touch| self.scene.point(&self.pose, touch));
         let along = sub(points[1], points[0]);
         let squared = dot(along, along);
         let across = [-along[1], along[0]];
@@ -96,11 +117,11 @@ impl Reference {
             (pair[0], first, along),
             (pair[1], second, scale(-1.0, along)),
         ] {
-            let surface = &self.scene.surfaces[touch.surface];
+            let grip = self.grip(self.scene.friction(touch));
             for side in [1.0, -1.0] {
                 let inward = add(
-                    scale(self.grip(surface), surface.normal),
-                    scale(side, surface.tangent()),
+                    scale(grip, self.scene.normal(&self.pose, touch)),
+                    scale(side, self.scene.tangent(&self.pose, touch)),
                 );
                 let (constant, slope) = (dot(inward, start), dot(inward, direction));
                 if slope > 0.0 {
@@ -117,8 +138,10 @@ impl Reference {
             (false, false) => 0.0,
         };
         let split = |touch: Touch, total: Vector| {
-            let surface = &self.scene.surfaces[touch.surface];
-            [dot(surface.normal, total), dot(surface.tangent(), total)]
+            [
+                dot(self.scene.normal(&self.pose, touch), total),
+                dot(self.scene.tangent(&self.pose, touch), total),
+            ]
         };
         let extra = scale(internal, along);
         [

@@ -1,13 +1,16 @@
 //! Motion out of contact with the hand frozen: the pose in which only hand and weight act, and the way there, looked at for
 //! the first touch.
 
-use super::scene::{Pose, Touch, add, scale, sub};
+use super::contact::Touch;
+use super::scene::{Pose, add, scale, sub};
 use super::search::{bisect, descend};
 use super::walk::End;
 use super::{CLEARANCE, Reference};
 
 /// Looks at the gaps on the way.
 const LOOKS: u32 = 2000;
+/// A way that ends within this part of it is blocked from its beginning: some thousand roundings.
+const AT_ONCE: f64 = 1e-12;
 
 impl Reference {
     /// The pose in which only hand and weight act, from where the body is: the orientation follows the moment.
@@ -26,41 +29,68 @@ impl Reference {
         at(descend(self.pose.angle, f64::INFINITY, moment).unwrap_or(self.pose.angle))
     }
 
-    /// Moves straight, holding point and orientation, to the free pose, or to the first touch if that pose is blocked. The
-    /// contacts in `left` count again once they are open.
+    /// Moves straight, holding point and orientation, to the free pose, or to the first touch if the way there is blocked. Where a
+    /// contact that was just left blocks it at once, the holding point goes first and the body turns after.
     pub(super) fn sweep(&self, left: &[Touch], hand: [f64; 3]) -> (Pose, End) {
         let target = self.free_pose(hand);
-        if !self.enters(&target, CLEARANCE) {
+        if self.scene.obstacles.is_empty() && !self.enters(&target, CLEARANCE) {
             return (target, End::Rest);
         }
+        let both = |part: f64| [part, part];
+        let in_turn = |part: f64| [(2.0 * part).min(1.0), (2.0 * part - 1.0).max(0.0)];
+        let (part, pose, end) = self.along(&target, left, both);
+        if end == End::Touch && part <= AT_ONCE && !left.is_empty() {
+            let (_, pose, end) = self.along(&target, left, in_turn);
+            return (pose, end);
+        }
+        (pose, end)
+    }
+
+    /// Moves to `target`, at each part of the way by the `parts` of shift and turn; how far it comes. The contacts in `left` count
+    /// again once they are open; till then those on obstacles may close no further.
+    fn along(
+        &self,
+        target: &Pose,
+        left: &[Touch],
+        parts: impl Fn(f64) -> [f64; 2],
+    ) -> (f64, Pose, End) {
         let held = self.scene.holding_point;
         let from = self.pose.apply(held);
         let shift = sub(target.apply(held), from);
         let turn = target.angle - self.pose.angle;
         let at = |part: f64| {
+            let [shifted, turned] = parts(part);
             Pose::holding(
                 held,
-                add(from, scale(part, shift)),
-                self.pose.angle + part * turn,
+                add(from, scale(shifted, shift)),
+                self.pose.angle + turned * turn,
             )
         };
-        let mut closed: Vec<_> = left
-            .iter()
-            .map(|&touch| (touch, f64::NEG_INFINITY))
-            .collect();
+        let least = |touch: Touch| match touch {
+            Touch::Surface { .. } => f64::NEG_INFINITY,
+            _ => self.scene.gap(&self.pose, touch).min(0.0),
+        };
+        let mut closed: Vec<_> = left.iter().map(|&touch| (touch, least(touch))).collect();
+        let mut seer = self.clone();
         for look in 0..LOOKS {
             let (now, next) = (
                 f64::from(look) / f64::from(LOOKS),
                 f64::from(look + 1) / f64::from(LOOKS),
             );
-            if self.enters_beside(&at(next), &closed, CLEARANCE) {
+            if seer.enters_beside(&at(next), &closed, CLEARANCE) {
                 let (before, _) = bisect(now, next, |part| {
-                    self.enters_beside(&at(part), &closed, 0.0)
+                    seer.enters_beside(&at(part), &closed, 0.0)
                 });
-                return (at(before), End::Touch);
+                return (before, at(before), End::Touch);
             }
-            closed.retain(|&(touch, _)| self.scene.gap(&at(next), touch) < CLEARANCE * self.size);
+            closed.retain(|&(touch, _)| self.still_closed(&at(next), touch));
+            seer.pose = at(next);
+            seer.look();
         }
-        (self.pose, End::Lost)
+        if seer.enters(target, CLEARANCE) {
+            (0.0, self.pose, End::Lost)
+        } else {
+            (1.0, *target, End::Rest)
+        }
     }
 }

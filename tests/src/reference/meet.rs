@@ -1,10 +1,10 @@
 //! What follows an event on the way of the hand, by the rules of the slides: the contacts stick, slide, slip, open or close.
 
+use super::contact::Touch;
 use super::events::{BACK, Happening};
 use super::follow::ahead;
 use super::mode::Mode;
 use super::relax::{Carry, Driven};
-use super::scene::Touch;
 use super::statics::sign;
 use super::{CLEARANCE, Reference};
 
@@ -29,6 +29,7 @@ impl Reference {
                 self.slide = None;
             }
             Happening::Reversal => self.stop(),
+            Happening::Off(index) => self.off(index),
         }
     }
 
@@ -81,8 +82,15 @@ impl Reference {
     /// A vertex has reached a surface. From free flight the rates decide; an edge goes on as the vertex did; two surfaces under
     /// a vertex that slides become a joint slide if both feet go on and the new one presses.
     fn touch(&mut self, way: [f64; 3]) {
-        let (before, slide) = (self.contacts.clone(), self.slide.take());
-        self.take_up();
+        let before = self.contacts.clone();
+        if !self.take_up() {
+            // It has come to see an obstacle from another side, or turns over to a free pose behind one.
+            if before.is_empty() {
+                self.settle(self.hand, Carry::default());
+            }
+            return;
+        }
+        let slide = self.slide.take();
         if before.is_empty() {
             self.strike(way);
         } else if let Some(&[slides]) = slide.as_deref() {
@@ -93,6 +101,17 @@ impl Reference {
             }
         } else if slide.is_some() {
             self.stop();
+        }
+    }
+
+    /// A sliding contact leaves its side.
+    fn off(&mut self, index: usize) {
+        let slide = self.slide.take().unwrap_or_default();
+        let mut carry = Carry::default();
+        if self.pass_on((index, slide[index]), self.hand, &mut carry) {
+            self.slide = Some(slide);
+        } else {
+            self.settle(self.hand, carry);
         }
     }
 
@@ -136,7 +155,7 @@ impl Reference {
             return;
         };
         let [normal, friction] = self.reaction(&stuck, touch, soon);
-        if normal > 0.0 && friction.abs() <= self.scene.surfaces[touch.surface].mu_d * normal {
+        if normal > 0.0 && friction.abs() <= self.scene.friction(touch).mu_d * normal {
             return;
         }
         self.slide = Some(vec![-sign(friction); self.contacts.len()]);

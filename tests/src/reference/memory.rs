@@ -2,7 +2,8 @@
 
 use super::Reference;
 use super::cone::{inner, norm, times};
-use super::scene::{Pose, Screw, Surface, Touch, dot, sub};
+use super::contact::Touch;
+use super::scene::{Friction, Pose, Screw};
 
 /// A memory length shorter than this counts as this, in body sizes.
 const LEAST: f64 = 1.0 / 524_288.0;
@@ -13,47 +14,52 @@ const PROBE: f64 = 1e-5;
 
 impl Reference {
     /// The coefficient of friction at rest.
-    pub(super) fn grip(&self, surface: &Surface) -> f64 {
+    pub(super) fn grip(&self, friction: Friction) -> f64 {
         if self.stiction {
-            surface.mu_s
+            friction.mu_s
         } else {
-            surface.mu_d
+            friction.mu_d
         }
     }
 
-    fn memory(&self, surface: &Surface) -> f64 {
-        surface.memory.max(LEAST * self.size)
+    fn memory(&self, friction: Friction) -> f64 {
+        friction.memory.max(LEAST * self.size)
     }
 
     /// N*: pressed harder than this, one vertex or an edge sticks and slips, N.
-    fn threshold(&self, surface: &Surface) -> f64 {
-        let drop = surface.mu_s - surface.mu_d;
-        if drop > 1e-9 * surface.mu_s {
-            self.scene.k_h * self.memory(surface) / drop
+    fn threshold(&self, friction: Friction) -> f64 {
+        let drop = friction.mu_s - friction.mu_d;
+        if drop > 1e-9 * friction.mu_s {
+            self.scene.k_h * self.memory(friction) / drop
         } else {
             f64::INFINITY
         }
     }
 
-    /// Whether all contacts are one vertex on one surface, or an edge.
+    /// Whether all contacts are one alone, or an edge.
     pub(super) fn on_one_surface(&self) -> bool {
-        matches!(*self.contacts.as_slice(), [ref first, ref rest @ ..]
-            if rest.len() < 2 && rest.iter().all(|touch| touch.surface == first.surface))
+        self.contacts.len() == 1 || self.flat()
     }
 
     /// Whether one vertex, or an edge, is pressed by N* or more.
     pub(super) fn pressed_hard(&self, pose: &Pose, hand: [f64; 3]) -> bool {
         self.on_one_surface() && {
+            if let &[a, b] = self.contacts.as_slice()
+                && self.scene.friction(a) != self.scene.friction(b)
+            {
+                let normals = self.edge_normals(pose, [a, b], hand);
+                let part = |(normal, touch)| normal / self.threshold(self.scene.friction(touch));
+                return normals.into_iter().zip([a, b]).map(part).sum::<f64>() >= 1.0;
+            }
             let touch = self.contacts[0];
-            self.reaction(pose, touch, hand)[0]
-                >= self.threshold(&self.scene.surfaces[touch.surface])
+            self.reaction(pose, touch, hand)[0] >= self.threshold(self.scene.friction(touch))
         }
     }
 
-    /// The two contacts, if they are two vertices on two surfaces.
+    /// The two contacts, if they are at two places and not in one line.
     pub(super) fn pair(&self) -> Option<[Touch; 2]> {
         match *self.contacts.as_slice() {
-            [a, b] if a.vertex != b.vertex && a.surface != b.surface => Some([a, b]),
+            [a, b] if !self.corner() && !self.flat() => Some([a, b]),
             _ => None,
         }
     }
@@ -68,19 +74,15 @@ impl Reference {
 
     /// Whether neither of two contacts has more friction at rest than in motion.
     fn indifferent(&self, pair: [Touch; 2]) -> bool {
-        pair.iter().all(|touch| {
-            self.threshold(&self.scene.surfaces[touch.surface])
-                .is_infinite()
-        })
+        pair.iter()
+            .all(|&touch| self.threshold(self.scene.friction(touch)).is_infinite())
     }
 
     /// Whether a slip of two contacts from the pose `began` to the present one was long enough to keep the bit.
     pub(super) fn slipped_far(&self, pair: [Touch; 2], began: &Pose) -> bool {
-        let far = |touch: &Touch| {
-            let surface = &self.scene.surfaces[touch.surface];
-            let at = |pose: &Pose| pose.apply(self.scene.vertices[touch.vertex]);
-            let way = dot(surface.tangent(), sub(at(&self.pose), at(began)));
-            way.abs() >= self.memory(surface)
+        let far = |&touch: &Touch| {
+            let way = self.scene.place(&self.pose, touch) - self.scene.place(began, touch);
+            way.abs() >= self.memory(self.scene.friction(touch))
         };
         !self.indifferent(pair) && pair.iter().any(far)
     }
@@ -132,7 +134,6 @@ impl Reference {
             return 0.0;
         };
         let speeds = self.speeds(pose, pair, twist);
-        let surfaces = pair.map(|touch| &self.scene.surfaces[touch.surface]);
         let drop = self.drive_of_yield(pose, pair, (ways, brake), here.normals);
         let power = |reach: f64| {
             let there = self.onto(
@@ -152,7 +153,8 @@ impl Reference {
             return f64::INFINITY;
         }
         let way = drop / stiffness;
-        let lengths = [0, 1].map(|i| way * speeds[i].abs() / self.memory(surfaces[i]));
+        let lengths =
+            [0, 1].map(|i| way * speeds[i].abs() / self.memory(self.scene.friction(pair[i])));
         lengths[0].max(lengths[1])
     }
 }

@@ -1,7 +1,8 @@
 //! What contacts do that cannot hold the body under a frozen hand: the one motion of several that fit the load.
 
 use super::cone::{inner, times};
-use super::scene::{Screw, Touch, add, cross, dot, scale, sub};
+use super::contact::Touch;
+use super::scene::{Screw, add, cross, dot, scale, sub};
 use super::statics::sign;
 use super::{CLEARANCE, Reference};
 
@@ -14,10 +15,15 @@ pub(super) enum Mode {
     Keep(Vec<Touch>),
 }
 
+/// Whether one vertex of the body is in both contacts.
+pub(super) fn same_vertex(a: Touch, b: Touch) -> bool {
+    a.vertex().is_some() && a.vertex() == b.vertex()
+}
+
 impl Reference {
     /// Whether the body touches two surfaces with one vertex and nothing else.
     pub(super) fn corner(&self) -> bool {
-        matches!(*self.contacts.as_slice(), [a, b] if a.vertex == b.vertex)
+        matches!(*self.contacts.as_slice(), [a, b] if same_vertex(a, b))
     }
 
     /// How a vertex leaves a corner: along one surface if friction does not hold it there, else it comes free.
@@ -26,11 +32,10 @@ impl Reference {
             return None;
         };
         let slides = |&(kept, other): &(Touch, Touch)| {
-            let surface = self.scene.surfaces[kept.surface];
             let [normal, friction] = self.reaction(&self.pose, kept, hand);
-            let way = scale(-sign(friction), surface.tangent());
-            let leaves = dot(way, self.scene.surfaces[other.surface].normal) > 0.0;
-            normal > 0.0 && friction.abs() > self.grip(&surface) * normal && leaves
+            let way = scale(-sign(friction), self.scene.tangent(&self.pose, kept));
+            let leaves = dot(way, self.scene.normal(&self.pose, other)) > 0.0;
+            normal > 0.0 && friction.abs() > self.grip(self.scene.friction(kept)) * normal && leaves
         };
         let kept = [(a, b), (b, a)].into_iter().find(slides);
         Some(Mode::Keep(kept.map(|(kept, _)| kept).into_iter().collect()))
@@ -45,19 +50,14 @@ impl Reference {
                 .flat_map(|i| (i + 1..count).map(move |j| [self.contacts[i], self.contacts[j]]))
         };
         let corner = || {
-            pairs().find(|pair| {
-                count > 2 && pair[0].vertex == pair[1].vertex && self.pivots(pair, hand)
-            })
+            pairs()
+                .find(|pair| count > 2 && same_vertex(pair[0], pair[1]) && self.pivots(pair, hand))
         };
         let single = |sticks: bool| {
             self.contacts.iter().copied().find(|&touch| {
                 let [normal, friction] = self.reaction(&self.pose, touch, hand);
-                let surface = &self.scene.surfaces[touch.surface];
-                let grip = if slipping {
-                    surface.mu_d
-                } else {
-                    self.grip(surface)
-                };
+                let of = self.scene.friction(touch);
+                let grip = if slipping { of.mu_d } else { self.grip(of) };
                 let held = friction.abs() <= grip * normal;
                 normal > 0.0 && (held || !sticks) && self.pivots(&[touch], hand)
             })
@@ -75,22 +75,28 @@ impl Reference {
             .or_else(|| slide(true))
             .or_else(|| slide(false))
             .or_else(|| single(false).map(keep));
-        moves.or_else(|| self.opens(hand).then(|| Mode::Keep(Vec::new())))
+        let free = || self.opens(hand) || self.pulled_off(hand);
+        moves.or_else(|| free().then(|| Mode::Keep(Vec::new())))
+    }
+
+    /// Whether the load pulls the body off all contacts with obstacles: the holding point may go first, the body turns after.
+    fn pulled_off(&self, hand: [f64; 3]) -> bool {
+        let force = self.scene.applied_force(&self.pose, hand);
+        self.contacts.iter().all(|&touch| {
+            touch.obstacle().is_some() && dot(force, self.scene.normal(&self.pose, touch)) > 0.0
+        })
     }
 
     /// Whether the way to the free pose opens all contacts.
-    fn opens(&self, hand: [f64; 3]) -> bool {
+    pub(super) fn opens(&self, hand: [f64; 3]) -> bool {
         let held = self.scene.holding_point;
         let (from, target) = (self.pose, self.free_pose(hand));
         let shift = sub(target.apply(held), from.apply(held));
         let turn = target.angle - from.angle;
         self.contacts.iter().all(|&touch| {
-            let arm = sub(
-                from.apply(self.scene.vertices[touch.vertex]),
-                from.apply(held),
-            );
+            let arm = sub(self.scene.point(&from, touch), from.apply(held));
             let velocity = add(shift, scale(turn, [-arm[1], arm[0]]));
-            dot(velocity, self.scene.surfaces[touch.surface].normal) > -CLEARANCE * self.size
+            dot(velocity, self.scene.normal(&from, touch)) > -CLEARANCE * self.size
         })
     }
 
@@ -116,7 +122,7 @@ impl Reference {
     /// The slide of a pair, if the load drives it, both contacts (or one, if not `pressed`) press and all others stay or open;
     /// with its drive.
     fn slide_mode(&self, pair: [Touch; 2], pressed: bool, hand: [f64; 3]) -> Option<(Mode, f64)> {
-        if pair[0].vertex == pair[1].vertex {
+        if same_vertex(pair[0], pair[1]) {
             return None;
         }
         let twist = self.free_twist(&self.pose, pair);
@@ -136,12 +142,12 @@ impl Reference {
 
     /// Whether the load turns the body about the kept vertex so that all other contacts open, and the kept ones can hold it.
     fn pivots(&self, kept: &[Touch], hand: [f64; 3]) -> bool {
-        let pin = self.pose.apply(self.scene.vertices[kept[0].vertex]);
+        let pin = self.scene.point(&self.pose, kept[0]);
         let moment = self.scene.applied_moment(&self.pose, hand, pin);
         let opens = |&touch: &Touch| {
-            let arm = sub(self.pose.apply(self.scene.vertices[touch.vertex]), pin);
+            let arm = sub(self.scene.point(&self.pose, touch), pin);
             kept.contains(&touch)
-                || sign(moment) * cross(arm, self.scene.surfaces[touch.surface].normal)
+                || sign(moment) * cross(arm, self.scene.normal(&self.pose, touch))
                     > STILL * self.size
         };
         self.contacts.iter().all(opens) && (kept.len() == 1 || self.carries(kept, hand))
@@ -149,7 +155,7 @@ impl Reference {
 
     /// Whether the two cones of a corner carry the applied force.
     fn carries(&self, pair: &[Touch], hand: [f64; 3]) -> bool {
-        let pin = self.pose.apply(self.scene.vertices[pair[0].vertex]);
+        let pin = self.scene.point(&self.pose, pair[0]);
         let mut free_of_moment = self.clone();
         let turn = self.scene.applied_moment(&self.pose, hand, pin);
         let balanced = if self.scene.k_theta > 0.0 {

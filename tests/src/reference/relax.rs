@@ -3,15 +3,14 @@
 
 use super::Reference;
 use super::cone::inner;
+use super::contact::Touch;
 use super::mode::{Mode, STILL};
-use super::scene::{Pose, Screw, Touch};
+use super::scene::{Pose, Screw};
 use super::statics::sign;
 use super::walk::End;
 
 /// Motions after which the body is left where it is.
 const MOTIONS: usize = 60;
-/// Vertices that come this close together with the first one touch with it, in body sizes.
-const TOGETHER: f64 = 1e-10;
 /// A contact that the free pose leaves by less than this carries nothing worth a motion, in body sizes.
 const WEIGHTLESS: f64 = 1e-5;
 
@@ -47,6 +46,8 @@ impl Reference {
     pub(super) fn settle(&mut self, hand: [f64; 3], mut carry: Carry) {
         self.slide = None;
         for _ in 0..MOTIONS {
+            self.before = self.pose;
+            self.look();
             let rested = match (carry.driven.take(), self.contacts.as_slice()) {
                 (Some(Driven::Vertex(touch, way)), _) => {
                     self.slip_vertex((touch, way), hand, &mut carry)
@@ -94,12 +95,12 @@ impl Reference {
     fn relax_vertex(&mut self, touch: Touch, hand: [f64; 3], carry: &mut Carry) -> bool {
         if carry.slipping {
             let [normal, friction] = self.reaction(&self.pose, touch, hand);
-            let excess = friction.abs() - self.scene.surfaces[touch.surface].mu_d * normal;
+            let excess = friction.abs() - self.scene.friction(touch).mu_d * normal;
             if normal > 0.0 && excess > self.force_tolerance(&self.pose, hand) {
                 return self.slip_vertex((touch, -sign(friction)), hand, carry);
             }
         }
-        let (pose, end) = self.turn(&self.pose, touch.vertex, hand, (f64::INFINITY, true));
+        let (pose, end) = self.turn(&self.pose, touch, hand, (f64::INFINITY, true));
         self.pose = pose;
         if end == End::Touch {
             self.land(carry);
@@ -120,8 +121,7 @@ impl Reference {
 
     /// One vertex on two surfaces: it turns in the corner, then stays or leaves along one of the surfaces.
     fn relax_corner(&mut self, hand: [f64; 3], carry: &mut Carry) -> bool {
-        let vertex = self.contacts[0].vertex;
-        let (pose, end) = self.turn(&self.pose, vertex, hand, (f64::INFINITY, true));
+        let (pose, end) = self.turn(&self.pose, self.contacts[0], hand, (f64::INFINITY, true));
         self.pose = pose;
         if end == End::Touch {
             self.land(carry);
@@ -175,22 +175,6 @@ impl Reference {
     pub(super) fn land(&mut self, carry: &mut Carry) {
         self.take_up();
         *carry = Carry::default();
-    }
-
-    /// Takes up the vertices that have come into contact.
-    pub(super) fn take_up(&mut self) {
-        let gap = |touch| self.scene.gap(&self.pose, touch);
-        let mut new: Vec<Touch> = self
-            .others()
-            .filter(|&touch| gap(touch) <= TOGETHER * self.size)
-            .collect();
-        if new.is_empty() {
-            new.extend(self.others().min_by(|&a, &b| gap(a).total_cmp(&gap(b))));
-        }
-        self.contacts.extend(new);
-        self.contacts
-            .sort_by_key(|touch| (touch.vertex, touch.surface));
-        self.pose = self.onto(self.pose, &self.contacts);
     }
 
     pub(super) fn release(&mut self, kept: &[Touch], carry: &mut Carry) {

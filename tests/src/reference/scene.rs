@@ -1,5 +1,5 @@
-//! The scene of the reference in plain SI `f64`: where a vertex is, how far it is from a surface, and the wrench with which
-//! hand and weight load the body. World frame, moments counter-clockwise.
+//! The scene of the reference in plain SI `f64`: the body, what is around it, and the wrench with which hand and weight load the
+//! body. World frame, moments counter-clockwise.
 
 /// A vector in the plane.
 pub(super) type Vector = [f64; 2];
@@ -23,14 +23,28 @@ pub struct Surface {
     pub memory: f64,
 }
 
-impl Surface {
-    /// The direction along which friction is counted (floor: +x).
-    pub(super) fn tangent(&self) -> Vector {
-        [self.normal[1], -self.normal[0]]
-    }
+/// A fixed convex polygon that the body cannot enter.
+#[derive(Clone, Debug)]
+pub struct Obstacle {
+    /// Corners, counter-clockwise, m. Two: a thin wall. One: a pin.
+    pub vertices: Vec<[f64; 2]>,
+    /// Static friction coefficient, >= `mu_d`.
+    pub mu_s: f64,
+    /// Dynamic friction coefficient, >= 0.
+    pub mu_d: f64,
+    /// Memory length of the contact, m, as that of a [`Surface`].
+    pub memory: f64,
 }
 
-/// A held polygon and the surfaces around it.
+/// The friction of a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Friction {
+    pub mu_s: f64,
+    pub mu_d: f64,
+    pub memory: f64,
+}
+
+/// A held polygon and what is around it.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// Vertices of the convex body, counter-clockwise, body frame, m.
@@ -45,6 +59,8 @@ pub struct Scene {
     pub weight: f64,
     /// The half-planes.
     pub surfaces: Vec<Surface>,
+    /// The convex obstacles; they may touch or overlap.
+    pub obstacles: Vec<Obstacle>,
 }
 
 /// Position of the body frame, m, and its unwrapped orientation, rad.
@@ -52,13 +68,6 @@ pub struct Scene {
 pub(super) struct Pose {
     pub position: Vector,
     pub angle: f64,
-}
-
-/// A vertex that touches a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Touch {
-    pub vertex: usize,
-    pub surface: usize,
 }
 
 impl Pose {
@@ -72,6 +81,24 @@ impl Pose {
                 sin * point[0] + cos * point[1],
             ],
         )
+    }
+
+    /// A direction of the body in the world.
+    pub(super) fn direction(&self, direction: Vector) -> Vector {
+        let (sin, cos) = self.angle.sin_cos();
+        [
+            cos * direction[0] - sin * direction[1],
+            sin * direction[0] + cos * direction[1],
+        ]
+    }
+
+    /// The point of the body that is at a point of the world, m.
+    pub(super) fn inverse(&self, point: Vector) -> Vector {
+        let back = Self {
+            position: [0.0, 0.0],
+            angle: -self.angle,
+        };
+        back.direction(sub(point, self.position))
     }
 
     /// The pose with orientation `angle` that puts the body point `held` at `at`.
@@ -123,19 +150,6 @@ impl Scene {
             1.0 / v.len() as f64,
             v.iter().fold([0.0, 0.0], |sum, &p| add(sum, p)),
         )
-    }
-
-    /// Every vertex against every surface.
-    pub(super) fn touches(&self) -> impl Iterator<Item = Touch> + '_ {
-        (0..self.surfaces.len()).flat_map(|surface| {
-            (0..self.vertices.len()).map(move |vertex| Touch { vertex, surface })
-        })
-    }
-
-    /// Distance of the vertex from the surface, m, negative inside.
-    pub(super) fn gap(&self, pose: &Pose, touch: Touch) -> f64 {
-        let surface = &self.surfaces[touch.surface];
-        dot(surface.normal, pose.apply(self.vertices[touch.vertex])) - surface.offset
     }
 
     /// Force of hand and weight on the body, N.

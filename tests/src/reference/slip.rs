@@ -1,9 +1,10 @@
 //! Slips under a frozen hand, and their ends: the memory of the contacts decides whether they stick or slide on with the hand.
 
+use super::contact::Touch;
 use super::relax::{Carry, Driven};
-use super::scene::{Pose, Screw, Touch, length, sub};
+use super::scene::{Pose, Screw, length, sub};
 use super::statics::sign;
-use super::walk::End;
+use super::walk::{End, SMALLEST};
 use super::{CLEARANCE, Reference};
 
 /// A joint slip shorter than this is none, in body sizes.
@@ -19,7 +20,11 @@ impl Reference {
         hand: [f64; 3],
         carry: &mut Carry,
     ) -> bool {
-        let (pose, end) = self.slide_vertex(slip, &carry.left, hand);
+        let (mut pose, end) = self.slide_vertex(slip, &carry.left, hand);
+        if end == End::Snap && pose == self.pose {
+            // It is at the fold and has to be taken over it.
+            pose = self.shifted(&pose, slip, 2.0 * SMALLEST * self.size);
+        }
         self.pose = pose;
         carry.slipping = false;
         match end {
@@ -32,6 +37,10 @@ impl Reference {
                 carry.slipping = self.contacts.len() == 2 && !self.corner();
             }
             End::Lift(_) => self.release(&[], carry),
+            End::Off(_) => {
+                carry.left.clear();
+                self.pass_on((0, slip.1), hand, carry);
+            }
             End::Snap => {}
             End::Lost => {
                 self.ambiguous = true;
@@ -76,7 +85,8 @@ impl Reference {
         let ways = self.speeds(&pose, pair, way).map(sign);
         match end {
             End::Touch => self.land(carry),
-            End::Lift(index) if pair[0].surface == pair[1].surface => {
+            End::Off(index) => self.pair_off((pair, way), (index, ways), hand, carry),
+            End::Lift(index) if self.lined(&pose, pair) => {
                 self.release(&[pair[1 - index]], carry);
                 carry.slipping = true;
             }
@@ -110,6 +120,22 @@ impl Reference {
         false
     }
 
+    /// One of two contacts that slip leaves its side: a flat contact slips on, any other one is tested with its new normal.
+    fn pair_off(
+        &mut self,
+        (pair, way): ([Touch; 2], Screw),
+        (index, ways): (usize, [f64; 2]),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) {
+        self.contacts = pair.to_vec();
+        if self.pass_on((index, ways[index]), hand, carry) {
+            let pair = [self.contacts[0], self.contacts[1]];
+            let onward = self.onward(&self.pose, pair, way);
+            carry.driven = Some(Driven::Pair(pair, onward));
+        }
+    }
+
     /// The end of a slip at dynamic friction: the contacts stick and have the bit if it is `kept`, else they slide on.
     fn end_slip(&mut self, ways: Vec<f64>, kept: bool) {
         self.slips += 1;
@@ -135,9 +161,7 @@ impl Reference {
         let moved = length(sub(self.pose.position, began.position)) > MOVED * self.size;
         let open = |pose: &Pose| self.scene.gap(pose, left) >= -CLEARANCE * self.size;
         let mut alone = self.clone();
-        alone.pose = alone
-            .turn(&self.pose, kept.vertex, hand, (f64::INFINITY, false))
-            .0;
+        alone.pose = alone.turn(&self.pose, kept, hand, (f64::INFINITY, false)).0;
         let [normal, friction] = alone.reaction(&alone.pose, kept, hand);
         let held = normal > 0.0 && alone.admissible_in_slip(&alone.pose, &[kept], hand);
         if held && open(&alone.pose) && !alone.enters(&alone.pose, CLEARANCE) {
@@ -149,11 +173,13 @@ impl Reference {
         }
         if normal <= 0.0 && self.comes_free(hand, 0.0) {
             self.contacts.clear();
-            self.pose = self.free_pose(hand);
+            if self.scene.obstacles.is_empty() {
+                self.pose = self.free_pose(hand);
+            }
             return false;
         }
         let way = way.unwrap_or(-sign(friction));
-        if normal <= 0.0 || -way * friction <= self.scene.surfaces[kept.surface].mu_d * normal {
+        if normal <= 0.0 || -way * friction <= self.scene.friction(kept).mu_d * normal {
             return false;
         }
         let (pose, end) = alone.slide_vertex((kept, way), &[], hand);

@@ -2,7 +2,8 @@
 
 use super::Reference;
 use super::cone::{inner, nearest, norm, normal_to, times};
-use super::scene::{Pose, Screw, Surface, Touch, Vector, add, cross, dot, scale, sub};
+use super::contact::Touch;
+use super::scene::{Friction, Pose, Screw, Vector, add, cross, dot, scale, sub};
 
 /// Two contacts that slide together along the one motion they leave free.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +22,7 @@ impl Reference {
     /// The wrench about the body origin of a force along `direction` at the contact; also the gradient of its position along
     /// `direction`.
     pub(super) fn line(&self, pose: &Pose, touch: Touch, direction: Vector) -> Screw {
-        let arm = sub(pose.apply(self.scene.vertices[touch.vertex]), pose.position);
+        let arm = sub(self.scene.point(pose, touch), pose.position);
         [
             direction[0],
             direction[1],
@@ -31,7 +32,7 @@ impl Reference {
 
     /// The line of the contact's normal.
     pub(super) fn normal_line(&self, pose: &Pose, touch: Touch) -> Screw {
-        self.line(pose, touch, self.scene.surfaces[touch.surface].normal)
+        self.line(pose, touch, self.scene.normal(pose, touch))
     }
 
     /// The wrench of hand and weight about the body origin.
@@ -51,14 +52,16 @@ impl Reference {
 
     /// Normal and tangential part of the reaction a single contact would have to give, N.
     pub(super) fn reaction(&self, pose: &Pose, touch: Touch, hand: [f64; 3]) -> [f64; 2] {
-        let surface = &self.scene.surfaces[touch.surface];
         let force = self.scene.applied_force(pose, hand);
-        [-dot(surface.normal, force), -dot(surface.tangent(), force)]
+        [
+            -dot(self.scene.normal(pose, touch), force),
+            -dot(self.scene.tangent(pose, touch), force),
+        ]
     }
 
     /// Whether forces inside the cones of friction at rest of `contacts` balance the load.
     pub(super) fn admissible(&self, pose: &Pose, contacts: &[Touch], hand: [f64; 3]) -> bool {
-        self.borne(pose, contacts, hand, |surface| self.grip(surface))
+        self.borne(pose, contacts, hand, |friction| self.grip(friction))
     }
 
     /// The same with dynamic friction.
@@ -68,7 +71,7 @@ impl Reference {
         contacts: &[Touch],
         hand: [f64; 3],
     ) -> bool {
-        self.borne(pose, contacts, hand, |surface| surface.mu_d)
+        self.borne(pose, contacts, hand, |friction| friction.mu_d)
     }
 
     fn borne(
@@ -76,11 +79,17 @@ impl Reference {
         pose: &Pose,
         contacts: &[Touch],
         hand: [f64; 3],
-        friction: impl Fn(&Surface) -> f64,
+        friction: impl Fn(Friction) -> f64,
     ) -> bool {
         let load = times(-1.0, self.load(pose, hand));
         let edges = self.cone_edges(pose, contacts, friction);
         nearest(&edges, load).distance <= self.force_tolerance(pose, hand)
+    }
+
+    /// The line of a unit normal force with `lean` times as much along the tangent.
+    fn edge_of_cone(&self, pose: &Pose, touch: Touch, lean: f64) -> Screw {
+        let tilt = scale(lean, self.scene.tangent(pose, touch));
+        self.line(pose, touch, add(self.scene.normal(pose, touch), tilt))
     }
 
     /// Two edges per contact: leaning to +t, leaning to -t.
@@ -88,12 +97,11 @@ impl Reference {
         &self,
         pose: &Pose,
         contacts: &[Touch],
-        friction: impl Fn(&Surface) -> f64,
+        friction: impl Fn(Friction) -> f64,
     ) -> Vec<Screw> {
         let lean = |touch: Touch, sign: f64| {
-            let surface = &self.scene.surfaces[touch.surface];
-            let tilt = scale(sign * friction(surface), surface.tangent());
-            self.line(pose, touch, add(surface.normal, tilt))
+            let grip = friction(self.scene.friction(touch));
+            self.edge_of_cone(pose, touch, sign * grip)
         };
         contacts
             .iter()
@@ -110,7 +118,7 @@ impl Reference {
         hand: [f64; 3],
     ) -> Vec<[f64; 2]> {
         let load = times(-1.0, self.load(pose, hand));
-        let edges = self.cone_edges(pose, contacts, |surface| self.grip(surface));
+        let edges = self.cone_edges(pose, contacts, |friction| self.grip(friction));
         let weights = nearest(&edges, load).weights;
         let least = 1e-9 * weights.iter().fold(0.0, |most: f64, &w| most.max(w));
         let counted = |w: f64| if w > least { w } else { 0.0 };
@@ -123,7 +131,7 @@ impl Reference {
     /// How fast the contacts of a pair go along their tangents in a motion.
     pub(super) fn speeds(&self, pose: &Pose, pair: [Touch; 2], twist: Screw) -> [f64; 2] {
         pair.map(|touch| {
-            let tangent = self.scene.surfaces[touch.surface].tangent();
+            let tangent = self.scene.tangent(pose, touch);
             inner(self.line(pose, touch, tangent), twist)
         })
     }
@@ -143,8 +151,7 @@ impl Reference {
 
     /// Equal viscous drag at two contacts.
     pub(super) fn drag(&self, pose: &Pose, pair: [Touch; 2], speeds: [f64; 2]) -> Screw {
-        let tangents =
-            pair.map(|touch| self.line(pose, touch, self.scene.surfaces[touch.surface].tangent()));
+        let tangents = pair.map(|touch| self.line(pose, touch, self.scene.tangent(pose, touch)));
         [0, 1, 2].map(|k| -speeds[0] * tangents[0][k] - speeds[1] * tangents[1][k])
     }
 
@@ -158,9 +165,8 @@ impl Reference {
         hand: [f64; 3],
     ) -> Option<Sliding> {
         let lines = [0, 1].map(|i| {
-            let surface = &self.scene.surfaces[pair[i].surface];
-            let lean = scale(-surface.mu_d * ways[i], surface.tangent());
-            self.line(pose, pair[i], add(surface.normal, lean))
+            let mu_d = self.scene.friction(pair[i]).mu_d;
+            self.edge_of_cone(pose, pair[i], -mu_d * ways[i])
         });
         let load = times(-1.0, self.load(pose, hand));
         let whole = determinant(lines[0], lines[1], brake);
@@ -189,12 +195,8 @@ impl Reference {
         (ways, brake): ([f64; 2], Screw),
         normals: [f64; 2],
     ) -> f64 {
-        let reaction = |i: usize, mu: f64| {
-            let surface = &self.scene.surfaces[pair[i].surface];
-            let lean = scale(-mu * ways[i], surface.tangent());
-            self.line(pose, pair[i], add(surface.normal, lean))
-        };
-        let of = |i: usize| &self.scene.surfaces[pair[i].surface];
+        let reaction = |i: usize, mu: f64| self.edge_of_cone(pose, pair[i], -mu * ways[i]);
+        let of = |i: usize| self.scene.friction(pair[i]);
         let sliding = [0, 1].map(|i| reaction(i, of(i).mu_d));
         let [first, second] = [0, 1].map(|i| times(normals[i], reaction(i, of(i).mu_s)));
         let needed = [0, 1, 2].map(|k| first[k] + second[k]);

@@ -2,19 +2,23 @@
 //! sliding on one vertex and sliding on two. The first step with an end is bisected.
 
 use super::cone::{inner, norm, normal_to, times};
-use super::scene::{Pose, Screw, Touch, add, scale};
+use super::contact::Touch;
+use super::scene::{Pose, Screw, add, scale};
 use super::search::{bisect, dip};
 use super::statics::sign;
-use super::{CLEARANCE, Reference, TURN};
+use super::{BESIDE, CLEARANCE, Reference, TURN};
 
 /// A turn by more than this in one step of something else is a snap, rad.
 pub(super) const SNAP: f64 = 0.03;
 /// Largest step of a slide, in body sizes.
 pub(super) const SLIDE: f64 = 1e-3;
 /// Smallest step of a slide, in body sizes: below, a snap is not resolved further.
-const SMALLEST: f64 = 1e-13;
+pub(super) const SMALLEST: f64 = 1e-13;
 /// Steps after which a slide is given up.
 const MANY: u32 = 200_000;
+
+/// Rounds in which three contacts or more are brought to gap zero, one after the other: those of a short overlap are slow.
+const ROUNDS: u32 = 100_000;
 
 /// What ended a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,6 +29,8 @@ pub(super) enum End {
     Touch,
     /// The contact of this index no longer presses.
     Lift(usize),
+    /// The contact of this index has left its side.
+    Off(usize),
     /// The body turns by a finite angle without moving on.
     Snap,
     /// No end was found.
@@ -42,42 +48,23 @@ impl End {
 }
 
 impl Reference {
-    /// Whether a vertex that is not in contact is deeper inside a surface than `depth` body sizes.
-    pub(super) fn enters(&self, pose: &Pose, depth: f64) -> bool {
-        self.others()
-            .any(|touch| self.scene.gap(pose, touch) < -depth * self.size)
+    /// Whether a contact that was left is not open yet.
+    pub(super) fn still_closed(&self, pose: &Pose, touch: Touch) -> bool {
+        self.scene.gap(pose, touch) < CLEARANCE * self.size
+            && self.scene.beyond(pose, touch) <= BESIDE * self.size
     }
 
-    /// The same where the vertices and surfaces in `closed` may have a gap down to the one given with each.
-    pub(super) fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
-        let least = |touch| {
-            closed
-                .iter()
-                .find(|(other, _)| *other == touch)
-                .map_or(0.0, |&(_, gap)| gap)
-        };
-        self.others()
-            .any(|touch| self.scene.gap(pose, touch) < least(touch) - depth * self.size)
-    }
-
-    /// The vertices and surfaces that are not in contact.
-    pub(super) fn others(&self) -> impl Iterator<Item = Touch> + '_ {
-        self.scene
-            .touches()
-            .filter(|touch| !self.contacts.contains(touch))
-    }
-
-    /// Turns about the pinned `vertex` in the direction of the moment until it is balanced, another vertex touches (if
+    /// Turns about a contact that sticks in the direction of the moment until it is balanced, another vertex touches (if
     /// `watched`), or, with `Snap`, by more than `limit`.
     pub(super) fn turn(
         &self,
         pose: &Pose,
-        vertex: usize,
+        touch: Touch,
         hand: [f64; 3],
         (limit, watched): (f64, bool),
     ) -> (Pose, End) {
-        let held = self.scene.vertices[vertex];
-        let pin = pose.apply(held);
+        let held = self.scene.held(pose, touch);
+        let pin = self.scene.point(pose, touch);
         let at = |angle| Pose::holding(held, pin, angle);
         let moment = |angle| self.scene.applied_moment(&at(angle), hand, pin);
         let way = sign(moment(pose.angle));
@@ -104,7 +91,16 @@ impl Reference {
         }
     }
 
-    /// Slides the vertex of `touch` along `way` times the tangent, the moment balanced at every position, until dynamic
+    /// The pose with the body moved along `way` times the tangent of a contact.
+    pub(super) fn shifted(&self, pose: &Pose, (touch, way): (Touch, f64), distance: f64) -> Pose {
+        let shift = scale(way * distance, self.scene.tangent(pose, touch));
+        Pose {
+            position: add(pose.position, shift),
+            angle: pose.angle,
+        }
+    }
+
+    /// Slides the contact along `way` times the tangent, the moment balanced at every position, until dynamic
     /// friction holds it. The contacts in `left` may close no further; they count again once they are open.
     pub(super) fn slide_vertex(
         &self,
@@ -112,16 +108,12 @@ impl Reference {
         left: &[Touch],
         hand: [f64; 3],
     ) -> (Pose, End) {
-        let surface = &self.scene.surfaces[touch.surface];
+        let mu_d = self.scene.friction(touch).mu_d;
         let mut pose = self.pose;
         let mut step = SLIDE * self.size;
         let at = |pose: &Pose, distance: f64| {
-            let shift = scale(way * distance, surface.tangent());
-            let moved = Pose {
-                position: add(pose.position, shift),
-                angle: pose.angle,
-            };
-            self.turn(&moved, touch.vertex, hand, (SNAP, false))
+            let moved = self.shifted(pose, (touch, way), distance);
+            self.turn(&moved, touch, hand, (SNAP, false))
         };
         let start = at(&pose, 0.0).0;
         let mut closed: Vec<_> = left
@@ -132,12 +124,14 @@ impl Reference {
             let [normal, friction] = self.reaction(pose, touch, hand);
             if *turned == End::Snap {
                 Some(End::Snap)
+            } else if self.off_side(pose, &[touch]).is_some() {
+                Some(End::Off(0))
             } else if self.enters_beside(pose, closed, depth) {
                 Some(End::Touch)
             } else if normal < 0.0 {
                 Some(End::Lift(0))
             } else {
-                (-way * friction <= surface.mu_d * normal).then_some(End::Rest)
+                (-way * friction <= mu_d * normal).then_some(End::Rest)
             }
         };
         for _ in 0..MANY {
@@ -145,8 +139,7 @@ impl Reference {
             match end(&next, &closed, CLEARANCE) {
                 None => {
                     pose = next.0;
-                    closed
-                        .retain(|&(touch, _)| self.scene.gap(&pose, touch) < CLEARANCE * self.size);
+                    closed.retain(|&(touch, _)| self.still_closed(&pose, touch));
                     step = (2.0 * step).min(SLIDE * self.size);
                 }
                 Some(End::Snap) if step > SMALLEST * self.size => step /= 2.0,
@@ -199,6 +192,9 @@ impl Reference {
             self.onto(pose.moved(times(distance, way), self.size), &pair)
         };
         let end = |pose: &Pose, way: Screw, depth: f64| {
+            if let Some(index) = self.off_side(pose, &pair) {
+                return Some(End::Off(index));
+            }
             if self.enters(pose, depth) {
                 return Some(End::Touch);
             }
@@ -236,7 +232,11 @@ impl Reference {
 
     /// The nearest pose at which all `contacts` have gap zero.
     pub(super) fn onto(&self, mut pose: Pose, contacts: &[Touch]) -> Pose {
-        let rounds = if contacts.len() > 2 { 60 } else { 6 };
+        let rounds = match (contacts.len(), self.scene.obstacles.is_empty()) {
+            (..3, _) => 6,
+            (_, true) => 60,
+            (_, false) => ROUNDS,
+        };
         for _ in 0..rounds {
             let gap = |touch| -self.scene.gap(&pose, touch);
             let correction = if let [a, b] = *contacts {
@@ -260,6 +260,9 @@ impl Reference {
                 else {
                     break;
                 };
+                if rounds == ROUNDS && gap(worst).abs() <= 1e-3 * CLEARANCE * self.size {
+                    break;
+                }
                 let line = self.normal_line(&pose, worst);
                 times(gap(worst) / inner(line, line), line)
             };

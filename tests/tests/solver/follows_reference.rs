@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use stiction_core::{Event, Evolution, StateKind, Status};
 use stiction_tests::draw::{Draw, polygon};
-use stiction_tests::reference::{Foot, Reference, Scene, Surface};
+use stiction_tests::reference::{Foot, Reference, Scene, Surface, Touch};
 use stiction_tests::{Frame, Run, Setup};
 
 /// Scenes of a hundred frames.
@@ -120,6 +120,7 @@ fn scene(setup: &Setup) -> Scene {
         k_theta: setup.stiffness_rotation,
         weight: setup.weight,
         surfaces: setup.surfaces.iter().map(surface).collect(),
+        obstacles: Vec::new(),
     }
 }
 
@@ -129,8 +130,10 @@ fn reference_at(setup: &Setup, frame: &Frame, stiction: bool) -> Reference {
         .contacts
         .iter()
         .map(|c| Foot {
-            vertex: c.vertex,
-            surface: c.surface,
+            touch: Touch::Surface {
+                vertex: c.vertex,
+                surface: c.surface,
+            },
             slides: c.sliding,
         })
         .collect();

@@ -29,6 +29,7 @@ fn held(vertices: &[[f64; 2]], k_theta: f64, friction: [f64; 2]) -> Scene {
         k_theta,
         weight: 0.0,
         surfaces: vec![floor(friction)],
+        obstacles: Vec::new(),
     }
 }
 

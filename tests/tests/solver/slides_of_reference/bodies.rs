@@ -80,6 +80,7 @@ fn ladder(friction: [f64; 2]) -> Scene {
     Scene {
         k_theta: 100.0,
         surfaces: vec![floor(friction), wall],
+        obstacles: Vec::new(),
         ..held(&[[-0.35, -0.4], [0.35, 0.4]], 0.0, friction)
     }
 }
@@ -149,6 +150,7 @@ fn two_contacts_of_a_slot_slide_or_slip_by_the_length_of_the_slip() {
     let scene = Scene {
         k_theta: 100.0,
         surfaces: vec![floor([0.5, 0.3]), ceiling],
+        obstacles: Vec::new(),
         ..held(&[[-0.3, -0.5], [0.3, 0.5]], 0.0, [0.5, 0.3])
     };
     // Upright the rod is held by a couple of 0.6 N, so that a slip is 2 (mu_s - mu_d) N / k_h long: 0.0067 or 0.02 m.
@@ -207,8 +209,7 @@ fn a_run_goes_on_from_where_another_one_stopped() {
             .contacts()
             .iter()
             .map(|contact| Foot {
-                vertex: contact.vertex,
-                surface: contact.surface,
+                touch: contact.touch,
                 slides: contact.slides,
             })
             .collect();

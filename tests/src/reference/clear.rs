@@ -1,0 +1,197 @@
+//! Whether the body keeps clear of what is around it. Two convex shapes are apart if they are on some axis: an outward normal of a
+//! side of either, or, for a segment, its own direction. The separation is the largest of the gaps along the axes.
+//! A gap of a pair alone has no meaning where the vertex is beside the side.
+
+use super::Reference;
+use super::contact::{Touch, sides};
+use super::scene::{Pose, Vector, dot, length, scale, sub};
+
+/// A direction in which body and obstacle may be apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// The normal of this side of the obstacle.
+    Side(usize),
+    /// The normal of this side of the body.
+    BodySide(usize),
+    /// The direction in which a thin wall ends at this corner.
+    End(usize),
+    /// The direction in which a rod ends at this vertex.
+    BodyEnd(usize),
+}
+
+/// The direction in which a segment ends at one of its two vertices.
+fn off_end(shape: &[Vector], end: usize) -> Vector {
+    let along = sub(shape[end], shape[1 - end]);
+    scale(1.0 / length(along), along)
+}
+
+impl Reference {
+    /// All axes between the body and an obstacle.
+    fn axes(&self, obstacle: usize) -> Vec<Axis> {
+        let (shape, body) = (
+            &self.scene.obstacles[obstacle].vertices,
+            &self.scene.vertices,
+        );
+        let segment = |count: usize| if count == 2 { 2 } else { 0 };
+        (0..sides(shape))
+            .map(Axis::Side)
+            .chain((0..sides(body)).map(Axis::BodySide))
+            .chain((0..segment(shape.len())).map(Axis::End))
+            .chain((0..segment(body.len())).map(Axis::BodyEnd))
+            .collect()
+    }
+
+    /// The gap along an axis, m, without the pairs in contact; of those in `closed` what it has become more than the gap given with
+    /// each.
+    fn gap_along(
+        &self,
+        pose: &Pose,
+        (obstacle, axis): (usize, Axis),
+        closed: &[(Touch, f64)],
+    ) -> f64 {
+        let (shape, body) = (
+            &self.scene.obstacles[obstacle].vertices,
+            &self.scene.vertices,
+        );
+        if self.is_flat_on(obstacle, axis) {
+            return f64::INFINITY;
+        }
+        let least = |gaps: &mut dyn Iterator<Item = f64>| gaps.fold(f64::INFINITY, f64::min);
+        let of = |touch: Touch| self.gap_beside(pose, touch, closed);
+        match axis {
+            Axis::Side(side) => {
+                let run = self.scene.run(obstacle, side).0;
+                least(&mut (0..body.len()).map(|vertex| {
+                    of(Touch::Side {
+                        vertex,
+                        obstacle: run.0,
+                        side: run.1,
+                    })
+                }))
+            }
+            Axis::BodySide(body_side) => least(&mut (0..shape.len()).map(|corner| {
+                of(Touch::Corner {
+                    obstacle,
+                    corner,
+                    body_side,
+                })
+            })),
+            Axis::End(end) => {
+                let way = off_end(shape, end);
+                least(
+                    &mut body
+                        .iter()
+                        .map(|&v| dot(way, sub(pose.apply(v), shape[end]))),
+                )
+            }
+            Axis::BodyEnd(end) => {
+                let way = pose.direction(off_end(body, end));
+                let at = pose.apply(body[end]);
+                least(&mut shape.iter().map(|&corner| dot(way, sub(corner, at))))
+            }
+        }
+    }
+
+    /// Whether the body lies flat against the obstacle along this axis: then they are apart, and what else is in that line is so by
+    /// rounding only.
+    fn is_flat_on(&self, obstacle: usize, axis: Axis) -> bool {
+        let along = |&&touch: &&Touch| match (touch, axis) {
+            (
+                Touch::Side {
+                    obstacle: on, side, ..
+                },
+                Axis::Side(of),
+            ) => self.scene.run(obstacle, of).0 == (on, side),
+            (Touch::Corner { body_side, .. }, Axis::BodySide(of)) => {
+                touch.obstacle() == Some(obstacle) && body_side == of
+            }
+            _ => false,
+        };
+        let flat = |touch: &Touch| {
+            let mut others = self.contacts.iter().filter(|&other| other != touch);
+            others.any(|&other| self.lined(&self.pose, [*touch, other]))
+        };
+        self.contacts.len() > 1 && self.contacts.iter().filter(along).any(flat)
+    }
+
+    /// The gap of a pair that may not close: infinite in contact.
+    fn gap_beside(&self, pose: &Pose, touch: Touch, closed: &[(Touch, f64)]) -> f64 {
+        if self.contacts.contains(&touch) {
+            return f64::INFINITY;
+        }
+        let least = closed.iter().find(|(other, _)| *other == touch);
+        self.scene.gap(pose, touch) - least.map_or(0.0, |&(_, gap)| gap)
+    }
+
+    /// Whether the body is deeper inside something than `depth` body sizes, other than by its contacts.
+    pub(super) fn enters(&self, pose: &Pose, depth: f64) -> bool {
+        self.enters_beside(pose, &[], depth)
+    }
+
+    /// The same where the pairs in `closed` may have a gap down to the one given with each.
+    pub(super) fn enters_beside(&self, pose: &Pose, closed: &[(Touch, f64)], depth: f64) -> bool {
+        let inside = |gap: f64| gap < -depth * self.size;
+        self.surface_pairs()
+            .any(|touch| inside(self.gap_beside(pose, touch, closed)))
+            || (0..self.scene.obstacles.len()).any(|obstacle| {
+                let (_, gap) = self.widest(pose, obstacle, closed);
+                inside(gap)
+            })
+    }
+
+    /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a
+    /// point and a wall or a rod and a pin, the far side of the wall is no way to be apart: the body does not pass through.
+    fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
+        self.axes(obstacle)
+            .into_iter()
+            .filter(|&axis| !self.far_side(obstacle, axis))
+            .map(|axis| (axis, self.gap_along(pose, (obstacle, axis), closed)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap_or((Axis::Side(0), f64::INFINITY))
+    }
+
+    /// Whether this is the side of a thin wall from which a point does not see it, or that of a rod on which a pin is not.
+    fn far_side(&self, obstacle: usize, axis: Axis) -> bool {
+        let shape = &self.scene.obstacles[obstacle].vertices;
+        let thin = shape.len() + self.scene.vertices.len() == 3;
+        thin && match (self.seen[obstacle], axis) {
+            (Some(Axis::Side(one)), Axis::Side(other))
+            | (Some(Axis::BodySide(one)), Axis::BodySide(other)) => one != other,
+            _ => false,
+        }
+    }
+
+    /// Whether a pair is on that side.
+    pub(super) fn on_far_side(&self, touch: Touch) -> bool {
+        match touch {
+            Touch::Surface { .. } => false,
+            Touch::Side { obstacle, side, .. } => self.far_side(obstacle, Axis::Side(side)),
+            Touch::Corner {
+                obstacle,
+                body_side,
+                ..
+            } => self.far_side(obstacle, Axis::BodySide(body_side)),
+        }
+    }
+
+    /// Notes from which side each obstacle is seen.
+    pub(super) fn look(&mut self) {
+        let pose = self.pose;
+        for obstacle in 0..self.scene.obstacles.len() {
+            let still = self.seen[obstacle].is_some_and(|axis| {
+                self.gap_along(&pose, (obstacle, axis), &[]) >= -super::BESIDE * self.size
+            });
+            if !still {
+                self.seen[obstacle] = None;
+                self.seen[obstacle] = Some(self.widest(&pose, obstacle, &[]).0);
+            }
+        }
+    }
+
+    /// Every vertex against every half-plane.
+    pub(super) fn surface_pairs(&self) -> impl Iterator<Item = Touch> + '_ {
+        (0..self.scene.surfaces.len()).flat_map(|surface| {
+            (0..self.scene.vertices.len()).map(move |vertex| Touch::Surface { vertex, surface })
+        })
+    }
+}

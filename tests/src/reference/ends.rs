@@ -1,0 +1,267 @@
+//! Which pairs touch, and what follows where one of them reaches the end of its side. A flat contact is two contacts in one line, at
+//! the ends of the interval in which the sides touch. A contact alone is passed on to the pair of the same place whose normal
+//! comes next in the direction of the slide.
+
+use super::cone::times;
+use super::contact::{Touch, sides};
+use super::relax::{Carry, Driven};
+use super::scene::{Pose, dot, length, scale, sub};
+use super::statics::sign;
+use super::{BESIDE, Reference};
+
+/// Pairs that come this close together with the first one touch with it, in body sizes.
+const TOGETHER: f64 = 1e-10;
+/// The first pair that touches is closer than this, in body sizes: what a motion is known to where it ends by a touch.
+const FIRST: f64 = 1e-6;
+/// Contacts on one obstacle that are closer than this are one, in body sizes.
+const OVERLAP: f64 = 1.0 / 524_288.0;
+/// Lines closer than this are one, in rad and body sizes.
+pub(super) const LINE: f64 = 1e-6;
+/// Normals closer than this are one, rad.
+const NORMAL: f64 = 1e-9;
+
+impl Reference {
+    /// All pairs with an obstacle that could touch somewhere.
+    fn obstacle_pairs(&self) -> Vec<Touch> {
+        let body = &self.scene.vertices;
+        let mut pairs = Vec::new();
+        for (obstacle, shape) in self.scene.obstacles.iter().enumerate() {
+            let shape = &shape.vertices;
+            let first = |&side: &usize| self.scene.run(obstacle, side).0 == (obstacle, side);
+            for side in (0..sides(shape)).filter(first) {
+                pairs.extend((0..body.len()).map(|vertex| Touch::Side {
+                    vertex,
+                    obstacle,
+                    side,
+                }));
+            }
+            for corner in (0..shape.len()).filter(|&k| !self.scene.covered(obstacle, k)) {
+                pairs.extend((0..sides(body)).map(|body_side| Touch::Corner {
+                    obstacle,
+                    corner,
+                    body_side,
+                }));
+            }
+        }
+        pairs
+    }
+
+    /// Whether the sides next to the vertex or corner lead away from the side it touches, or no deeper than `depth`, m.
+    fn supports(&self, pose: &Pose, touch: Touch, depth: f64) -> bool {
+        let (index, shape) = match touch {
+            Touch::Surface { .. } => return true,
+            Touch::Side { vertex, .. } => {
+                let world = self.scene.vertices.iter().map(|&v| pose.apply(v));
+                (vertex, world.collect::<Vec<_>>())
+            }
+            Touch::Corner {
+                obstacle, corner, ..
+            } => (corner, self.scene.obstacles[obstacle].vertices.clone()),
+        };
+        let way = if touch.vertex().is_some() { 1.0 } else { -1.0 };
+        let count = shape.len();
+        let outwards = scale(way, self.scene.normal(pose, touch));
+        [index + 1, index + count - 1]
+            .iter()
+            .all(|next| dot(outwards, sub(shape[next % count], shape[index])) >= -depth)
+    }
+
+    /// The pairs that touch within `tolerance` body sizes, those in contact already left out.
+    pub(super) fn touching(&self, pose: &Pose, tolerance: f64) -> Vec<Touch> {
+        let near = tolerance * self.size;
+        let obstacles = self.obstacle_pairs().into_iter().filter(|&touch| {
+            self.scene.gap(pose, touch).abs() <= near
+                && self.scene.beyond(pose, touch) <= BESIDE * self.size
+                && !self.on_far_side(touch)
+                && self.supports(pose, touch, near)
+        });
+        self.surface_pairs()
+            .filter(|&touch| self.scene.gap(pose, touch) <= near)
+            .chain(obstacles)
+            .filter(|touch| !self.contacts.contains(touch))
+            .collect()
+    }
+
+    /// Takes up the pairs that have come into contact; whether there were any.
+    pub(super) fn take_up(&mut self) -> bool {
+        let mut new = self.touching(&self.pose, TOGETHER);
+        if new.is_empty() {
+            let first = if self.scene.obstacles.is_empty() {
+                f64::INFINITY
+            } else {
+                FIRST
+            };
+            let gap = |touch: &Touch| self.scene.gap(&self.pose, *touch);
+            let near = self.touching(&self.pose, first);
+            new.extend(near.into_iter().min_by(|a, b| gap(a).total_cmp(&gap(b))));
+        }
+        let before = self.contacts.clone();
+        self.contacts.extend(new);
+        self.reduce(before.len());
+        self.pose = self.onto(self.pose, &self.contacts);
+        self.look();
+        self.contacts != before
+    }
+
+    /// Leaves one contact of an obstacle at one place, and two in one line. The first `old` ones make room: a body that turns about
+    /// an overlap so short goes on about its other end. Of several new ones at one place that stays which has closed last.
+    pub(super) fn reduce(&mut self, old: usize) {
+        let new = self.contacts.split_off(old);
+        let mut new: Vec<_> = new
+            .into_iter()
+            .map(|touch| (self.scene.gap(&self.before, touch), touch))
+            .collect();
+        new.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        let together = |a: Touch, b: Touch| {
+            let [a_at, b_at] = [a, b].map(|touch| self.scene.point(&self.pose, touch));
+            a.obstacle().is_some()
+                && a.obstacle() == b.obstacle()
+                && length(sub(b_at, a_at)) <= OVERLAP * self.size
+        };
+        let mut found: Vec<Touch> = Vec::new();
+        for (_, touch) in new {
+            if !found.iter().any(|&other| together(touch, other)) {
+                found.push(touch);
+            }
+        }
+        let mut kept = self.contacts.clone();
+        kept.retain(|&touch| !found.iter().any(|&other| together(touch, other)));
+        kept.extend(found);
+        let inner = |&touch: &Touch| {
+            let tangent = self.scene.tangent(&self.pose, touch);
+            let way = |&other: &Touch| {
+                let apart = sub(
+                    self.scene.point(&self.pose, other),
+                    self.scene.point(&self.pose, touch),
+                );
+                let in_line = other != touch && self.lined(&self.pose, [touch, other]);
+                in_line.then(|| dot(tangent, apart))
+            };
+            let ways: Vec<_> = kept.iter().filter_map(way).collect();
+            ways.iter().any(|&x| x > 0.0) && ways.iter().any(|&x| x < 0.0)
+        };
+        let mut ends: Vec<_> = kept.iter().copied().filter(|touch| !inner(touch)).collect();
+        ends.sort();
+        self.contacts = ends;
+    }
+
+    /// Whether two contacts lie in one line.
+    pub(super) fn lined(&self, pose: &Pose, pair: [Touch; 2]) -> bool {
+        self.scene.in_line(pose, pair, (self.size, LINE))
+    }
+
+    /// Whether the contacts are the two ends of one that is flat.
+    pub(super) fn flat(&self) -> bool {
+        matches!(*self.contacts.as_slice(), [a, b] if self.lined(&self.pose, [a, b]))
+    }
+
+    /// The contact that has left its side.
+    pub(super) fn off_side(&self, pose: &Pose, contacts: &[Touch]) -> Option<usize> {
+        contacts
+            .iter()
+            .position(|&touch| self.scene.beyond(pose, touch) > BESIDE * self.size)
+    }
+
+    /// The pair at the place of a contact at the end of its side whose normal comes next as the body goes along `way` times the tangent.
+    fn next_pair(&self, touch: Touch, way: f64) -> Option<Touch> {
+        let scene = &self.scene;
+        let near = OVERLAP * self.size;
+        let (normal, at) = (
+            scene.normal(&self.pose, touch),
+            scene.point(&self.pose, touch),
+        );
+        let ahead = scale(way, scene.tangent(&self.pose, touch));
+        let turn = |&next: &Touch| {
+            let next = scene.normal(&self.pose, next);
+            dot(next, ahead).atan2(dot(next, normal))
+        };
+        let here = |next: &Touch| {
+            let least = if next.obstacle() == touch.obstacle() {
+                NORMAL
+            } else {
+                -NORMAL
+            };
+            length(sub(scene.point(&self.pose, *next), at)) <= near
+                && scene.gap(&self.pose, *next).abs() <= near
+                && scene.beyond(&self.pose, *next) <= near
+                && turn(next) > least
+        };
+        self.obstacle_pairs()
+            .into_iter()
+            .filter(|next| !self.contacts.contains(next) && here(next))
+            .min_by(|a, b| turn(a).total_cmp(&turn(b)).then(a.cmp(b)))
+    }
+
+    /// A contact that slides along `way` has left its side. A flat one ends elsewhere now, and goes on as it does: true. Any
+    /// other one is passed on, and what follows is a slip in the same direction, or free motion.
+    pub(super) fn pass_on(
+        &mut self,
+        (index, way): (usize, f64),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) -> bool {
+        let flat = self.flat();
+        let touch = self.contacts.remove(index);
+        if flat {
+            self.refit(touch);
+            return self.contacts.len() == 2;
+        }
+        let next = self.next_pair(touch, way);
+        carry.began = None;
+        if let Some(next) = next {
+            self.contacts.push(next);
+            self.contacts.sort();
+            self.pose = self.onto(self.pose, &self.contacts);
+        }
+        match (next, self.contacts.as_slice()) {
+            (Some(next), [_]) => {
+                let normal = self.reaction(&self.pose, next, hand)[0];
+                if normal > self.force_tolerance(&self.pose, hand) {
+                    carry.driven = Some(Driven::Vertex(next, way));
+                } else {
+                    self.contacts.clear();
+                }
+            }
+            (Some(next), &[a, b]) => self.pair_goes_on(([a, b], next, way), hand, carry),
+            _ => carry.slipping = true,
+        }
+        false
+    }
+
+    /// One of two contacts that slip has a new normal: it opens if it is not pressed any more; else both slip on if they are driven.
+    fn pair_goes_on(
+        &mut self,
+        (pair, new, way): ([Touch; 2], Touch, f64),
+        hand: [f64; 3],
+        carry: &mut Carry,
+    ) {
+        carry.slipping = true;
+        let index = usize::from(pair[1] == new);
+        let twist = self.free_twist(&self.pose, pair);
+        let onward = sign(way * self.speeds(&self.pose, pair, twist)[index]);
+        let twist = times(onward, twist);
+        let Some(state) = self.sliding(&self.pose, pair, twist, hand) else {
+            return;
+        };
+        if state.normals[index] <= self.force_tolerance(&self.pose, hand) {
+            self.contacts.remove(index);
+        } else if state.drive > 0.0 {
+            carry.driven = Some(Driven::Pair(pair, twist));
+        }
+    }
+
+    /// Finds the ends of a flat contact anew, without the pair that was one.
+    fn refit(&mut self, lost: Touch) {
+        let kept = self.contacts.clone();
+        let mut new = self.touching(&self.pose, TOGETHER);
+        new.retain(|&touch| {
+            touch != lost
+                && kept
+                    .iter()
+                    .all(|&other| self.lined(&self.pose, [other, touch]))
+        });
+        self.contacts.extend(new);
+        self.reduce(kept.len());
+        self.pose = self.onto(self.pose, &self.contacts);
+    }
+}

@@ -1,0 +1,147 @@
+//! Random scenes of a body among convex obstacles, and paths of a hand that pushes it against them; body sizes of 1 m.
+
+use stiction_tests::draw::{Draw, polygon};
+use stiction_tests::reference::{Obstacle, Scene};
+
+/// The body is at least this far from every obstacle in the beginning, m.
+const CLEAR: f64 = 0.05;
+/// Frames of a straight part of a path.
+const FRAMES: usize = 20;
+
+/// A scene, the body's pose at the start, and the hand's.
+#[derive(Clone, Debug)]
+pub(crate) struct World {
+    pub(crate) scene: Scene,
+    pub(crate) start: [f64; 3],
+    pub(crate) hands: Vec<[f64; 3]>,
+}
+
+/// Points of the body frame in the world.
+pub(crate) fn placed(points: &[[f64; 2]], [x, y, angle]: [f64; 3]) -> Vec<[f64; 2]> {
+    let (sin, cos) = angle.sin_cos();
+    let place = |p: &[f64; 2]| [x + cos * p[0] - sin * p[1], y + sin * p[0] + cos * p[1]];
+    points.iter().map(place).collect()
+}
+
+/// The outward unit normal of a side.
+pub(crate) fn outward(shape: &[[f64; 2]], side: usize) -> [f64; 2] {
+    let (from, to) = (shape[side], shape[(side + 1) % shape.len()]);
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let length = along[0].hypot(along[1]);
+    [along[1] / length, -along[0] / length]
+}
+
+/// How far two convex shapes are apart along the best of their axes; negative where they overlap.
+pub(crate) fn separation(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let beyond = |shape: &[[f64; 2]], other: &[[f64; 2]]| {
+        let along = |at: [f64; 2], way: [f64; 2]| {
+            let gap = |p: &[f64; 2]| way[0] * (p[0] - at[0]) + way[1] * (p[1] - at[1]);
+            other.iter().map(gap).fold(f64::INFINITY, f64::min)
+        };
+        let sides = if shape.len() < 2 { 0 } else { shape.len() };
+        (0..sides)
+            .flat_map(|side| {
+                let normal = outward(shape, side);
+                // A segment has its own direction, too.
+                let end = (shape.len() == 2).then(|| along(shape[side], [normal[1], -normal[0]]));
+                [Some(along(shape[side], normal)), end]
+            })
+            .flatten()
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    beyond(a, b).max(beyond(b, a))
+}
+
+/// A polygon of 3 to 6 corners, a rod or wall, or a point or pin.
+fn shape(draw: &mut Draw, size: f64) -> Vec<[f64; 2]> {
+    match draw.below(8) {
+        0 => vec![[0.0, 0.0]],
+        1 => vec![[-0.5 * size, 0.0], [0.5 * size, 0.1 * size]],
+        n => polygon(draw, 3 + n % 4, size),
+    }
+}
+
+/// Coefficients of friction, static and dynamic, at times the same.
+pub(crate) fn friction(draw: &mut Draw) -> [f64; 2] {
+    let mu_s = draw.between(0.05, 1.2);
+    let equal = draw.below(4) == 0;
+    [
+        mu_s,
+        mu_s * if equal { 1.0 } else { draw.between(0.3, 1.0) },
+    ]
+}
+
+/// A body among up to three obstacles, which may overlap each other.
+pub(crate) fn world(draw: &mut Draw) -> World {
+    let vertices = shape(draw, 1.0);
+    let k_theta = draw.power(-0.5, 2.0);
+    let weighs = draw.below(3) == 0;
+    let weight = if weighs { draw.between(0.0, 10.0) } else { 0.0 };
+    let start = [0.0, 0.0, draw.between(-3.0, 3.0)];
+    let body = placed(&vertices, start);
+    let mut obstacles: Vec<Obstacle> = Vec::new();
+    let count = 1 + draw.below(3);
+    while obstacles.len() < count {
+        let size = draw.power(-0.5, 0.5);
+        let at = [
+            draw.between(-1.5, 1.5),
+            draw.between(-1.5, 1.5),
+            draw.between(-3.0, 3.0),
+        ];
+        let corners = placed(&shape(draw, size), at);
+        let points = vertices.len() + corners.len() == 2;
+        if !points && separation(&corners, &body) >= CLEAR {
+            let [mu_s, mu_d] = friction(draw);
+            obstacles.push(Obstacle {
+                vertices: corners,
+                mu_s,
+                mu_d,
+                memory: 1.0 / 1024.0,
+            });
+        }
+    }
+    let holding_point = [draw.between(-0.2, 0.2), draw.between(-0.2, 0.2)];
+    let held = placed(&[holding_point], start)[0];
+    let hands = path(draw, [held[0], held[1], start[2]], &obstacles);
+    let scene = Scene {
+        vertices,
+        holding_point,
+        k_h: 100.0,
+        k_theta,
+        weight,
+        surfaces: Vec::new(),
+        obstacles,
+    };
+    World {
+        scene,
+        start,
+        hands,
+    }
+}
+
+/// Five straight parts: most of them towards a corner of an obstacle, up to it or beyond; some turn the hand, some go anywhere.
+fn path(draw: &mut Draw, start: [f64; 3], obstacles: &[Obstacle]) -> Vec<[f64; 3]> {
+    let mut hands = vec![start];
+    for _ in 0..5 {
+        let from = hands[hands.len() - 1];
+        let corners = &obstacles[draw.below(obstacles.len())].vertices;
+        let goal = corners[draw.below(corners.len())];
+        let part = draw.between(0.2, 1.2);
+        let mut by = |most: f64| draw.between(-most, most);
+        let (x, y, turn) = (by(0.5), by(0.5), by(0.3));
+        let to = match draw.below(4) {
+            0 => [from[0], from[1], from[2] + 5.0 * turn],
+            1 => [from[0] + x, from[1] + y, from[2] + 2.0 * turn],
+            _ => [
+                from[0] + part * (goal[0] - from[0]),
+                from[1] + part * (goal[1] - from[1]),
+                from[2] + turn,
+            ],
+        };
+        hands.extend((1..=FRAMES).map(|i| {
+            let part = i as f64 / FRAMES as f64;
+            [0, 1, 2].map(|k| from[k] + part * (to[k] - from[k]))
+        }));
+    }
+    hands
+}
