@@ -45,9 +45,9 @@ mod app {
     const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second.
     const RATE: u16 = 200;
-    /// Units of work of a second: one takes 3330 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
+    /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
     /// Three tenths of its time are for the interrupts of the line.
-    const WORK_RATE: u32 = 16_000_000 / 3_330 / 10 * 7;
+    const WORK_RATE: u32 = 16_000_000 / 3_430 / 10 * 7;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 

@@ -52,9 +52,9 @@ mod app {
     const V: usize = CompiledScene::VERTICES;
     /// Room for so many surfaces.
     const S: usize = CompiledScene::SURFACES;
-    /// Units of work of a second: one takes 620 cycles at most in a long step (host-sim/README.md, at 2 cycles of an instruction).
+    /// Units of work of a second: one takes 630 cycles at most in a long step (host-sim/README.md, at 2 cycles of an instruction).
     /// An eighth of its time is for the interrupts of the line.
-    const WORK_RATE: u32 = 168_000_000 / 620 / 8 * 7;
+    const WORK_RATE: u32 = 168_000_000 / 630 / 8 * 7;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<f32, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
