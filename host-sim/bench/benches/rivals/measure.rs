@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use stiction_tests::reference::{Foot, Reference, Scene, Surface};
+use stiction_tests::reference::{Foot, Reference, Scene, Surface, Touch};
 
 use stiction_scene::SurfaceInfo;
 
@@ -86,17 +86,15 @@ pub(crate) fn statics(case: &Case, pressed: Pose) -> Pose {
     let scene = reference_scene(case);
     let start = case.press.last().unwrap_or(case.first());
     let sticks = |(vertex, surface)| Foot {
-        vertex,
-        surface,
+        touch: Touch::Surface { vertex, surface },
         slides: 0,
     };
-    let contacts: Vec<_> = (case.touching(pressed, TOUCHES).into_iter())
-        .map(sticks)
-        .collect();
-    let stiction = (contacts.iter()).any(|foot| {
-        let surface = &scene.surfaces[foot.surface];
+    let touching = case.touching(pressed, TOUCHES);
+    let stiction = touching.iter().any(|&(_, surface)| {
+        let surface = &scene.surfaces[surface];
         surface.mu_s > surface.mu_d
     });
+    let contacts: Vec<_> = touching.into_iter().map(sticks).collect();
     let mut reference = Reference::resumed(scene, pressed, (&contacts, stiction), hand_pose(start));
     for sample in &case.drag {
         reference.step(hand_pose(sample), 1);
@@ -121,6 +119,7 @@ fn reference_scene(case: &Case) -> Scene {
         k_theta: case.scene.stiffness_rotation,
         weight: case.scene.weight,
         surfaces: case.scene.surfaces.iter().map(surface).collect(),
+        obstacles: Vec::new(),
     }
 }
 
