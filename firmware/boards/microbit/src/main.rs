@@ -46,8 +46,8 @@ mod app {
     /// Ticks of a second.
     const RATE: u16 = 200;
     /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
-    /// Three tenths of its time are for the interrupts of the line.
-    const WORK_RATE: u32 = 16_000_000 / 3_430 / 10 * 7;
+    /// Half of its time is for the interrupts of the line and what else a tick does.
+    const WORK_RATE: u32 = 16_000_000 / 3_430 / 2;
     type Model = <CompiledScene as SceneType>::Model;
     type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
 
