@@ -46,6 +46,17 @@ impl<R: Real> Placed<R> {
             .apply(scene.vertex(vertex) - self.body_point)
     }
 
+    /// From the point to a contact, world frame.
+    pub(crate) fn arm_to<W: World<R>>(&self, scene: &W, contact: Pair) -> Vec2<R> {
+        if W::CORNERS && contact.is_corner() {
+            let place = scene
+                .corner(contact.surface)
+                .map_or(self.point, |c| c.place);
+            return place - self.point;
+        }
+        self.arm(scene, contact.vertex)
+    }
+
     /// The gap between a vertex and a surface, with its rounding.
     fn gap_at(&self, scene: &impl World<R>, contact: Pair, arm: Vec2<R>) -> (R, R) {
         let surface = scene.surface(contact.surface);
@@ -58,10 +69,27 @@ impl<R: Real> Placed<R> {
         (level + surface.normal.dot(arm), unit * size)
     }
 
-    /// The gap between a vertex and a surface.
-    pub(crate) fn gap(&self, scene: &impl World<R>, contact: Pair) -> R {
+    /// The gap of a contact: of a vertex from a surface, of a corner from a side of the body.
+    pub(crate) fn gap<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        if W::CORNERS && contact.is_corner() {
+            let side = contact.body_side();
+            let outward = scene.body_normal(side);
+            let from_corner = self.arm_to(scene, contact);
+            let above = self.orientation.rotation().apply(outward).dot(from_corner);
+            return above - outward.dot(scene.vertex(side) - self.body_point);
+        }
         self.gap_at(scene, contact, self.arm(scene, contact.vertex))
             .0
+    }
+
+    /// Where along t a contact is: the vertex on its surface, the body's material at a corner.
+    pub(crate) fn foot<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        let tangent = scene.face(contact, self.orientation.rotation()).tangent;
+        if W::CORNERS && contact.is_corner() {
+            let origin = -self.orientation.rotation().apply(self.body_point);
+            return tangent.dot(origin - self.arm_to(scene, contact));
+        }
+        tangent.dot(self.point + self.arm(scene, contact.vertex))
     }
 
     /// The height of the point above a surface, and the surface's normal in the body frame: the gap of a vertex is

@@ -334,15 +334,21 @@ impl<R: Real> ContactState<R> {
         }
         let pivot = seat(scene, pivot, others);
         match *others {
-            [other] if W::SURFACES && other.vertex == pivot.contact.vertex => {
+            [other]
+                if W::SURFACES
+                    && other.vertex == pivot.contact.vertex
+                    && !(W::CORNERS && other.is_corner()) =>
+            {
                 Self::Corner(Corner {
                     pivot,
                     surface: other.surface,
                     stiction: false,
                 })
             }
-            [other] if W::EDGES && other.surface == pivot.contact.surface => {
-                Self::Edge(Edge::new(pivot, other.vertex))
+            [other]
+                if W::EDGES && scene.are_in_line([pivot.contact, other], &pivot.placed(scene)) =>
+            {
+                Self::Edge(Edge::new(pivot, other))
             }
             [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
             [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),

@@ -220,7 +220,7 @@ fn check_convex<F: Real>(vertices: &[[F; 2]], length: F, thinnest: F) -> Checked
 }
 
 /// The memory length where none is given, in body sizes.
-fn default_memory<F: Real>() -> F {
+pub(super) fn default_memory<F: Real>() -> F {
     F::ONE / F::from_int(4096)
 }
 

@@ -20,6 +20,20 @@ pub struct SurfaceDescription<F> {
     pub memory: Option<F>,
 }
 
+/// A fixed obstacle with corners in SI units, world frame: a closed convex polygon, a thin wall or a pin. It does not move; several may
+/// touch or overlap and so make a world that is not convex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ObstacleDescription<'a, F> {
+    /// Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall with two sides, one for a pin.
+    pub vertices: &'a [[F; 2]],
+    /// Coefficient of static friction mu_s >= mu_d, as [`SurfaceDescription::friction_static`].
+    pub friction_static: F,
+    /// Coefficient of dynamic friction mu_d >= 0.
+    pub friction_dynamic: F,
+    /// Memory length D_c (m) >= 0, as [`SurfaceDescription::memory`].
+    pub memory: Option<F>,
+}
+
 /// A scene in SI units, as it is given to [`Scene::new`](crate::Scene::new). The world frame is right-handed with y upwards,
 /// angles are counter-clockwise; the body frame is that of [`Self::vertices`], wherever its origin is.
 ///

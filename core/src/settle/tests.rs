@@ -77,7 +77,13 @@ fn pivot_that_lasts_stays_to_the_bit() {
             foot: 0.1 + angle,
             ..fixtures::pivot(angle)
         };
-        let state = ContactState::Edge(Edge::new(pivot, 1));
+        let state = ContactState::Edge(Edge::new(
+            pivot,
+            Pair {
+                vertex: 1,
+                ..pivot.contact
+            },
+        ));
         let [first, second] = [0, 1].map(|vertex| Pair { vertex, surface: 0 });
         assert_eq!(pivot_of(&scene, &state, first), pivot);
         let other = pivot_of(&scene, &state, second);

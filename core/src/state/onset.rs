@@ -138,9 +138,10 @@ impl<R: Real> SingleVertex<R> {
         let displacement = at.displacement_to(to);
         let rates = Self::sliding_rates(scene, (&load, &surface), &displacement, sign);
         rates.is_some_and(|rates| {
-            let arm = load.placed.arm(scene, other.vertex);
+            let arm = load.placed.arm_to(scene, other);
             let velocity = surface.tangent * rates.foot + arm.turned() * rates.turn;
-            scene.surface(other.surface).normal.dot(velocity) >= R::ZERO
+            let other = scene.face(other, load.placed.orientation.rotation());
+            other.normal.dot(velocity) >= R::ZERO
         })
     }
 }
