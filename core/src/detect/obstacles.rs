@@ -191,6 +191,35 @@ fn gap_along<R: Real, W: World<R>>(
     })
 }
 
+/// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
+/// turns with it, the gap of a corner that is far from the placed point closes faster.
+fn room_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let gap = off(scene, body, axis, feature).value;
+        let place = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
+            Axis::Side(_) | Axis::End(_) => None,
+        };
+        let far = place.map_or(R::ONE, |place| (place - body.placed.point).length_bound());
+        least.min(if gap > R::ZERO && far > R::ONE {
+            gap / far
+        } else {
+            gap
+        })
+    })
+}
+
 /// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a point and a
 /// wall or a rod and a pin, that of two sides at one place which the body leaves.
 fn widest<R: Real, W: World<R>>(
@@ -233,14 +262,16 @@ impl<R: Real> Placed<R> {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
-    /// The least distance from any obstacle, but for contacts that last, less what counts as a touch and the rounding: a lower bound.
+    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
+    /// no more, together; less what counts as a touch and the rounding.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
         let body = Instant::at_rest(*self);
-        let gaps = (0..scene.firsts().len()).map(|obstacle| {
-            let (_, gap) = widest(scene, &body, obstacle, lasting);
-            gap - self.rounding().doubled() - R::TOUCH
+        let rooms = (0..scene.firsts().len()).map(|obstacle| {
+            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            let room = axes(scene, obstacle).map(along).fold(R::LEAST, R::max);
+            room - self.rounding().doubled() - R::TOUCH
         });
-        gaps.fold(R::HUGE, R::min)
+        rooms.fold(R::HUGE, R::min)
     }
 
     /// The body is deeper in an obstacle than this.
