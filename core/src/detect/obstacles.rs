@@ -220,8 +220,28 @@ fn room_along<R: Real, W: World<R>>(
     })
 }
 
-/// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a point and a
-/// wall or a rod and a pin, that of two sides at one place which the body leaves.
+/// How fast the gap along an axis opens where it is the least, to what counts as a touch, but for contacts that last.
+fn opening_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    (lasting, gap): (&[Pair], R),
+) -> R {
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let off = off(scene, body, axis, feature);
+        if off.value <= gap + R::TOUCH {
+            least.min(off.slope)
+        } else {
+            least
+        }
+    })
+}
+
+/// The axis along which the body is farthest from an obstacle, and the gap along it. Of several along which it touches, as a body that
+/// turns out of a flat contact, or a point and a wall which have no inside together, the one that opens fastest.
 fn widest<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -230,21 +250,15 @@ fn widest<R: Real, W: World<R>>(
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
-    let is_thin = corners(scene, obstacle).len() + scene.vertices().len() == 3;
-    let rounding = if is_thin {
-        body.placed.rounding()
-    } else {
-        R::ZERO
-    };
     for axis in axes(scene, obstacle) {
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
-        let rate = if is_thin {
-            let feature = features(scene, (obstacle, axis)).start;
-            off(scene, body, axis, feature).slope
+        let touches = gap.abs() <= R::TOUCH;
+        let rate = if touches {
+            opening_along(scene, body, (obstacle, axis), (lasting, gap))
         } else {
             R::ZERO
         };
-        let is_wider = if is_thin && gap.abs() <= rounding && found.1.abs() <= rounding {
+        let is_wider = if touches && found.1.abs() <= R::TOUCH && rate != opens {
             rate > opens
         } else {
             gap > found.1
