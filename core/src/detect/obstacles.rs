@@ -388,11 +388,12 @@ impl<R: Real> Placed<R> {
         found.map(|(_, pair)| pair)
     }
 
-    /// The contact at the other end of an edge that one end of has left its side: the farthest in line with those that last.
+    /// Where an edge that slides along sign·t ends once one of its contacts has left its side: at the farthest in line with what lasts
+    /// that does not leave its side as well.
     pub(crate) fn next_end<W: World<R>>(
         &self,
         scene: &W,
-        (left, _): (Pair, R),
+        (left, sign): (Pair, R),
         lasting: &[Pair],
     ) -> Option<Pair> {
         let &kept = lasting.first()?;
@@ -401,8 +402,17 @@ impl<R: Real> Placed<R> {
         let way = along(left).sign();
         let mut list = Pairs::new();
         self.touching_obstacles(scene, together(), &mut list);
-        let is_end =
-            |&pair: &Pair| pair != left && pair != kept && scene.lie_in_line([kept, pair], self);
+        let is_end = |&pair: &Pair| {
+            let [low, high] = scene.reach(pair);
+            let foot = self.foot(scene, pair);
+            let ahead = if sign < R::ZERO {
+                foot - low
+            } else {
+                high - foot
+            };
+            let differs = pair != left && pair != kept;
+            differs && ahead > together() && scene.lie_in_line([kept, pair], self)
+        };
         let ends = list.iter().copied().filter(is_end);
         let mut found: Option<(R, Pair)> = None;
         for pair in ends {
