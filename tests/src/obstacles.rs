@@ -5,9 +5,12 @@
 pub mod cases;
 pub mod guard;
 pub mod judged;
+pub mod laws;
 pub mod run;
 pub mod scene;
 pub mod shape;
+pub mod survey;
+pub mod worlds;
 
 pub use run::{Contact, Frame, Run};
 pub use scene::{Among, Obstacle};
