@@ -3,6 +3,7 @@
 //! SI units, world frame, unless said otherwise.
 
 pub mod cases;
+pub mod compare;
 pub mod guard;
 pub mod judged;
 pub mod laws;

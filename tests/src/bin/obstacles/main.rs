@@ -3,9 +3,11 @@
 //! ```sh
 //! cargo run --release -p stiction-tests --bin obstacles -- cases [PART-OF-A-NAME]   # every case, number type and evolution
 //! cargo run --release -p stiction-tests --bin obstacles -- survey 1000 f32 path     # laws on random scenes
+//! cargo run --release -p stiction-tests --bin obstacles -- compare 50 f64 path      # with the slow reference
 //! cargo run --release -p stiction-tests --bin obstacles -- scene 17 f32 path 40 41  # a scene as a file, and two of its frames
 //! ```
 
+mod beside;
 mod show;
 mod survey;
 
@@ -20,6 +22,7 @@ use stiction_tests::obstacles::survey::part;
 
 const USAGE: &str = "usage: obstacles cases [PART-OF-A-NAME]
        obstacles survey SCENES [f64|f32|fixed] [path|frame]
+       obstacles compare [FROM] TO [f64|f32|fixed] [path|frame]
        obstacles scene SCENE [f64|f32|fixed] [path|frame] FRAME...";
 
 /// Runs a generic function in the number type of a name.
@@ -55,6 +58,12 @@ fn main() -> ExitCode {
         (["survey", _], [count]) => survey::survey(*count, number, evolution.name()),
         (["scene", ..], [scene, frames @ ..]) => {
             in_number!(number, show::show, *scene, evolution, frames);
+        }
+        (["compare", ..], [to]) => {
+            in_number!(number, beside::beside, (0, *to), evolution);
+        }
+        (["compare", ..], [from, to]) => {
+            in_number!(number, beside::beside, (*from, *to), evolution);
         }
         // What a survey starts.
         (["part", ..], [from, step, count]) => {
