@@ -7,6 +7,7 @@ pub mod compare;
 pub mod guard;
 pub mod judged;
 pub mod laws;
+pub mod rooms;
 pub mod run;
 pub mod scene;
 pub mod shape;
