@@ -96,7 +96,8 @@ pub struct Description<'a, F> {
     pub surfaces: &'a [SurfaceDescription<F>],
 }
 
-/// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`]. As text it is the
+/// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`] and of
+/// the obstacles; the corners of an obstacle count from 0 in it. As text it is the
 /// parameter's name: `static friction of surface 0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parameter {
@@ -135,6 +136,34 @@ pub enum Parameter {
         /// Index of its deepest vertex.
         vertex: usize,
     },
+    /// The number of obstacles.
+    ObstacleCount,
+    /// The number of corners of all obstacles together.
+    CornerCount,
+    /// The number of corners of an obstacle.
+    Corners(usize),
+    /// A corner of an obstacle: where it is, or that it makes the polygon not strictly convex or not counter-clockwise.
+    Corner {
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of the corner in it.
+        corner: usize,
+    },
+    /// The length of a side of an obstacle.
+    Side {
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of the side in it, that of the corner where it begins.
+        side: usize,
+    },
+    /// The static friction mu_s of an obstacle.
+    ObstacleFrictionStatic(usize),
+    /// The dynamic friction mu_d of an obstacle.
+    ObstacleFrictionDynamic(usize),
+    /// The memory length of an obstacle.
+    ObstacleMemory(usize),
+    /// At the start the body is inside an obstacle; the value is its depth (m).
+    Overlap(usize),
 }
 
 impl fmt::Display for Parameter {
@@ -160,6 +189,19 @@ impl fmt::Display for Parameter {
                     "depth of vertex {vertex} in surface {surface} at the start"
                 )
             }
+            Self::ObstacleCount => write!(f, "number of obstacles"),
+            Self::CornerCount => write!(f, "number of corners of all obstacles"),
+            Self::Corners(i) => write!(f, "number of corners of obstacle {i}"),
+            Self::Corner { obstacle, corner } => {
+                write!(f, "corner {corner} of obstacle {obstacle}")
+            }
+            Self::Side { obstacle, side } => {
+                write!(f, "length of side {side} of obstacle {obstacle}")
+            }
+            Self::ObstacleFrictionStatic(i) => write!(f, "static friction of obstacle {i}"),
+            Self::ObstacleFrictionDynamic(i) => write!(f, "dynamic friction of obstacle {i}"),
+            Self::ObstacleMemory(i) => write!(f, "memory of obstacle {i}"),
+            Self::Overlap(i) => write!(f, "depth of the body in obstacle {i} at the start"),
         }
     }
 }
@@ -170,8 +212,9 @@ pub struct SceneError<F> {
     /// Which parameter.
     pub parameter: Parameter,
     /// Its value, SI units. Of a place or a pose the component that is not finite, or else the one of the larger size, with its
-    /// sign (theta where theta is at fault); of a vertex so, too, where it is its place among the others that is at fault. Of a
-    /// normal its length, or the component that is not finite; of a count the count; of a penetration the depth (m).
+    /// sign (theta where theta is at fault); of a vertex or corner so, too, where it is its place among the others that is at fault.
+    /// Of a normal its length, or the component that is not finite; of a side its length; of a count the count; of a penetration or
+    /// an overlap the depth (m).
     pub value: F,
     /// What is allowed, in words.
     pub allowed: &'static str,
