@@ -109,6 +109,3 @@ fn count<T, F: Real>(list: &[T]) -> F {
 fn whole<F: Real>(n: usize) -> F {
     F::from_int(i32::try_from(n).unwrap_or(i32::MAX))
 }
-
-#[cfg(test)]
-mod tests;

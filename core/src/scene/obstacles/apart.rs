@@ -47,6 +47,3 @@ pub(super) fn separation<R: Real, W: World<R>>(
     }
     largest.unwrap_or(R::ZERO)
 }
-
-#[cfg(test)]
-mod tests;

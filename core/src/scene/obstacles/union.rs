@@ -166,6 +166,3 @@ pub(super) fn cover<R: Real>(
         corner.covered |= height <= near;
     }
 }
-
-#[cfg(test)]
-mod tests;
