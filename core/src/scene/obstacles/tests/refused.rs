@@ -155,8 +155,8 @@ fn corners_make_a_polygon() {
             s.shapes[0].vertices = vec![[-1.0, 0.0], [1.0, 0.0], [0.5, out]];
         });
     }
-    let text = "corner 0 of obstacle 0 is -1.0, allowed: a corner of a strictly convex polygon";
-    refused_by_all(corner(0, 0), text, |s| s.shapes[0].vertices.reverse());
+    let text = "corner 2 of obstacle 0 is 1.0, allowed: a corner of a strictly convex polygon";
+    refused_by_all(corner(0, 2), text, |s| s.shapes[0].vertices.reverse());
     // The corners of a star are on a circle.
     let star = changed(|s| {
         let at = |i: u32| (f64::from(i) * -0.8 * core::f64::consts::PI).sin_cos();
