@@ -8,7 +8,7 @@ use crate::contact::{Pair, Pairs};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
-use crate::obstacle::corners_of;
+use crate::obstacle::{Round, corners_of};
 use crate::real::Real;
 use crate::search::Found;
 use crate::thresholds::Thresholds;
@@ -201,7 +201,12 @@ fn widest<R: Real, W: World<R>>(
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
-    let is_thin = corners(scene, obstacle).len() + scene.vertices().len() == 3;
+    let counts = (corners(scene, obstacle).len(), scene.vertices().len());
+    if counts == (1, 1) {
+        // A point and a pin have no axis: they do not touch.
+        return (None, R::HUGE);
+    }
+    let is_thin = matches!(counts, (1, 2) | (2, 1));
     let rounding = if is_thin {
         body.placed.rounding()
     } else {
@@ -236,17 +241,34 @@ impl<R: Real> Placed<R> {
     /// The least distance from any obstacle, but for contacts that last, less what counts as a touch and the rounding: a lower bound.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
         let body = Instant::at_rest(*self);
-        let gaps = (0..scene.firsts().len()).map(|obstacle| {
+        let radius = self.radius(scene, None);
+        let mut least = R::HUGE;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            let apart = self.apart(round) - radius;
+            if apart > R::ONE {
+                least = least.min(apart);
+                continue;
+            }
             let (_, gap) = widest(scene, &body, obstacle, lasting);
-            gap - self.rounding().doubled() - R::TOUCH
-        });
-        gaps.fold(R::HUGE, R::min)
+            least = least.min(gap - self.rounding().doubled() - R::TOUCH);
+        }
+        least
+    }
+
+    /// A lower bound of the distance of the point from a circle.
+    fn apart(&self, round: &Round<R>) -> R {
+        let between = self.point - round.center;
+        between.x.abs().max(between.y.abs()) - round.radius
+    }
+
+    /// How far the body and an obstacle are apart, or minus how deep one is in the other.
+    pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
+        widest(scene, &Instant::at_rest(*self), obstacle, &[]).1
     }
 
     /// The body is deeper in an obstacle than this.
     pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
-        let body = Instant::at_rest(*self);
-        (0..scene.firsts().len()).any(|obstacle| widest(scene, &body, obstacle, &[]).1 < -depth)
+        (0..scene.firsts().len()).any(|obstacle| self.separation(scene, obstacle) < -depth)
     }
 
     /// How far a contact is beyond the end of its side; negative on it.
@@ -283,16 +305,17 @@ impl<R: Real> Placed<R> {
         tolerance: R,
         list: &mut Pairs,
     ) {
-        for obstacle in 0..scene.firsts().len() {
-            let (_, gap) = widest(scene, &Instant::at_rest(*self), obstacle, &[]);
-            if gap > tolerance {
+        let radius = self.radius(scene, None) + tolerance;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if self.apart(round) > radius || self.separation(scene, obstacle) > tolerance {
                 continue;
             }
             let own = corners(scene, obstacle);
-            let lines = sides(own.clone()).filter(|&side| line_of(scene, side) == side);
-            let vertices = lines.flat_map(|surface| {
-                let pair = move |vertex: u8| Pair { vertex, surface };
-                scene.vertex_indices().map(pair)
+            let vertices = sides(own.clone()).flat_map(|side| {
+                let surface = line_of(scene, side);
+                scene
+                    .vertex_indices()
+                    .map(move |vertex| Pair { vertex, surface })
             });
             let is_bare = |&corner: &u8| scene.corner(corner).is_some_and(|c| !c.covered);
             let corners = own.filter(is_bare).flat_map(|corner| {
@@ -304,8 +327,10 @@ impl<R: Real> Placed<R> {
                     && self.supports(scene, pair, tolerance)
             });
             for pair in pairs {
-                // More than there is room for is not counted.
-                let _ = list.push(pair);
+                if !list.contains(&pair) {
+                    // More than there is room for is not counted.
+                    let _ = list.push(pair);
+                }
             }
         }
     }
@@ -441,7 +466,14 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 }
             }
         }
-        for obstacle in 0..scene.firsts().len() {
+        let way = (there.placed.point - here.placed.point)
+            .length_bound()
+            .doubled();
+        let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if here.placed.apart(round) > reach {
+                continue;
+            }
             if let Some(end) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at) {
                 (to, there) = end;
                 let contact = touched(scene, lasting, obstacle, (&start.placed, &there.placed));
