@@ -8,7 +8,7 @@ use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
 use crate::model::{Full, Model};
-use crate::obstacle::{Corner, Obstacles};
+use crate::obstacle::{Corner, Obstacles, Round};
 use crate::real::Real;
 use crate::units::Units;
 use crate::world::{Surface, World};
@@ -20,8 +20,8 @@ mod description;
 mod obstacles;
 
 use check::{
-    Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
-    thinnest,
+    Representable, check_model, check_numbers, check_vertices, check_vertices_among, fits, larger,
+    size_of_point, surfaces, thinnest,
 };
 pub use description::{
     Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription,
@@ -69,6 +69,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     fn firsts(&self) -> &[u8] {
         self.obstacles.firsts()
     }
+    fn rounds(&self) -> &[Round<R>] {
+        self.obstacles.rounds()
+    }
     fn body_normal(&self, side: u8) -> Vec2<R> {
         let [x, y] = self.obstacles.body_normal(side);
         Vec2::new(x, y)
@@ -100,6 +103,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
+        if Self::CORNERS {
+            check_vertices_among(d.vertices)?;
+        }
         let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
@@ -124,7 +130,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
-            obstacles: M::Obstacles::default(),
+            obstacles: M::Obstacles::of_body(obstacles::normals::<R>(d.vertices)),
         };
         scene.check_range(d)?;
         scene.check_start()?;
@@ -133,7 +139,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 
     /// Coordinates beyond the range of the number type are refused: their sums would have no digits left.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
-        let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
         let allowed = Representable::by::<R>();
         let error = |parameter, value, allowed| {
             Err(SceneError {

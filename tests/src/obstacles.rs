@@ -3,11 +3,16 @@
 //! SI units, world frame, unless said otherwise.
 
 pub mod cases;
+pub mod compare;
 pub mod guard;
 pub mod judged;
+pub mod laws;
+pub mod rooms;
 pub mod run;
 pub mod scene;
 pub mod shape;
+pub mod survey;
+pub mod worlds;
 
 pub use run::{Contact, Frame, Run};
 pub use scene::{Among, Obstacle};

@@ -8,7 +8,7 @@ use crate::contact::{Pair, Pairs};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
-use crate::obstacle::corners_of;
+use crate::obstacle::{Round, corners_of};
 use crate::real::Real;
 use crate::search::Found;
 use crate::thresholds::Thresholds;
@@ -250,6 +250,10 @@ fn widest<R: Real, W: World<R>>(
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
+    if (corners(scene, obstacle).len(), scene.vertices().len()) == (1, 1) {
+        // A point and a pin have no axis: they do not touch.
+        return (None, R::HUGE);
+    }
     for axis in axes(scene, obstacle) {
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         let touches = gap.abs() <= R::TOUCH;
@@ -280,18 +284,37 @@ impl<R: Real> Placed<R> {
     /// no more, together; less what counts as a touch and the rounding.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
         let body = Instant::at_rest(*self);
-        let rooms = (0..scene.firsts().len()).map(|obstacle| {
+        let radius = self.radius(scene, None);
+        let mut least = R::HUGE;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            let apart = self.apart(round) - radius;
+            if apart > R::ONE {
+                least = least.min(apart);
+                continue;
+            }
             let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
-            let room = axes(scene, obstacle).map(along).fold(R::LEAST, R::max);
-            room - self.rounding().doubled() - R::TOUCH
-        });
-        rooms.fold(R::HUGE, R::min)
+            // A point and a pin have no axis.
+            let room = axes(scene, obstacle).map(along).reduce(R::max);
+            let room = room.unwrap_or(R::HUGE);
+            least = least.min(room - self.rounding().doubled() - R::TOUCH);
+        }
+        least
+    }
+
+    /// A lower bound of the distance of the point from a circle.
+    fn apart(&self, round: &Round<R>) -> R {
+        let between = self.point - round.center;
+        between.x.abs().max(between.y.abs()) - round.radius
+    }
+
+    /// How far the body and an obstacle are apart, or minus how deep one is in the other.
+    pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
+        widest(scene, &Instant::at_rest(*self), obstacle, &[]).1
     }
 
     /// The body is deeper in an obstacle than this.
     pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
-        let body = Instant::at_rest(*self);
-        (0..scene.firsts().len()).any(|obstacle| widest(scene, &body, obstacle, &[]).1 < -depth)
+        (0..scene.firsts().len()).any(|obstacle| self.separation(scene, obstacle) < -depth)
     }
 
     /// How far a contact is beyond the end of its side; negative on it.
@@ -328,16 +351,17 @@ impl<R: Real> Placed<R> {
         tolerance: R,
         list: &mut Pairs,
     ) {
-        for obstacle in 0..scene.firsts().len() {
-            let (_, gap) = widest(scene, &Instant::at_rest(*self), obstacle, &[]);
-            if gap > tolerance {
+        let radius = self.radius(scene, None) + tolerance;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if self.apart(round) > radius || self.separation(scene, obstacle) > tolerance {
                 continue;
             }
             let own = corners(scene, obstacle);
-            let lines = sides(own.clone()).filter(|&side| line_of(scene, side) == side);
-            let vertices = lines.flat_map(|surface| {
-                let pair = move |vertex: u8| Pair { vertex, surface };
-                scene.vertex_indices().map(pair)
+            let vertices = sides(own.clone()).flat_map(|side| {
+                let surface = line_of(scene, side);
+                scene
+                    .vertex_indices()
+                    .map(move |vertex| Pair { vertex, surface })
             });
             let is_bare = |&corner: &u8| scene.corner(corner).is_some_and(|c| !c.covered);
             let corners = own.filter(is_bare).flat_map(|corner| {
@@ -349,8 +373,10 @@ impl<R: Real> Placed<R> {
                     && self.supports(scene, pair, tolerance)
             });
             for pair in pairs {
-                // More than there is room for is not counted.
-                let _ = list.push(pair);
+                if !list.contains(&pair) {
+                    // More than there is room for is not counted.
+                    let _ = list.push(pair);
+                }
             }
         }
     }
@@ -449,17 +475,26 @@ impl<R: Real> Placed<R> {
     }
 }
 
-/// The first obstacle that a motion from 0 to `end` reaches, but for contacts that last; pieces are no longer than `longest`. `at`: the
-/// body at a place of the motion.
+/// What a motion may reach.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Among {
+    /// Obstacles alone: the half-planes are looked at elsewhere.
+    Obstacles,
+    /// Half-planes, too.
+    All,
+}
+
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
+/// motion.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
-    lasting: &[Pair],
-    (end, longest): (R, R),
+    (lasting, among): (&[Pair], Among),
+    end: R,
     at: &dyn Fn(R) -> Instant<R>,
 ) -> Option<Reached<R>> {
     let start = at(R::ZERO);
     let (mut x, mut here) = (R::ZERO, start);
-    let mut step = longest.min(end);
+    let mut step = end;
     for _ in 0..MOST_PIECES {
         let mut to = end.min(x + step);
         let mut there = at(to);
@@ -472,17 +507,36 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             to = x + (to - x).halved();
             there = at(to);
         }
-        step = (to - x).doubled().min(longest);
-        let mut first: Option<(R, usize, Instant<R>)> = None;
-        for obstacle in 0..scene.firsts().len() {
-            if let Some((at, body)) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at)
-            {
-                (to, there) = (at, body);
-                first = Some((at, obstacle, body));
+        step = (to - x).doubled();
+        let mut first = None;
+        if among == Among::All {
+            let surfaces = scene.surface_indices();
+            let pairs = surfaces.flat_map(|surface| {
+                (scene.vertex_indices()).map(move |vertex| Pair { vertex, surface })
+            });
+            for pair in pairs.filter(|pair| !lasting.contains(pair)) {
+                let gap = |body: &Instant<R>| body.gap(scene, pair);
+                if let Some(end) = falls([(x, here), (to, there)], at, gap) {
+                    (to, there) = end;
+                    first = Some((end.0, pair));
+                }
             }
         }
-        if let Some((x, obstacle, body)) = first {
-            let contact = touched(scene, lasting, obstacle, (&start.placed, &body.placed));
+        let way = (there.placed.point - here.placed.point)
+            .length_bound()
+            .doubled();
+        let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if here.placed.apart(round) > reach {
+                continue;
+            }
+            if let Some(end) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at) {
+                (to, there) = end;
+                let contact = touched(scene, lasting, obstacle, (&start.placed, &there.placed));
+                first = Some((to, contact));
+            }
+        }
+        if let Some((x, contact)) = first {
             return Some(Reached {
                 x,
                 contact,
@@ -499,6 +553,29 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         contact: Pair::default(),
         unsure: true,
     })
+}
+
+/// Where a gap closes on a piece of a motion, and the body there.
+fn falls<R: Real>(
+    [from, to]: [(R, Instant<R>); 2],
+    at: &dyn Fn(R) -> Instant<R>,
+    gap: impl Fn(&Instant<R>) -> Sloped<R>,
+) -> Option<(R, Instant<R>)> {
+    let width = to.0 - from.0;
+    let found = first_fall((width, width), |x| {
+        let body = if x == R::ZERO {
+            from.1
+        } else if x == width {
+            to.1
+        } else {
+            at(from.0 + x)
+        };
+        [Some(Level::new(gap(&body), body.placed.rounding()))]
+    });
+    match found {
+        Found::Nothing { .. } => None,
+        Found::Zero { x, .. } | Found::Unsure { x, .. } => Some((from.0 + x, at(from.0 + x))),
+    }
 }
 
 /// Where an obstacle is reached on a piece of a motion, and the body there.
@@ -521,23 +598,9 @@ fn closes<R: Real, W: World<R>>(
             if contact(scene, axis, feature).is_some_and(|pair| lasting.contains(&pair)) {
                 continue;
             }
-            let width = end.0 - from.0;
-            let zero = first_fall((width, width), |x| {
-                let body = if x == R::ZERO {
-                    from.1
-                } else if x == width {
-                    end.1
-                } else {
-                    at(from.0 + x)
-                };
-                [Some(Level::new(
-                    off(scene, &body, axis, feature),
-                    body.placed.rounding(),
-                ))]
-            });
-            if let Found::Zero { x, .. } | Found::Unsure { x, .. } = zero {
-                let x = from.0 + x;
-                end = (x, at(x));
+            let gap = |body: &Instant<R>| off(scene, body, axis, feature);
+            if let Some(first) = falls([from, end], at, gap) {
+                end = first;
                 found = true;
             }
         }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::fixtures;
+use crate::grip::Grip;
 use crate::state::{Edge, SingleVertex};
 
 use StateKind as Kind;

@@ -5,18 +5,23 @@ use crate::event::{StateKind, Status};
 use crate::fixtures::Random;
 use crate::real::{Fixed, Real};
 use crate::solver::Evolution;
-use std::vec::Vec;
-use std::vec;
 use std::collections::BTreeMap;
-use std::string::{String, ToString};
 use std::format;
+use std::string::{String, ToString};
+use std::vec;
+use std::vec::Vec;
 
-fn run<R: Real>(name: &str, tol: f64) where R::Si: From<f32> + Into<f64> {
+fn run<R: Real>(name: &str, tol: f64)
+where
+    R::Si: From<f32> + Into<f64>,
+{
     let mut tally: BTreeMap<String, usize> = BTreeMap::new();
     let mut shown = 0;
     let only: Option<u64> = std::env::var("SEED").ok().and_then(|s| s.parse().ok());
     for seed in 0..400u64 {
-        if only.is_some_and(|o| o != seed) { continue; }
+        if only.is_some_and(|o| o != seed) {
+            continue;
+        }
         let mut random = Random(seed * 7919 + 13);
         let mut q = |n: f64| (random.next() * n).round() / n;
         let width = 1.0 + 0.5 * q(16.0);
@@ -25,7 +30,7 @@ fn run<R: Real>(name: &str, tol: f64) where R::Si: From<f32> + Into<f64> {
         let obstacles = match layout {
             0 => vec![table([-4.0, a])],
             1 => vec![table([a, 4.0])],
-            2 => vec![table([-0.25 + 0.25*q(8.0) , 0.75 + 0.25 * q(8.0)])],
+            2 => vec![table([-0.25 + 0.25 * q(8.0), 0.75 + 0.25 * q(8.0)])],
             3 => vec![post(-0.375), post(0.375 + 0.125 * q(4.0))],
             4 => vec![table([-4.0, -0.25]), table([0.25, 4.0])],
             _ => vec![table([-4.0, -0.5]), post(0.0), table([0.5, 1.0])],
@@ -46,7 +51,15 @@ fn run<R: Real>(name: &str, tol: f64) where R::Si: From<f32> + Into<f64> {
         let mut r = Run::<R>::start(&setting, evolution, begin);
         let mut last = begin;
         'run: for leg in 0..6 {
-            let next = [0.75 * q(32.0), if leg % 3 == 2 { 0.25 } else { -0.125 + 0.25 * q(16.0) }, 0.0625 * q(8.0)];
+            let next = [
+                0.75 * q(32.0),
+                if leg % 3 == 2 {
+                    0.25
+                } else {
+                    -0.125 + 0.25 * q(16.0)
+                },
+                0.0625 * q(8.0),
+            ];
             for k in 1..=16 {
                 let f = f64::from(k) / 16.0;
                 let before = (r.output.state, r.pose(), r.contacts());
@@ -56,30 +69,75 @@ fn run<R: Real>(name: &str, tol: f64) where R::Si: From<f32> + Into<f64> {
                 let left = r.unbalanced();
                 let mut bad = String::new();
                 let flat = r.output.state == StateKind::Edge;
-                if !r.is_outside(tol) { bad += "inside "; }
+                if !r.is_outside(tol) {
+                    bad += "inside ";
+                }
                 if r.output.status == Status::Ok || r.output.status == Status::Jammed {
-                    if left.iter().any(|l| l.abs() > tol * 10.0) { bad += "unbalanced "; }
-                } else { bad += &format!("{:?} ", r.output.status); }
+                    if left.iter().any(|l| l.abs() > tol * 10.0) {
+                        bad += "unbalanced ";
+                    }
+                } else {
+                    bad += &format!("{:?} ", r.output.status);
+                }
                 let reactions = r.reactions();
-                if flat && reactions.iter().any(|c| c[1] < -tol || c[2].abs() > mu * c[1] + tol * 10.0) { bad += "cone "; }
-                let key = format!("{:?} {} -> {} {}", r.setting.floor, kind(before.0), kind(r.output.state), bad);
+                if flat
+                    && reactions
+                        .iter()
+                        .any(|c| c[1] < -tol || c[2].abs() > mu * c[1] + tol * 10.0)
+                {
+                    bad += "cone ";
+                }
+                let key = format!(
+                    "{:?} {} -> {} {}",
+                    r.setting.floor,
+                    kind(before.0),
+                    kind(r.output.state),
+                    bad
+                );
                 *tally.entry(key).or_default() += 1;
-                if only.is_some() { std::eprintln!("{leg} {k} {:?} {:?} {:?} {:?} {:?} {:?} {bad}", r.output.state, r.output.status, r.pose(), r.contacts(), r.reactions(), r.output.events); }
+                if only.is_some() {
+                    std::eprintln!(
+                        "{leg} {k} {:?} {:?} {:?} {:?} {:?} {:?} {bad}",
+                        r.output.state,
+                        r.output.status,
+                        r.pose(),
+                        r.contacts(),
+                        r.reactions(),
+                        r.output.events
+                    );
+                }
                 if !bad.is_empty() && (before.0 == StateKind::Edge || flat) && shown < 12 {
                     shown += 1;
-                    std::eprintln!("{name} seed {seed} leg {leg} {k} {evolution:?} {bad}: {before:?} -> {:?} {:?} {:?} {:?} left {left:?} events {:?}", r.output.state, r.pose(), r.contacts(), reactions, r.output.events);
+                    std::eprintln!(
+                        "{name} seed {seed} leg {leg} {k} {evolution:?} {bad}: {before:?} -> {:?} {:?} {:?} {:?} left {left:?} events {:?}",
+                        r.output.state,
+                        r.pose(),
+                        r.contacts(),
+                        reactions,
+                        r.output.events
+                    );
                 }
-                if !bad.is_empty() { break 'run; }
+                if !bad.is_empty() {
+                    break 'run;
+                }
             }
             last = next;
         }
     }
-    for (k, v) in tally { std::eprintln!("{name} {v:6} {k}"); }
+    for (k, v) in tally {
+        std::eprintln!("{name} {v:6} {k}");
+    }
 }
 
 #[test]
-fn stress_f64() { run::<f64>("f64", 1e-9); }
+fn stress_f64() {
+    run::<f64>("f64", 1e-9);
+}
 #[test]
-fn stress_f32() { run::<f32>("f32", 1e-5); }
+fn stress_f32() {
+    run::<f32>("f32", 1e-5);
+}
 #[test]
-fn stress_fixed() { run::<Fixed>("fixed", 2e-5); }
+fn stress_fixed() {
+    run::<Fixed>("fixed", 2e-5);
+}
