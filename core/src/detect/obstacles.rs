@@ -191,8 +191,57 @@ fn gap_along<R: Real, W: World<R>>(
     })
 }
 
-/// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a point and a
-/// wall or a rod and a pin, that of two sides at one place which the body leaves.
+/// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
+/// turns with it, the gap of a corner that is far from the placed point closes faster.
+fn room_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let gap = off(scene, body, axis, feature).value;
+        let place = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
+            Axis::Side(_) | Axis::End(_) => None,
+        };
+        let far = place.map_or(R::ONE, |place| (place - body.placed.point).length_bound());
+        least.min(if gap > R::ZERO && far > R::ONE {
+            gap / far
+        } else {
+            gap
+        })
+    })
+}
+
+/// How fast the gap along an axis opens where it is the least, to what counts as a touch, but for contacts that last.
+fn opening_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    (lasting, gap): (&[Pair], R),
+) -> R {
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let off = off(scene, body, axis, feature);
+        if off.value <= gap + R::TOUCH {
+            least.min(off.slope)
+        } else {
+            least
+        }
+    })
+}
+
+/// The axis along which the body is farthest from an obstacle, and the gap along it. Of several along which it touches, as a body that
+/// turns out of a flat contact, or a point and a wall which have no inside together, the one that opens fastest.
 fn widest<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -201,26 +250,19 @@ fn widest<R: Real, W: World<R>>(
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
-    let counts = (corners(scene, obstacle).len(), scene.vertices().len());
-    if counts == (1, 1) {
+    if (corners(scene, obstacle).len(), scene.vertices().len()) == (1, 1) {
         // A point and a pin have no axis: they do not touch.
         return (None, R::HUGE);
     }
-    let is_thin = matches!(counts, (1, 2) | (2, 1));
-    let rounding = if is_thin {
-        body.placed.rounding()
-    } else {
-        R::ZERO
-    };
     for axis in axes(scene, obstacle) {
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
-        let rate = if is_thin {
-            let feature = features(scene, (obstacle, axis)).start;
-            off(scene, body, axis, feature).slope
+        let touches = gap.abs() <= R::TOUCH;
+        let rate = if touches {
+            opening_along(scene, body, (obstacle, axis), (lasting, gap))
         } else {
             R::ZERO
         };
-        let is_wider = if is_thin && gap.abs() <= rounding && found.1.abs() <= rounding {
+        let is_wider = if touches && found.1.abs() <= R::TOUCH && rate != opens {
             rate > opens
         } else {
             gap > found.1
@@ -238,7 +280,8 @@ impl<R: Real> Placed<R> {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
-    /// The least distance from any obstacle, but for contacts that last, less what counts as a touch and the rounding: a lower bound.
+    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
+    /// no more, together; less what counts as a touch and the rounding.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
         let body = Instant::at_rest(*self);
         let radius = self.radius(scene, None);
@@ -249,8 +292,10 @@ impl<R: Real> Placed<R> {
                 least = least.min(apart);
                 continue;
             }
-            let (_, gap) = widest(scene, &body, obstacle, lasting);
-            least = least.min(gap - self.rounding().doubled() - R::TOUCH);
+            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            let room = axes(scene, obstacle).map(along).reduce(R::max);
+            let room = room.unwrap_or(R::HUGE);
+            least = least.min(room - self.rounding().doubled() - R::TOUCH);
         }
         least
     }
@@ -368,11 +413,12 @@ impl<R: Real> Placed<R> {
         found.map(|(_, pair)| pair)
     }
 
-    /// The contact at the other end of an edge that one end of has left its side: the farthest in line with those that last.
+    /// Where an edge that slides along sign·t ends once one of its contacts has left its side: at the farthest in line with what lasts
+    /// that does not leave its side as well.
     pub(crate) fn next_end<W: World<R>>(
         &self,
         scene: &W,
-        (left, _): (Pair, R),
+        (left, sign): (Pair, R),
         lasting: &[Pair],
     ) -> Option<Pair> {
         let &kept = lasting.first()?;
@@ -381,8 +427,17 @@ impl<R: Real> Placed<R> {
         let way = along(left).sign();
         let mut list = Pairs::new();
         self.touching_obstacles(scene, together(), &mut list);
-        let is_end =
-            |&pair: &Pair| pair != left && pair != kept && scene.lie_in_line([kept, pair], self);
+        let is_end = |&pair: &Pair| {
+            let [low, high] = scene.reach(pair);
+            let foot = self.foot(scene, pair);
+            let ahead = if sign < R::ZERO {
+                foot - low
+            } else {
+                high - foot
+            };
+            let differs = pair != left && pair != kept;
+            differs && ahead > together() && scene.lie_in_line([kept, pair], self)
+        };
         let ends = list.iter().copied().filter(is_end);
         let mut found: Option<(R, Pair)> = None;
         for pair in ends {
