@@ -10,8 +10,10 @@ use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
 mod obstacles;
+mod planes;
 
 pub(crate) use obstacles::{Reached, first_reached, together};
+pub(crate) use planes::first_met;
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
