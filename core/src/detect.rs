@@ -10,10 +10,8 @@ use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
 mod obstacles;
-mod planes;
 
-pub(crate) use obstacles::{Reached, first_reached, together};
-pub(crate) use planes::first_met;
+pub(crate) use obstacles::{Among, Reached, first_reached};
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
@@ -320,7 +318,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R, H>,
     ) -> Option<Reached<R>> {
         let end = extent.end.x;
-        first_reached(scene, moving.lasting, (end, end), &|x| {
+        first_reached(scene, (moving.lasting, Among::Obstacles), end, &|x| {
             let place = if x == end {
                 extent.end
             } else {

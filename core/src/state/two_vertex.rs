@@ -81,7 +81,9 @@ impl<R: Real> TwoVertex<R> {
     fn are_on_sides(&self, scene: &impl World<R>, pivot: &Pivot<R>) -> bool {
         let placed = pivot.placed(scene);
         let contacts = self.contacts();
-        contacts.iter().all(|&pair| placed.beyond(scene, pair) <= R::ZERO)
+        contacts
+            .iter()
+            .all(|&pair| placed.beyond(scene, pair) <= R::ZERO)
     }
 
     /// True if no further vertex can reach a surface on a way that begins here.

@@ -11,7 +11,8 @@ use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::motion::Instant;
 use crate::pivot::Pivot;
-use crate::real::{Real, along};
+use crate::real::Real;
+use crate::state::on_corner::room_ahead;
 use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
@@ -136,8 +137,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
     /// The pivot off the twist at x by y across it.
     fn pivot_at(&self, x: R, y: R) -> Pivot<R> {
         let [slide, turn] = self.twist;
-        self.pivot
-            .moved(slide * x - turn * y, turn * x + slide * y)
+        self.pivot.moved(slide * x - turn * y, turn * x + slide * y)
     }
 
     /// The change of the other gap across the twist.
@@ -223,9 +223,12 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
         other - self.foot_velocity(spot)
     }
 
-    /// The body at a place.
     fn instant(&self, x: R) -> Instant<R> {
-        let spot = self.spot(x);
+        self.body(&self.spot(x))
+    }
+
+    /// The body at a place.
+    fn body(&self, spot: &Spot<R>) -> Instant<R> {
         Instant {
             placed: spot.pivot.placed(self.scene),
             velocity: spot.velocity_at(Vec2::ZERO),
@@ -311,26 +314,12 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
     }
 
     /// How far a contact is from the end of its side that it goes to; nothing where that has no end.
-    fn ahead(&self, spot: &Spot<R>, index: usize, velocity: Sloped<R>) -> Option<Level<R>> {
+    fn ahead(&self, spot: &Spot<R>, index: usize) -> Option<Level<R>> {
         let contact = *self.contacts().get(index)?;
         let sign = *self.signs.get(index)?;
         self.scene.corner(contact.surface)?;
-        if sign == R::ZERO {
-            return None;
-        }
-        let [low, high] = self.scene.reach(contact);
-        let placed = spot.pivot.placed(self.scene);
-        let foot = placed.foot(self.scene, contact);
-        let size = R::TWO + placed.point.length_bound() + foot.abs();
-        Some(Level {
-            value: if sign > R::ZERO {
-                high - foot
-            } else {
-                foot - low
-            },
-            slope: -along(sign, velocity.value),
-            rounding: R::of_coordinates() * size,
-        })
+        let body = self.body(spot);
+        (sign != R::ZERO).then(|| room_ahead(self.scene, &body, (contact, sign)))
     }
 }
 

@@ -318,7 +318,11 @@ impl<R: Real> Slides<R> {
     }
 
     /// A slip that began here would be as long as the memory of a contact.
-    pub(super) fn is_pressed(&self, at: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> bool {
+    pub(super) fn is_pressed(
+        &self,
+        at: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> bool {
         let mut lacks = self.lacks(at, standing).into_iter();
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
@@ -458,7 +462,11 @@ impl<R: Real> Slides<R> {
     }
 
     /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
-    pub(super) fn window(&self, start: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> R {
+    pub(super) fn window(
+        &self,
+        start: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> R {
         let longest = Self::longest_window();
         let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
         let window = if goes.doubled().doubled() < stability * longest {

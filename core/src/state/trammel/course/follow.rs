@@ -146,7 +146,6 @@ impl<R: Real> Slides<R> {
         let falls = |of| level(of, R::ONE, rounding);
         let by_sign = |of: Option<Sloped<R>>| of.map(|of| falls(value_of(of)));
         let goes = |of: Sloped<R>, sign| level(of, sign, R::standstill());
-        let [u1, u2] = progress.velocities;
         [
             left.map(falls),
             by_sign(stability),
@@ -156,8 +155,8 @@ impl<R: Real> Slides<R> {
             v2.map(|v| goes(v, s2)),
             by_sign(l1),
             by_sign(l2),
-            course.ahead(spot, 0, u1),
-            course.ahead(spot, 1, u2),
+            course.ahead(spot, 0),
+            course.ahead(spot, 1),
         ]
     }
 }

@@ -4,7 +4,7 @@
 use super::super::{Demand, Ending, LOOK, RUN, Run};
 use super::{Course, Spot};
 use crate::bounded::Sloped;
-use crate::detect::{Reached, first_met};
+use crate::detect::{Among, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::pivot::Pivot;
@@ -85,17 +85,19 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             };
         }
         let work = RUN.saturating_add(looks.get().saturating_mul(LOOK));
-        let (pivot, run) = self.run_to(x, (unsure && (ending != Ending::Window || x == R::ZERO), work));
+        let (pivot, run) = self.run_to(
+            x,
+            (unsure && (ending != Ending::Window || x == R::ZERO), work),
+        );
         (pivot, run, ending)
     }
 
     /// What is touched up to a place.
     pub(super) fn reached(&self, x: R) -> Option<Reached<R>> {
-        // No point of the body goes faster than this.
-        let fastest = R::from_int(8);
-        first_met(self.scene, &self.contacts(), (x, fastest), &|x| {
-            self.instant(x)
-        })
+        let contacts = self.contacts();
+        let reached =
+            || first_reached(self.scene, (&contacts, Among::All), x, &|x| self.instant(x));
+        (x > R::ZERO).then(reached)?
     }
 
     /// How far it has gone.
@@ -126,8 +128,8 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             presses.then(|| drives(n2)),
             turns1.then(|| goes(v1, s1)),
             turns2.then(|| goes(v2, s2)),
-            self.ahead(spot, 0, v1),
-            self.ahead(spot, 1, v2),
+            self.ahead(spot, 0),
+            self.ahead(spot, 1),
         ]
     }
 
