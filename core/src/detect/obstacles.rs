@@ -276,7 +276,7 @@ fn widest<R: Real, W: World<R>>(
 
 impl<R: Real> Placed<R> {
     /// The rounding of a gap to an obstacle near the body.
-    fn rounding(&self) -> R {
+    pub(super) fn rounding(&self) -> R {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
