@@ -456,6 +456,18 @@ impl<R: Real> Placed<R> {
         obstacle(a).is_some() && obstacle(a) == obstacle(b) && apart.length_bound() <= together()
     }
 
+    /// Of two contacts of one obstacle only one can be: they are at one place, or they face away from each other, while convex shapes touch
+    /// in one line at most.
+    pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+        if obstacle(a).is_none() || obstacle(a) != obstacle(b) {
+            return false;
+        }
+        let rotation = self.orientation.rotation();
+        let [first, second] = [a, b].map(|pair| scene.face(pair, rotation).normal);
+        self.are_together(scene, [a, b]) || first.dot(second) <= R::ZERO
+    }
+
     /// Of contacts in one line the outermost two.
     pub(crate) fn outermost<W: World<R>>(&self, scene: &W, contacts: &Pairs) -> Pairs {
         let is_inner = |&pair: &Pair| {
@@ -517,7 +529,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 let gap = |body: &Instant<R>| body.gap(scene, pair);
                 if let Some(end) = falls([(x, here), (to, there)], at, gap) {
                     (to, there) = end;
-                    first = Some((end.0, pair));
+                    first = Some((end.0, Some(pair)));
                 }
             }
         }
@@ -538,8 +550,9 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         if let Some((x, contact)) = first {
             return Some(Reached {
                 x,
-                contact,
-                unsure: false,
+                contact: contact.unwrap_or_default(),
+                // Nothing is reached yet, but what is watched there changes too often.
+                unsure: contact.is_none(),
             });
         }
         (x, here) = (to, there);
@@ -615,34 +628,39 @@ fn closes<R: Real, W: World<R>>(
     Some(from)
 }
 
-/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before.
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
+/// obstacle's own corner is covered, it is one of another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
     lasting: &[Pair],
     obstacle: usize,
     (before, now): (&Placed<R>, &Placed<R>),
-) -> Pair {
+) -> Option<Pair> {
+    let own = corners(scene, obstacle);
+    let is_own = |pair: Pair| {
+        let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
+        own.contains(&pair.surface) || own.clone().any(side)
+    };
+    let is_new = |pair: Pair| {
+        let closed = before.gap(scene, pair) > R::TOUCH;
+        let is_taken = |&other: &Pair| !closed && now.are_one(scene, [other, pair]);
+        !lasting.contains(&pair) && !lasting.iter().any(is_taken)
+    };
     let mut near = R::TOUCH;
     for _ in 0..4 {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
-        let own = corners(scene, obstacle);
-        let is_own = |pair: Pair| {
-            let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
-            own.contains(&pair.surface) || own.clone().any(side)
-        };
-        let new = (list.iter().copied()).filter(|&pair| is_own(pair) && !lasting.contains(&pair));
-        let latest = new.fold(None, |latest: Option<(R, Pair)>, pair| {
-            let gap = before.gap(scene, pair);
-            match latest {
-                Some((largest, _)) if gap <= largest => latest,
-                _ => Some((gap, pair)),
+        let mut latest: Option<(bool, R, Pair)> = None;
+        for pair in list.into_iter().filter(|&pair| is_new(pair)) {
+            let this = (is_own(pair), before.gap(scene, pair), pair);
+            if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
+                latest = Some(this);
             }
-        });
-        if let Some((_, pair)) = latest {
-            return pair;
+        }
+        if let Some((.., pair)) = latest {
+            return Some(pair);
         }
         near = near * R::from_int(8);
     }
-    Pair::default()
+    None
 }
