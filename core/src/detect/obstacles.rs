@@ -378,9 +378,15 @@ impl<R: Real> Placed<R> {
         let body = body.filter(|&other| other != contact.vertex);
         let body = body.map(|other| angle(self.arm(scene, other) - arm));
         let nearest = body.reduce(R::min);
+        // What lies flat on a side in between is in front of that one; of a rod it is not known on which side of it.
+        let flat = if scene.vertices().len() > 2 {
+            R::MICRO
+        } else {
+            -R::MICRO
+        };
         leaving.all(|side| {
             let is_ahead = surface.normal.dot(side) > R::MICRO;
-            !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest - R::MICRO)
+            !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
         })
     }
 
