@@ -8,7 +8,7 @@ use crate::contact::{Pair, Pairs};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
-use crate::obstacle::{Round, corners_of};
+use crate::obstacle::{Corner, Round, corners_of};
 use crate::real::Real;
 use crate::search::Found;
 use crate::thresholds::Thresholds;
@@ -428,6 +428,72 @@ impl<R: Real> Placed<R> {
         }
     }
 
+    /// Where a contact is at the end of its side, the body that turns about it lies flat beyond that end and touches nothing more: there
+    /// the normal begins to turn, with the body or with it no more (STATICS 12.4).
+    pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> [Option<Tip>; 2] {
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        if to_low > together() && to_high > together() {
+            return [None, None];
+        }
+        let surface = scene.face(contact, self.orientation.rotation());
+        let is_high = to_high < to_low;
+        let arm = self.arm_to(scene, contact);
+        // Beyond the end, as a vertex and as a corner see it.
+        let off = if is_high == contact.is_corner() {
+            -surface.tangent
+        } else {
+            surface.tangent
+        };
+        if contact.is_corner() {
+            let obstacle = scene.corner(contact.surface).map(|corner| corner.obstacle);
+            let own = corners(scene, usize::from(obstacle.unwrap_or_default()));
+            let side = contact.body_side();
+            let [after, _] = scene.neighbours(side);
+            let vertex = if is_high { side } else { after };
+            [true, false].map(|ahead| {
+                let other = beside(&own, contact.surface, ahead);
+                let neighbour = Pair::of_corner(other, side);
+                let line = if ahead { contact.surface } else { other };
+                let surface = line_of(scene, line);
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                (own.len() > 1 && is_off).then_some(Tip {
+                    neighbour,
+                    next: Pair { vertex, surface },
+                })
+            })
+        } else {
+            let is_here = |corner: &Corner<R>| {
+                let apart = corner.place - (self.point + arm);
+                !corner.covered && apart.length_bound() <= together()
+            };
+            let first = scene.surface_indices().end;
+            let mut here = (first..)
+                .zip(scene.corners())
+                .filter(|(_, corner)| is_here(corner));
+            let corner = here.next().map(|(corner, _)| corner);
+            let [after, before] = scene.neighbours(contact.vertex);
+            [(after, contact.vertex), (before, before)].map(|(other, side)| {
+                let neighbour = Pair {
+                    vertex: other,
+                    ..contact
+                };
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                let next = Pair::of_corner(corner?, side);
+                (other != contact.vertex && is_off).then_some(Tip { neighbour, next })
+            })
+        }
+    }
+
+    /// The contact that comes next where a body has turned to the end of what supports one.
+    pub(crate) fn next_at_tip<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Pair> {
+        let tips = self.tips(scene, contact).into_iter().flatten();
+        let gap = |tip: &Tip| self.gap(scene, tip.neighbour);
+        let next = tips.reduce(|least, tip| if gap(&tip) < gap(&least) { tip } else { least });
+        next.map(|tip| tip.next)
+    }
+
     /// The contact at the place of one that has left its side along sign·t whose normal comes next as the normal turns towards the slide.
     pub(crate) fn next_contact<W: World<R>>(
         &self,
@@ -560,6 +626,14 @@ pub(crate) enum Among {
     Obstacles,
     /// Half-planes, too.
     All,
+}
+
+/// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
+pub(crate) struct Tip {
+    /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
+    pub(crate) neighbour: Pair,
+    /// The contact at the same place whose normal comes next.
+    pub(crate) next: Pair,
 }
 
 /// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
