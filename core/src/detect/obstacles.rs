@@ -173,6 +173,40 @@ fn is_flat_on<R: Real, W: World<R>>(
         })
 }
 
+/// The side of the body that lies in the line of two contacts.
+fn flat_side<R: Real, W: World<R>>(scene: &W, placed: &Placed<R>, lasting: &[Pair]) -> Option<u8> {
+    let (&first, others) = lasting.split_first()?;
+    let mut others = others.iter().copied();
+    let other = others.find(|&other| scene.lie_in_line([first, other], placed))?;
+    if let Some(corner) = [first, other].into_iter().find(|pair| pair.is_corner()) {
+        return Some(corner.body_side());
+    }
+    let rotation = placed.orientation.rotation();
+    let normal = rotation.undo(scene.face(first, rotation).normal);
+    let against = |side: u8| normal.dot(scene.body_normal(side));
+    let [one, two] = [first, other].map(|pair| pair.vertex);
+    Some(if against(one) < against(two) {
+        one
+    } else {
+        two
+    })
+}
+
+/// A body that lies flat on two contacts lies over this obstacle as well, and touches it in their line: sliding on in that line it does
+/// not reach it.
+fn lies_over<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    obstacle: usize,
+    lasting: &[Pair],
+) -> bool {
+    flat_side(scene, placed, lasting).is_some_and(|side| {
+        let body = Instant::at_rest(*placed);
+        let gap = gap_along(scene, &body, (obstacle, Axis::BodySide(side)), &[]);
+        gap.abs() <= R::TOUCH.doubled() && placed.separation(scene, obstacle) <= R::TOUCH.doubled()
+    })
+}
+
 /// The least gap along an axis, but for contacts that last.
 fn gap_along<R: Real, W: World<R>>(
     scene: &W,
@@ -292,7 +326,11 @@ impl<R: Real> Placed<R> {
                 least = least.min(apart);
                 continue;
             }
+            if lies_over(scene, self, obstacle, lasting) {
+                continue;
+            }
             let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            // A point and a pin have no axis.
             let room = axes(scene, obstacle).map(along).reduce(R::max);
             let room = room.unwrap_or(R::HUGE);
             least = least.min(room - self.rounding().doubled() - R::TOUCH);
@@ -679,7 +717,9 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             .doubled();
         let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
         for (obstacle, round) in scene.rounds().iter().enumerate() {
-            if here.placed.apart(round) > reach {
+            let is_over =
+                || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
+            if here.placed.apart(round) > reach || is_over() {
                 continue;
             }
             let piece = [(x, here), (to, there)];
