@@ -70,6 +70,7 @@
 //! * Rows of CSV that say that there were more than four contacts: springs, geometry and the contacts that are there.
 
 mod bearing;
+mod body;
 mod brace;
 mod error;
 mod finding;
@@ -77,20 +78,28 @@ mod frame;
 mod hold;
 mod judge;
 mod model;
+mod obstacles;
 mod onset;
+mod pairs;
+mod passage;
 mod pin;
 mod scene;
+mod shape;
+mod sides;
 mod slide;
 mod slip;
 mod still;
 mod survey;
+mod touch;
 mod trace;
 mod vector;
 
+pub use body::{centroid, size};
 pub use error::InputError;
 pub use finding::{Bounds, Finding, law};
 pub use frame::{Contact, Event, Evolution, Frame, State, Status};
 pub use judge::Judge;
-pub use scene::{Scene, Surface, centroid, size};
+pub use scene::{Obstacle, Scene, Surface};
 pub use survey::{LawSurvey, Survey, Violation};
+pub use touch::Touch;
 pub use trace::Trace;
