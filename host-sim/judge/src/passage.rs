@@ -2,9 +2,8 @@
 //! side; and no side is passed through, where the way between the frames is known.
 //!
 //! **The way.** A body in the air goes straight, holding point and angle, as the hand does, if nothing happens. One that sticks on a
-//! single contact turns about it. One that sticks and then lifts, and nothing else, goes straight to its free pose from where it
-//! lifted, or the holding point first and the angle after, and then with the hand: a part of the hand's way must be there at
-//! which it can. All other ways are not known from two frames, and are not judged.
+//! single contact turns about it. All other ways are not known from two frames, and are not judged; but that a single contact
+//! whose reaction stays within dynamic friction all along the hand's way is not left at all, whatever is told of slips.
 //!
 //! Through a side goes a vertex whose gap to it closes between its ends, or a corner whose gap to a side of the body does; by the
 //! smaller of how deep it gets and how far from the end it went in.
@@ -13,16 +12,16 @@ use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Frame, Status};
 use crate::model::Model;
 use crate::obstacles::{OVERLAP, placed};
+use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
 use crate::scene::Scene;
 use crate::shape::{ends, gap_of_segments, separation};
-use crate::slip::Step;
+use crate::slip::{Step, static_excess};
 use crate::touch::Touch;
 use crate::vector::{Vec2, between, distance, sub, turned};
 
-/// Places that are looked at on a way, and parts of the hand's at which a body may have lifted.
+/// Places that are looked at on a way.
 const PLACES: u32 = 64;
-const LIFTS: u32 = 32;
 /// Halvings of the place where a gap closes.
 const HALVINGS: u32 = 40;
 
@@ -39,7 +38,8 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
         let scale = [step.last, step.next].map(|f| step.model.length_scale(f, step.bounds));
         Finding::new(law::PASSES, depth / scale[0].max(scale[1]), step.bounds.gap)
     });
-    changes.into_iter().chain(through).collect()
+    let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
+    changes.into_iter().chain(through).chain(let_go).collect()
 }
 
 /// The longest way of a vertex (m).
@@ -136,7 +136,6 @@ fn through(step: &Step<'_>) -> Option<f64> {
                 [x, y, turn]
             }))
         }
-        ([_, ..], []) if next.events == [Event::Lift] && sticks(last) => lift(step),
         _ => None,
     }
 }
@@ -145,51 +144,45 @@ fn sticks(frame: &Frame) -> bool {
     (frame.contacts.iter()).all(|contact| contact.sliding == Some(0))
 }
 
-/// The least that a body goes through a side that lifts at some part of the hand's way. Not told where a weight turns it.
-fn lift(step: &Step<'_>) -> Option<f64> {
+/// A single contact with an obstacle that sticks was left, although dynamic friction holds it all along the hand's way, and nothing
+/// came in between.
+fn let_go(step: &Step<'_>) -> Option<bool> {
     let (model, last, next) = (step.model, step.last, step.next);
-    let is_turned = model.scene.weight > 0.0 && sub(model.centroid(), step.grip.point) != [0.0; 2];
-    if is_turned || model.scene.stiffness_rotation == 0.0 {
+    let [contact] = last.contacts.as_slice() else {
+        return None;
+    };
+    let touch = contact.touch;
+    let alone = |event: &Event| {
+        matches!(
+            event,
+            Event::Lift | Event::Slip | Event::Slide | Event::Stop
+        )
+    };
+    if touch.obstacle().is_none() || !sticks(last) || !next.events.iter().all(alone) {
         return None;
     }
-    let stuck = |part: f64| -> Option<[f64; 3]> {
-        let [contact] = last.contacts.as_slice() else {
-            return Some(last.pose);
-        };
-        let touch = contact.touch;
-        let foot = Foot {
-            model,
-            grip: step.grip,
-            facing: model.facing(touch),
-            shortest: model.carried(next, step.bounds),
-        };
-        let spot = Spot {
-            held: model.held(last.pose, touch),
-            at: model.foot(last.pose, touch),
-        };
-        let pin = |part| foot.pinned(spot, between(last.hand, next.hand, part));
+    if next.contact(touch).is_some() {
+        return Some(false);
+    }
+    let foot = Foot {
+        model,
+        grip: step.grip,
+        facing: model.facing(touch),
+        shortest: model.carried(next, step.bounds),
+    };
+    let spot = Spot {
+        held: model.held(last.pose, touch),
+        at: model.foot(last.pose, touch),
+    };
+    let pin = |part| foot.pinned(spot, between(last.hand, next.hand, part));
+    let mu = model.face(last.pose, touch).friction_dynamic;
+    let excess = |part| {
         let turn = follow(pin, last.pose[2], part)?;
-        let [x, y] = sub(spot.at, turned(spot.held, turn));
-        Some([x, y, turn])
+        Some(static_excess(pin(part).reaction(turn), mu))
     };
-    let free = |part: f64| {
-        let hand = between(last.hand, next.hand, part);
-        let turn = hand[2] - step.grip.offset;
-        let sag = model.scene.weight / model.scene.stiffness_translation;
-        let [x, y] = sub([hand[0], hand[1] - sag], turned(step.grip.point, turn));
-        [x, y, turn]
-    };
-    let least = (0..=LIFTS).rev().filter_map(|i| {
-        let part = f64::from(i) / f64::from(LIFTS);
-        let (from, to) = (stuck(part)?, free(part));
-        let straight = Straight::new(step, from, to);
-        let onward = Straight::new(step, to, free(1.0));
-        let after = onward.through(&|part| onward.at(part));
-        let at_once = straight.through(&|part| straight.at(part));
-        let in_turn = straight.through(&|part| straight.first(part));
-        Some(after.max(at_once.min(in_turn)))
-    });
-    least.reduce(f64::min)
+    let excess = Way(&excess);
+    let holds = excess.at(1.0).is_finite() && excess.reaches(-step.allowed(false), 0.0).is_err();
+    Some(holds)
 }
 
 /// A straight way of holding point and angle.
@@ -233,13 +226,6 @@ impl<'a> Straight<'a> {
 
     fn at(&self, part: f64) -> [f64; 3] {
         self.pose(between(self.from, self.to, part))
-    }
-
-    /// The holding point first, and then the angle.
-    fn first(&self, part: f64) -> [f64; 3] {
-        let [x, y, _] = between(self.from, self.to, (2.0 * part).min(1.0));
-        let [.., turn] = between(self.from, self.to, (2.0 * part - 1.0).max(0.0));
-        self.pose([x, y, turn])
     }
 
     /// How far the body goes through a side (m) on a way that is no longer than this one.

@@ -252,7 +252,7 @@ impl<'a> Step<'a> {
     }
 
     /// The force (N) that the bound on slips allows.
-    fn allowed(&self, is_braced: bool) -> f64 {
+    pub(crate) fn allowed(&self, is_braced: bool) -> f64 {
         let unit = self.finding(law::SLIP_ENDS, 1.0, is_braced);
         unit.bound / unit.residual
     }
@@ -300,7 +300,7 @@ impl<'a> Step<'a> {
 }
 
 /// By how much (N) a reaction (N, T) lies outside a cone.
-fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
+pub(crate) fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
     (friction.abs() - mu * normal) / mu.hypot(1.0)
 }
 

@@ -19,8 +19,8 @@ const FORCE: f64 = 1e-10;
 const RUN: usize = 15;
 
 /// A scene with the names of what is in it.
-struct Named {
-    scene: Scene,
+pub(crate) struct Named {
+    pub(crate) scene: Scene,
     surfaces: Vec<String>,
     obstacles: Vec<String>,
 }
@@ -34,7 +34,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-fn text(value: &Value) -> &str {
+pub(crate) fn text(value: &Value) -> &str {
     value.as_str().expect("a text")
 }
 
@@ -54,7 +54,7 @@ fn size(vertices: &[[f64; 2]]) -> f64 {
     if most > 0.0 { most } else { 1.0 }
 }
 
-fn named(geometry: &Value) -> Named {
+pub(crate) fn named(geometry: &Value) -> Named {
     let vertices = points(&geometry["verts"]);
     let memory = size(&vertices) / 4096.0;
     let each = |kind: &str| geometry[kind].as_object().expect("a table by name").clone();
@@ -156,7 +156,11 @@ fn check(named: &Named, body: &Reference, (hand, slips): ([f64; 3], u32), check:
 }
 
 /// Poses, forces and contacts of a run, each frame given to `look`.
-fn run(named: &Named, case: &Value, mut look: impl FnMut(u64, &Reference, ([f64; 3], u32))) {
+pub(crate) fn run(
+    named: &Named,
+    case: &Value,
+    mut look: impl FnMut(u64, &Reference, ([f64; 3], u32)),
+) {
     let scene = text(&case["scene"]).lines();
     let start = scene
         .filter_map(|line| line.strip_prefix("start = "))
@@ -178,7 +182,7 @@ fn run(named: &Named, case: &Value, mut look: impl FnMut(u64, &Reference, ([f64;
     }
 }
 
-fn cases() -> Vec<Value> {
+pub(crate) fn cases() -> Vec<Value> {
     let text = include_str!("../../cases/obstacles.json");
     let cases: Vec<Value> = serde_json::from_str(text).expect("the cases");
     let known = |case: &Value| !case["geometry"].is_null();
