@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use stiction_judge::{
-    Bounds, Evolution, Finding, Frame, Judge, Obstacle, Scene, Status, Surface, Touch, law,
+    Bounds, Contact, Evolution, Finding, Frame, Judge, Obstacle, Scene, Status, Surface, Touch, law,
 };
 use stiction_tests::budget;
 use stiction_tests::draw::Draw;
@@ -48,13 +48,33 @@ fn scene(of: &reference::Scene, start: [f64; 3]) -> Scene {
 }
 
 /// The first thing that a judge finds in frames.
-fn broken(scene: &Scene, frames: &[Frame]) -> Option<(usize, Finding)> {
-    let mut judge = Judge::new(scene.clone(), Bounds::DOUBLE, Evolution::Path);
+fn broken(scene: &Scene, frames: &[Frame], bounds: Bounds) -> Option<(usize, Finding)> {
+    let mut judge = Judge::new(scene.clone(), bounds, Evolution::Path);
     (frames.iter().enumerate()).find_map(|(i, frame)| {
         let findings = judge.next(frame.clone());
         let unlawful = findings.into_iter().find(|finding| !finding.holds());
         unlawful.map(|finding| (i, finding))
     })
+}
+
+/// Frames in numbers of single precision.
+fn single(frames: &[Frame]) -> Vec<Frame> {
+    let round = |x: f64| f64::from(x as f32);
+    let contact = |contact: &Contact| Contact {
+        point: contact.point.map(round),
+        direction: contact.direction.map(|n| n.map(round)),
+        normal: round(contact.normal),
+        friction: round(contact.friction),
+        ..*contact
+    };
+    let frame = |frame: &Frame| Frame {
+        hand: frame.hand.map(round),
+        pose: frame.pose.map(round),
+        contacts: frame.contacts.iter().map(contact).collect(),
+        wrench: frame.wrench.map(round),
+        ..frame.clone()
+    };
+    frames.iter().map(frame).collect()
 }
 
 /// The laws that a frame breaks, after the frames before it.
@@ -93,7 +113,9 @@ fn cases_are_lawful() {
             let next = frame(&named.scene, body, (i as f64, hand), frames.last());
             frames.push(next);
         });
-        assert_eq!(broken(&scene, &frames), None, "{}", case["name"]);
+        for (frames, bounds) in [(single(&frames), Bounds::SINGLE), (frames, Bounds::DOUBLE)] {
+            assert_eq!(broken(&scene, &frames, bounds), None, "{}", case["name"]);
+        }
     }
 }
 
@@ -103,9 +125,14 @@ fn random_worlds_are_lawful() {
     let mut contacts = 0;
     for i in 0..SCENES {
         let (scene, frames) = traced(&mut draw);
-        let found = broken(&scene, &frames);
-        let place = found.map(|(k, _)| &frames[k.saturating_sub(1)..=k]);
-        assert_eq!(found, None, "scene {i}: {place:?}");
+        for (frames, bounds) in [
+            (&single(&frames), Bounds::SINGLE),
+            (&frames, Bounds::DOUBLE),
+        ] {
+            let found = broken(&scene, frames, bounds);
+            let place = found.map(|(k, _)| &frames[k.saturating_sub(1)..=k]);
+            assert_eq!(found, None, "scene {i}: {place:?}");
+        }
         contacts += frames
             .iter()
             .map(|frame| frame.contacts.len())
