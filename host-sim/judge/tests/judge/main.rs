@@ -6,6 +6,7 @@ mod drag;
 mod faults;
 mod jams;
 mod known;
+mod shapes;
 mod slides;
 mod table;
 mod unusable;
