@@ -7,11 +7,38 @@ use heapless::Vec;
 /// At most this many contacts at once; further ones are not reported.
 pub const MAX_CONTACTS: usize = 8;
 
-/// A contact: a feature of the body on a feature of the surroundings; here a vertex on a half-plane.
+/// A contact: a feature of the body on a feature of the surroundings. A vertex on a surface, which is a half-plane or, counted on
+/// from these, the side of an obstacle from the corner of that index on; or such a corner on a side of the body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pair {
+    /// The vertex; the side of the body, from the vertex of this index on, with [`Self::CORNER`] added.
     pub(crate) vertex: u8,
     pub(crate) surface: u8,
+}
+
+impl Pair {
+    /// Marks a corner on a side of the body.
+    const CORNER: u8 = 0x80;
+    /// A body among obstacles has no more vertices.
+    pub(crate) const MAX_VERTICES: usize = Self::CORNER as usize;
+
+    /// A corner of an obstacle on a side of the body.
+    pub(crate) const fn of_corner(corner: u8, body_side: u8) -> Self {
+        Self {
+            vertex: body_side | Self::CORNER,
+            surface: corner,
+        }
+    }
+
+    /// It is a corner of an obstacle on a side of the body.
+    pub(crate) const fn is_corner(self) -> bool {
+        self.vertex & Self::CORNER != 0
+    }
+
+    /// The side of the body of a corner.
+    pub(crate) const fn body_side(self) -> u8 {
+        self.vertex & !Self::CORNER
+    }
 }
 
 pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;

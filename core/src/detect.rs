@@ -9,6 +9,10 @@ use crate::thresholds::Thresholds;
 use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
+mod obstacles;
+
+pub(crate) use obstacles::{Among, Reached, first_reached};
+
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed<R> {
@@ -46,6 +50,17 @@ impl<R: Real> Placed<R> {
             .apply(scene.vertex(vertex) - self.body_point)
     }
 
+    /// From the point to a contact, world frame.
+    pub(crate) fn arm_to<W: World<R>>(&self, scene: &W, contact: Pair) -> Vec2<R> {
+        if W::CORNERS && contact.is_corner() {
+            let place = scene
+                .corner(contact.surface)
+                .map_or(self.point, |c| c.place);
+            return place - self.point;
+        }
+        self.arm(scene, contact.vertex)
+    }
+
     /// The gap between a vertex and a surface, with its rounding.
     fn gap_at(&self, scene: &impl World<R>, contact: Pair, arm: Vec2<R>) -> (R, R) {
         let surface = scene.surface(contact.surface);
@@ -58,10 +73,27 @@ impl<R: Real> Placed<R> {
         (level + surface.normal.dot(arm), unit * size)
     }
 
-    /// The gap between a vertex and a surface.
-    pub(crate) fn gap(&self, scene: &impl World<R>, contact: Pair) -> R {
+    /// The gap of a contact: of a vertex from a surface, of a corner from a side of the body.
+    pub(crate) fn gap<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        if W::CORNERS && contact.is_corner() {
+            let side = contact.body_side();
+            let outward = scene.body_normal(side);
+            let from_corner = self.arm_to(scene, contact);
+            let above = self.orientation.rotation().apply(outward).dot(from_corner);
+            return above - outward.dot(scene.vertex(side) - self.body_point);
+        }
         self.gap_at(scene, contact, self.arm(scene, contact.vertex))
             .0
+    }
+
+    /// Where along t a contact is: the vertex on its surface, the body's material at a corner.
+    pub(crate) fn foot<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        let tangent = scene.face(contact, self.orientation.rotation()).tangent;
+        if W::CORNERS && contact.is_corner() {
+            let origin = -self.orientation.rotation().apply(self.body_point);
+            return tangent.dot(origin - self.arm_to(scene, contact));
+        }
+        tangent.dot(self.point + self.arm(scene, contact.vertex))
     }
 
     /// The height of the point above a surface, and the surface's normal in the body frame: the gap of a vertex is
@@ -85,7 +117,7 @@ impl<R: Real> Placed<R> {
     }
 
     /// All contacts whose gap is below `tolerance`, in the order of surfaces and vertices.
-    pub(crate) fn touching(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+    pub(crate) fn touching<W: World<R>>(&self, scene: &W, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
             let (height, normal) = self.above(scene, surface);
@@ -97,12 +129,15 @@ impl<R: Real> Placed<R> {
                 }
             }
         }
+        if W::CORNERS {
+            self.touching_obstacles(scene, tolerance, &mut list);
+        }
         list
     }
 
     /// The contacts of a body that is set onto the surfaces, whose gaps are below `tolerance`: of each surface the two lowest vertices,
     /// in the order of surfaces and vertices.
-    pub(crate) fn seats(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+    pub(crate) fn seats<W: World<R>>(&self, scene: &W, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
             let gap = |vertex: u8| self.gap(scene, Pair { vertex, surface });
@@ -115,12 +150,24 @@ impl<R: Real> Placed<R> {
                 }
             }
         }
+        if W::CORNERS {
+            let mut near = Pairs::new();
+            self.touching_obstacles(scene, tolerance, &mut near);
+            for pair in near {
+                let is_taken = |&other: &Pair| self.are_together(scene, [other, pair]);
+                if !list.iter().any(is_taken) {
+                    // Of too many the first ones count.
+                    let _ = list.push(pair);
+                }
+            }
+            list = self.outermost(scene, &list);
+        }
         list
     }
 
     /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
     /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
-    pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {
+    pub(crate) fn is_clear<W: World<R>>(&self, scene: &W, curvature_bound: R) -> bool {
         self.room(scene, None) > (self.radius(scene, None) * curvature_bound).halved()
     }
 
@@ -173,6 +220,11 @@ impl<R: Real> Placed<R> {
         gaps.fold(R::HUGE, R::min)
     }
 
+    /// No point of the body goes farther where it turns about the placed point by no more than an angle.
+    pub(crate) fn swing(&self, scene: &impl World<R>, turn: R) -> R {
+        self.radius(scene, None) * turn
+    }
+
     /// No vertex is farther from the point than this; `pivot`: the vertex at the point, if there is one.
     fn radius(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         match pivot {
@@ -202,9 +254,9 @@ impl<R: Real> Placed<R> {
 
     /// The first vertex to reach a surface on a motion, other than the contacts that last. The extent is
     /// shortened to there.
-    pub(crate) fn first_touch<H: SecondHarmonic<R>>(
+    pub(crate) fn first_touch<W: World<R>, H: SecondHarmonic<R>>(
         &self,
-        scene: &impl World<R>,
+        scene: &W,
         extent: &mut Extent<R>,
         moving: &Moving<'_, R, H>,
     ) -> Option<Pair> {
@@ -247,7 +299,33 @@ impl<R: Real> Placed<R> {
                 neighbours.for_each(&mut visit);
             }
         }
+        if W::CORNERS
+            && let Some(reached) = self.first_obstacle(scene, extent, moving)
+        {
+            extent.end = moving.curve.at(reached.x);
+            (extent.folds, extent.unsure) = (false, reached.unsure);
+            first = Some(reached.contact);
+        }
         first
+    }
+
+    /// The first obstacle to be reached on the extent of a motion.
+    #[inline(never)]
+    fn first_obstacle<W: World<R>, H: SecondHarmonic<R>>(
+        &self,
+        scene: &W,
+        extent: &Extent<R>,
+        moving: &Moving<'_, R, H>,
+    ) -> Option<Reached<R>> {
+        let end = extent.end.x;
+        first_reached(scene, (moving.lasting, Among::Obstacles), end, &|x| {
+            let place = if x == end {
+                extent.end
+            } else {
+                moving.curve.at(x)
+            };
+            moving.curve.instant(&place, self, moving.path)
+        })
     }
 }
 

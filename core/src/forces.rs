@@ -5,12 +5,13 @@ use crate::real::Real;
 use core::ops::Deref;
 use heapless::Vec;
 
-/// One contact: a vertex of the body on a surface. SI units, world frame; forces are those on the body.
+/// One contact: a vertex of the body on a surface. SI units, world frame; forces are those on the body. Among obstacles
+/// [`Solver::touches`](crate::Solver::touches) says what touches what.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact<F> {
-    /// Index of the vertex in the scene's list.
+    /// Index of the vertex in the scene's list; of no meaning for a corner of an obstacle.
     pub vertex: usize,
-    /// Index of the surface in the scene's list.
+    /// Index of the surface in the scene's list; larger than all of these for a contact with an obstacle.
     pub surface: usize,
     /// Where they touch (m).
     pub point: [F; 2],
@@ -22,6 +23,66 @@ pub struct Contact<F> {
     pub friction: F,
     /// 0 where it sticks, 1 or -1 where it slides along t or against it with the hand, |T| = mu_d N.
     pub sliding: i8,
+}
+
+/// What touches what: indices count from 0, in the lists of the description.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Touch {
+    /// A vertex of the body on a half-plane.
+    Surface {
+        /// Index of the vertex.
+        vertex: usize,
+        /// Index of the surface.
+        surface: usize,
+    },
+    /// A vertex of the body on a side of an obstacle. Sides of several obstacles in one line with equal friction are one, by the name of
+    /// the first.
+    Side {
+        /// Index of the vertex.
+        vertex: usize,
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of its side, from the corner of this index to the next.
+        side: usize,
+    },
+    /// A corner of an obstacle on a side of the body.
+    Corner {
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of its corner.
+        corner: usize,
+        /// Index of the body's side, from the vertex of this index to the next.
+        body_side: usize,
+    },
+}
+
+/// A contact among obstacles: what touches what, and where it faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touching<F> {
+    /// What touches what.
+    pub touch: Touch,
+    /// The unit normal n towards the body, world frame; of a corner it turns with the body.
+    pub direction: [F; 2],
+}
+
+/// The contacts of a state among obstacles, in the order of [`Contacts`].
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Touches<F> {
+    list: Vec<Touching<F>, MAX_CONTACTS>,
+}
+
+impl<F> Touches<F> {
+    pub(crate) fn add(&mut self, touching: Touching<F>) {
+        // A state has never more contacts than there is room for.
+        let _ = self.list.push(touching);
+    }
+}
+
+impl<F> Deref for Touches<F> {
+    type Target = [Touching<F>];
+    fn deref(&self) -> &[Touching<F>] {
+        &self.list
+    }
 }
 
 /// Force and moment of the hand on the body, world frame.

@@ -95,6 +95,7 @@ mod certified;
 mod contact;
 mod detect;
 mod event;
+mod falls;
 #[cfg(test)]
 mod fixtures;
 mod forces;
@@ -108,6 +109,8 @@ mod load;
 mod log;
 mod model;
 mod moment;
+mod motion;
+mod obstacle;
 mod output;
 mod path_event;
 mod pivot;
@@ -130,15 +133,17 @@ mod wrench_cone;
 
 pub use contact::MAX_CONTACTS;
 pub use event::{Event, MAX_EVENTS, StateKind, Status};
-pub use forces::{Contact, Contacts, Wrench};
+pub use forces::{Contact, Contacts, Touch, Touches, Touching, Wrench};
 pub use geometry::Angle;
 pub use hand::{Axis, Hand, Projection, TrackerSample};
-pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless};
+pub use model::{Bare, Frictionless, Full, Model, Parts, Weightless, WithObstacles};
 pub use output::Output;
 #[cfg(feature = "comparison")]
 pub use real::{CordicFixed, LibmSingle, MicromathSingle};
 pub use real::{Fixed, Real};
-pub use scene::{Description, Parameter, Scene, SceneError, SurfaceDescription};
+pub use scene::{
+    Description, ObstacleDescription, Parameter, Scene, SceneError, SurfaceDescription,
+};
 pub use si::{SiFloat, narrow_hand};
 pub use solver::{Evolution, Solver, State};
 pub use transition::{Transition, Transitions};

@@ -2,6 +2,10 @@
 //! type. `V = 1` (a point tool) has no edges, `S = 1` has no state of two surfaces; a [`Model`] leaves out friction or
 //! weight.
 
+use crate::obstacle::{NoObstacles, Obstacles, SomeObstacles};
+use crate::real::Real;
+use core::marker::PhantomData;
+
 /// The parts of the solver that a scene may need besides its geometry: [`Full`], [`Weightless`], [`Frictionless`] or [`Bare`],
 /// the last parameter of [`Scene`](crate::Scene) and [`Solver`](crate::Solver). What it leaves out is not in the binary; the
 /// capacities leave out as much: a scene of one vertex has no edges, one of one surface no states of two.
@@ -48,6 +52,9 @@ pub trait Model: Clone + core::fmt::Debug + PartialEq + sealed::Sealed + 'static
     const FRICTION: bool;
     /// The body's weight W. Without it W is 0.
     const WEIGHT: bool;
+    /// What a scene stores of obstacles with corners, for a body of at most V vertices.
+    #[doc(hidden)]
+    type Obstacles<R: Real, const V: usize>: Obstacles<R>;
 }
 
 /// A model with friction or without, with weight or without.
@@ -57,6 +64,18 @@ pub struct Parts<const FRICTION: bool, const WEIGHT: bool>;
 impl<const FRICTION: bool, const WEIGHT: bool> Model for Parts<FRICTION, WEIGHT> {
     const FRICTION: bool = FRICTION;
     const WEIGHT: bool = WEIGHT;
+    type Obstacles<R: Real, const V: usize> = NoObstacles;
+}
+
+/// A model with obstacles that have corners: at most O of them, with at most C corners together
+/// ([`Scene::among`](crate::Scene::among)).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WithObstacles<const O: usize, const C: usize, M: Model = Full>(PhantomData<M>);
+
+impl<const O: usize, const C: usize, M: Model> Model for WithObstacles<O, C, M> {
+    const FRICTION: bool = M::FRICTION;
+    const WEIGHT: bool = M::WEIGHT;
+    type Obstacles<R: Real, const V: usize> = SomeObstacles<R, V, O, C>;
 }
 
 /// Everything: friction and weight.
@@ -71,4 +90,5 @@ pub type Bare = Parts<false, false>;
 mod sealed {
     pub trait Sealed {}
     impl<const FRICTION: bool, const WEIGHT: bool> Sealed for super::Parts<FRICTION, WEIGHT> {}
+    impl<const O: usize, const C: usize, M: super::Model> Sealed for super::WithObstacles<O, C, M> {}
 }

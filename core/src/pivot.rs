@@ -21,32 +21,59 @@ pub(crate) struct Pivot<R> {
 impl<R: Real> Pivot<R> {
     /// Of a body in a pose at which the vertex of `contact` is on the surface.
     pub(crate) fn at(scene: &impl World<R>, pose: &Pose<R>, contact: Pair) -> Self {
-        let vertex = scene.vertex(contact.vertex);
-        let point = pose.position + pose.orientation.rotation().apply(vertex);
+        let rotation = pose.orientation.rotation();
+        let surface = scene.face(contact, rotation);
+        // Of a corner it is the body's material that has a place along t.
+        let foot = match corner(scene, contact) {
+            Some(corner) => surface.tangent.dot(pose.position - corner),
+            None => {
+                let vertex = scene.vertex(contact.vertex);
+                surface.tangent.dot(pose.position + rotation.apply(vertex))
+            }
+        };
         Self {
             contact,
-            foot: scene.surface(contact.surface).tangent.dot(point),
+            foot,
             orientation: pose.orientation,
         }
     }
 
     pub(crate) fn surface(&self, scene: &impl World<R>) -> Surface<R> {
-        scene.surface(self.contact.surface)
+        scene.face(self.contact, self.orientation.rotation())
     }
 
     /// c, exactly on the surface.
     pub(crate) fn point(&self, scene: &impl World<R>) -> Vec2<R> {
-        let surface = self.surface(scene);
-        surface.origin + surface.tangent * self.foot
+        corner(scene, self.contact).unwrap_or_else(|| {
+            let surface = scene.surface(self.contact.surface);
+            surface.origin + surface.tangent * self.foot
+        })
     }
 
-    pub(crate) fn placed(&self, scene: &impl World<R>) -> Placed<R> {
+    /// The point of the body at c, body frame.
+    fn body_point<W: World<R>>(&self, scene: &W) -> Vec2<R> {
+        if !W::CORNERS || !self.contact.is_corner() {
+            return scene.vertex(self.contact.vertex);
+        }
+        let side = self.contact.body_side();
+        let outward = scene.body_normal(side);
+        // t_b = (-m_y, m_x); the place of the material is -t_b·b.
+        outward * outward.dot(scene.vertex(side)) - outward.turned() * self.foot
+    }
+
+    pub(crate) fn placed<W: World<R>>(&self, scene: &W) -> Placed<R> {
+        let surface = self.contact.surface;
         Placed {
             point: self.point(scene),
-            body_point: scene.vertex(self.contact.vertex),
+            body_point: self.body_point(scene),
             orientation: self.orientation,
-            on: Some(self.contact.surface),
+            on: (!W::CORNERS || !self.contact.is_corner()).then_some(surface),
         }
+    }
+
+    /// The contact is on its side, to a touch.
+    pub(crate) fn is_on_side<W: World<R>>(&self, scene: &W) -> bool {
+        !W::CORNERS || self.placed(scene).beyond(scene, self.contact) <= R::TOUCH
     }
 
     /// The load on the body about the pivot. Once in an image.
@@ -71,7 +98,7 @@ impl<R: Real> Pivot<R> {
 
     /// The foot of a slide goes to where an edge of the friction cone balances the load, the angle as it is (E10).
     pub(crate) fn slide(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) {
-        let arm = grip.holding_point - scene.vertex(self.contact.vertex);
+        let arm = grip.holding_point - self.body_point(scene);
         let lever = self.orientation.rotation().apply(arm);
         let force = grip.hand - self.point(scene) - lever + scene.weight();
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
@@ -86,4 +113,10 @@ impl<R: Real> Pivot<R> {
             orientation: self.orientation.plus(turn),
         }
     }
+}
+
+/// The place of the obstacle's corner of a contact, if it is one.
+fn corner<R: Real, W: World<R>>(scene: &W, contact: Pair) -> Option<Vec2<R>> {
+    let corner = (W::CORNERS && contact.is_corner()).then(|| scene.corner(contact.surface))??;
+    Some(corner.place)
 }

@@ -8,26 +8,30 @@ use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
 use crate::model::{Full, Model};
+use crate::obstacle::{Corner, Obstacles};
 use crate::real::Real;
 use crate::units::Units;
 use crate::world::{Surface, World};
-use core::marker::PhantomData;
 use core::ops::Range;
 use heapless::Vec;
 
 mod check;
 mod description;
+mod obstacles;
 
 use check::{
-    Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
-    thinnest,
+    Representable, check_model, check_numbers, check_vertices, check_vertices_among, fits, larger,
+    size_of_point, surfaces, thinnest,
 };
-pub use description::{Description, Parameter, SceneError, SurfaceDescription};
+pub use description::{
+    Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription,
+};
 
 impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V, S, M> {
     const EDGES: bool = V > 1;
-    const SURFACES: bool = S > 1;
-    const GLIDES: bool = !M::FRICTION && S <= 1;
+    const SURFACES: bool = S > 1 || Self::CORNERS;
+    const CORNERS: bool = <M::Obstacles<R, V> as Obstacles<R>>::CORNERS;
+    const GLIDES: bool = !M::FRICTION && S <= 1 && !Self::CORNERS;
 
     fn vertices(&self) -> &[Vec2<R>] {
         self.body.vertices()
@@ -43,6 +47,12 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
+        let of_obstacle = || self.corner(index).map(|corner| &corner.side);
+        let surface = if Self::CORNERS {
+            surface.or_else(of_obstacle)
+        } else {
+            surface
+        };
         let mut surface = *surface.unwrap_or(&Surface::NOWHERE);
         if !M::FRICTION {
             // As a constant it leaves nothing of the friction to compile.
@@ -52,6 +62,16 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn surface_indices(&self) -> Range<u8> {
         0..u8::try_from(self.surfaces.len()).unwrap_or(u8::MAX)
+    }
+    fn corners(&self) -> &[Corner<R>] {
+        self.obstacles.corners()
+    }
+    fn firsts(&self) -> &[u8] {
+        self.obstacles.firsts()
+    }
+    fn body_normal(&self, side: u8) -> Vec2<R> {
+        let [x, y] = self.obstacles.body_normal(side);
+        Vec2::new(x, y)
     }
 }
 
@@ -67,7 +87,7 @@ pub struct Scene<R: Real, const V: usize, const S: usize, M: Model = Full> {
     pub(crate) holding_point: Option<Vec2<R>>,
     pub(crate) reach: R,
     pub(crate) units: Units<R::Si>,
-    model: PhantomData<M>,
+    pub(crate) obstacles: M::Obstacles<R, V>,
 }
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
@@ -80,6 +100,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
+        if Self::CORNERS {
+            check_vertices_among(d.vertices)?;
+        }
         let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
@@ -104,7 +127,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
-            model: PhantomData,
+            obstacles: M::Obstacles::of_body(obstacles::normals::<R>(d.vertices)),
         };
         scene.check_range(d)?;
         scene.check_start()?;
@@ -113,7 +136,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 
     /// Coordinates beyond the range of the number type are refused: their sums would have no digits left.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
-        let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
         let allowed = Representable::by::<R>();
         let error = |parameter, value, allowed| {
             Err(SceneError {

@@ -8,6 +8,7 @@ use crate::grip::Grip;
 use crate::hand::Hand;
 use crate::log::Log;
 use crate::model::{Full, Model};
+use crate::obstacle::Obstacles;
 use crate::output::Output;
 use crate::pivot::Pivot;
 use crate::real::Real;
@@ -148,7 +149,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 
     /// From this budget on no step takes more, with at most three contacts at once, in units of work: a certified frame that fails and
     /// the piece that takes most. To take hold of the body is not counted.
-    pub const LEAST_BUDGET: u32 = least(S > 1);
+    pub const LEAST_BUDGET: u32 = least(S > 1 || <M::Obstacles<R, V> as Obstacles<R>>::CORNERS);
 
     /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
     /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.

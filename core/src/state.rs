@@ -31,9 +31,11 @@ mod edge;
 mod fixed_pose;
 mod free;
 mod locked;
+mod on_corner;
 mod onset;
 mod segment;
 mod short_slip;
+mod side_end;
 mod single_vertex;
 mod slide;
 mod swing;
@@ -216,8 +218,8 @@ impl<R: Real> ContactState<R> {
         let path = (from, to);
         work.spend(self.certified_work());
         match self {
-            Self::Free(s) if W::GLIDES => s.follow::<Sliding<R>>(scene, path),
-            Self::Free(s) => s.follow::<Pinned>(scene, path),
+            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path),
+            Self::Free(s) => s.follow::<W, Pinned>(scene, path),
             Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, R::ONE),
             Self::SingleVertex(s) => match s.regime {
                 Regime::Slide(sign) => s.follow_sliding(scene, path, sign),
@@ -334,15 +336,21 @@ impl<R: Real> ContactState<R> {
         }
         let pivot = seat(scene, pivot, others);
         match *others {
-            [other] if W::SURFACES && other.vertex == pivot.contact.vertex => {
+            [other]
+                if W::SURFACES
+                    && other.vertex == pivot.contact.vertex
+                    && !(W::CORNERS && other.is_corner()) =>
+            {
                 Self::Corner(Corner {
                     pivot,
                     surface: other.surface,
                     stiction: false,
                 })
             }
-            [other] if W::EDGES && other.surface == pivot.contact.surface => {
-                Self::Edge(Edge::new(pivot, other.vertex))
+            [other]
+                if W::EDGES && scene.are_in_line([pivot.contact, other], &pivot.placed(scene)) =>
+            {
+                Self::Edge(Edge::new(pivot, other))
             }
             [other] if W::SURFACES => Self::TwoVertex(TwoVertex::new(pivot, other)),
             [_, _, ..] if W::SURFACES => Self::Locked(Locked::new(pivot, others)),

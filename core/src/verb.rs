@@ -32,6 +32,8 @@ pub(crate) enum Trigger<R> {
         contacts: [usize; 2],
         sliding: Option<R>,
     },
+    /// Contact number `contact`, which slides along sign·t, has left its side: it is passed on (STATICS 12.4).
+    Off { contact: usize, sign: R },
     /// All contacts open.
     Clear,
     /// No motion is driven although friction gives way.
@@ -104,8 +106,8 @@ fn close_gaps<R: Real>(
 ) -> Pivot<R> {
     const SWEEPS: usize = 16;
     let least = R::divisor();
-    let tangent = pivot.surface(scene).tangent;
     for _ in 0..SWEEPS {
+        let tangent = pivot.surface(scene).tangent;
         let mut is_seated = true;
         for &other in others {
             let placed = pivot.placed(scene);
@@ -114,8 +116,8 @@ fn close_gaps<R: Real>(
                 continue;
             }
             is_seated = false;
-            let normal = scene.surface(other.surface).normal;
-            let by_turn = normal.dot(placed.arm(scene, other.vertex).turned());
+            let normal = scene.face(other, placed.orientation.rotation()).normal;
+            let by_turn = normal.dot(placed.arm_to(scene, other).turned());
             let by_shift = normal.dot(tangent);
             pivot = if foot_stays && by_turn.abs() > least {
                 pivot.moved(R::ZERO, -gap / by_turn)

@@ -1,8 +1,12 @@
 //! What the states see of a scene: its surfaces, the body's vertices and centroid, springs and weight. Lengths / L, forces
 //! / (k_h L).
 
+use crate::contact::Pair;
+use crate::detect::Placed;
+use crate::forces::Touch;
 use crate::friction::{Coulomb, SlidingEdge};
-use crate::geometry::Vec2;
+use crate::geometry::{Rotation, Vec2};
+use crate::obstacle::Corner;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use core::ops::Range;
@@ -50,11 +54,13 @@ impl<R: Real> Surface<R> {
 }
 
 /// What the states ask of a scene. The constants are known to the compiler: what a scene cannot need is not compiled in.
-pub(crate) trait World<R: Real> {
+pub(crate) trait World<R: Real>: Sized {
     /// A body of more than one vertex: it can lie on an edge.
     const EDGES: bool;
-    /// More than one surface: it can touch two at once.
+    /// More than one surface, or obstacles: it can touch two at once.
     const SURFACES: bool;
+    /// Obstacles with corners.
+    const CORNERS: bool;
     /// Two contacts at once are possible.
     const SEVERAL: bool = Self::EDGES || Self::SURFACES;
     /// The only surface is without friction. A contact on it glides: its foot is where the tangential forces balance.
@@ -64,8 +70,14 @@ pub(crate) trait World<R: Real> {
     fn vertices(&self) -> &[Vec2<R>];
     /// The surface of an index; a plane that nothing reaches where there is none.
     fn surface(&self, index: u8) -> Surface<R>;
-    /// The indices of all surfaces.
+    /// The indices of all half-planes.
     fn surface_indices(&self) -> Range<u8>;
+    /// All corners of obstacles, obstacle by obstacle; the index of a corner as a surface is counted on from the half-planes.
+    fn corners(&self) -> &[Corner<R>];
+    /// For each obstacle the first of its corners.
+    fn firsts(&self) -> &[u8];
+    /// m_j: the outward normal of the body's side from vertex j on, body frame.
+    fn body_normal(&self, side: u8) -> Vec2<R>;
     /// cg, body frame.
     fn centroid(&self) -> Vec2<R>;
     /// k_theta / (k_h L²)
@@ -78,6 +90,96 @@ pub(crate) trait World<R: Real> {
     fn swings(&self, arm: Vec2<R>) -> bool {
         let is_held_there = || arm.length_bound() <= R::of_coordinates();
         self.stiffness() == R::ZERO && (self.weight() == Vec2::ZERO || is_held_there())
+    }
+
+    /// The corner of an index among the surfaces.
+    fn corner(&self, index: u8) -> Option<&Corner<R>> {
+        let first = self.surface_indices().end;
+        (self.corners()).get(usize::from(index.checked_sub(first)?))
+    }
+
+    /// The surface of a contact in an orientation of the body: of a corner the line of the body's side, which turns with the body.
+    fn face(&self, contact: Pair, rotation: Rotation<R>) -> Surface<R> {
+        let surface = self.surface(contact.surface);
+        if !Self::CORNERS || !contact.is_corner() {
+            return surface;
+        }
+        let place = self.corner(contact.surface).map_or(Vec2::ZERO, |c| c.place);
+        let normal = -rotation.apply(self.body_normal(contact.body_side()));
+        let offset = normal.dot(place);
+        Surface {
+            normal,
+            tangent: Vec2::new(normal.y, -normal.x),
+            offset,
+            origin: normal * offset,
+            friction: surface.friction,
+        }
+    }
+
+    /// What touches what, by the indices of the description.
+    fn touch(&self, contact: Pair) -> Touch {
+        let (vertex, surface) = (usize::from(contact.vertex), usize::from(contact.surface));
+        let Some(corner) = self.corner(contact.surface) else {
+            return Touch::Surface { vertex, surface };
+        };
+        let obstacle = usize::from(corner.obstacle);
+        let first = self.firsts().get(obstacle).copied().unwrap_or_default();
+        let first = usize::from(self.surface_indices().end.saturating_add(first));
+        let index = surface.saturating_sub(first);
+        if contact.is_corner() {
+            Touch::Corner {
+                obstacle,
+                corner: index,
+                body_side: usize::from(contact.body_side()),
+            }
+        } else {
+            Touch::Side {
+                vertex,
+                obstacle,
+                side: index,
+            }
+        }
+    }
+
+    /// Two contacts lie in one line, with one friction: together they are an edge.
+    fn are_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
+        if !Self::CORNERS {
+            return a.surface == b.surface;
+        }
+        let [first, second] = [a, b].map(|pair| self.surface(pair.surface).friction);
+        first == second && self.lie_in_line([a, b], placed)
+    }
+
+    /// Two contacts lie in one line and face one way, to the least displacement: told by the tilt, which heights of contacts close to
+    /// each other do not tell.
+    fn lie_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
+        if a.surface == b.surface && !a.is_corner() && !b.is_corner() {
+            return true;
+        }
+        if !a.is_corner() && a.vertex == b.vertex {
+            return false;
+        }
+        let rotation = placed.orientation.rotation();
+        let [first, second] = [a, b].map(|pair| self.face(pair, rotation).normal);
+        let apart = placed.arm_to(self, b) - placed.arm_to(self, a);
+        first.dot(second) > R::ZERO
+            && first.cross(second).abs() <= R::MICRO
+            && first.dot(apart).abs() <= R::from_int(4) * R::MICRO
+    }
+
+    /// Along t, where the side of a contact begins and ends; of a half-plane beyond all numbers.
+    fn reach(&self, contact: Pair) -> [R; 2] {
+        let Some(corner) = self.corner(contact.surface) else {
+            return [R::LEAST, R::HUGE];
+        };
+        if !contact.is_corner() {
+            return corner.reach;
+        }
+        // t_b
+        let tangent = self.body_normal(contact.body_side()).turned();
+        let side = contact.body_side();
+        let [next, _] = self.neighbours(side);
+        [next, side].map(|end| -tangent.dot(self.vertex(end)))
     }
 
     /// v_i, body frame; the origin where there is no such vertex.

@@ -1,14 +1,15 @@
 //! The answer of a step in SI units: the pose and what happened with every step, the forces when they are asked for.
 
 use super::{Solver, State};
-use crate::forces::{Contact, Contacts, Wrench};
+use crate::forces::{Contact, Contacts, Touches, Touching, Wrench};
 use crate::geometry::Angle;
 use crate::load::Load;
 use crate::log::Log;
-use crate::model::Model;
+use crate::model::{Model, WithObstacles};
 use crate::output::Output;
 use crate::real::Real;
 use crate::work::Work;
+use crate::world::World;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     pub(super) fn output(&self, state: &State<R>, (work, log): (Work, Log<R>)) -> Output<R::Si> {
@@ -62,7 +63,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let mut contacts = Contacts::default();
         for (i, pair) in state.contact.contacts().iter().enumerate() {
             let [normal, friction] = reactions.get(i).copied().unwrap_or_default();
-            let at = placed.point + placed.arm(&self.scene, pair.vertex);
+            let at = placed.point + placed.arm_to(&self.scene, *pair);
             contacts.add(Contact {
                 vertex: usize::from(pair.vertex),
                 surface: usize::from(pair.surface),
@@ -77,5 +78,24 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
             });
         }
         contacts
+    }
+}
+
+impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
+    Solver<R, V, S, WithObstacles<O, C, M>>
+{
+    /// What touches what in a state, and where it faces, in the order of [`Self::contacts`].
+    pub fn touches(&self, state: &State<R>) -> Touches<R::Si> {
+        let scene = &self.scene;
+        let placed = state.contact.placed(scene);
+        let mut touches = Touches::default();
+        for &pair in &state.contact.contacts() {
+            let normal = scene.face(pair, placed.orientation.rotation()).normal;
+            touches.add(Touching {
+                touch: scene.touch(pair),
+                direction: [normal.x, normal.y].map(|x| x.to_si(R::Si::ONE)),
+            });
+        }
+        touches
     }
 }

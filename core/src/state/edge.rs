@@ -17,11 +17,11 @@ use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
-/// The memory: where the first vertex is held, the locked angle, the other vertex, and whether they stick.
+/// The memory: where the first vertex is held, the locked angle, the other contact, and whether they stick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Edge<R> {
     pub(crate) pivot: Pivot<R>,
-    pub(crate) vertex: u8,
+    pub(crate) other: Pair,
     pub(crate) regime: Regime<R>,
     /// So far it can slide before a vertex can touch another surface; 0: not known.
     room: R,
@@ -54,27 +54,22 @@ impl<R: Real> Reaction<R> {
 }
 
 impl<R: Real> Edge<R> {
-    pub(crate) fn new(pivot: Pivot<R>, vertex: u8) -> Self {
+    pub(crate) fn new(pivot: Pivot<R>, other: Pair) -> Self {
         Self {
             pivot,
-            vertex,
+            other,
             regime: Regime::LOOSE,
             room: R::ZERO,
         }
     }
 
     pub(crate) fn contacts(&self) -> Pairs {
-        let first = self.pivot.contact;
-        let second = Pair {
-            vertex: self.vertex,
-            surface: first.surface,
-        };
-        gather([first, second])
+        gather([self.pivot.contact, self.other])
     }
 
     /// x_2 - x_1
     fn span(&self, scene: &impl World<R>, load: &Load<R>) -> R {
-        let arm = load.placed.arm(scene, self.vertex);
+        let arm = load.placed.arm_to(scene, self.other);
         self.pivot.surface(scene).tangent.dot(arm)
     }
 
@@ -159,12 +154,16 @@ impl<R: Real> Edge<R> {
     }
 
     /// True if no vertex can reach another surface on a way of the edge that has ended here.
-    fn has_room(&mut self, scene: &impl World<R>, way: R) -> bool {
+    fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
         self.room = self.room - way;
         if self.room <= R::ZERO {
             let placed = self.pivot.placed(scene);
             self.room =
                 placed.room_of(scene, |pair| pair.surface != self.pivot.contact.surface) - way;
+            if W::CORNERS {
+                let among = placed.room_among(scene, &self.contacts()) - way;
+                self.room = self.room.min(among);
+            }
         }
         self.room > R::ZERO
     }

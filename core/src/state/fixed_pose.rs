@@ -14,7 +14,7 @@ use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::work;
-use crate::world::World;
+use crate::world::{Surface, World};
 use crate::wrench_cone::{Bearing, WrenchCone, Yield};
 
 /// The contacts, placed by a pivot that is the first of them.
@@ -71,9 +71,9 @@ impl<R: Real> FixedPose<R> {
         let placed = pivot.placed(scene);
         let mut cone = WrenchCone::default();
         for contact in contacts {
-            let surface = scene.surface(contact.surface);
+            let surface = scene.face(*contact, placed.orientation.rotation());
             cone.add(&Bearing {
-                lever: placed.arm(scene, contact.vertex),
+                lever: placed.arm_to(scene, *contact),
                 normal: surface.normal,
                 tangent: surface.tangent,
                 edges: [R::ONE, -R::ONE].map(|edge| surface.friction.edge(stiction, edge)),
@@ -279,7 +279,7 @@ impl<R: Real> FixedPose<R> {
 
     /// The load pulls contacts off and presses none.
     fn is_pulled(&self, scene: &impl World<R>, load: &Load<R>) -> bool {
-        let pull = |c: &Pair| scene.surface(c.surface).normal.dot(load.force);
+        let pull = |&c: &Pair| self.surface(scene, c).normal.dot(load.force);
         self.contacts.iter().all(|c| pull(c) >= R::ZERO)
             && self.contacts.iter().any(|c| pull(c) > R::ZERO)
     }
@@ -289,7 +289,7 @@ impl<R: Real> FixedPose<R> {
         let vertex = self.contact(index).vertex;
         let corner = self.contacts.iter().enumerate();
         let mut other = corner
-            .filter(|&(k, c)| k != index && c.vertex == vertex)
+            .filter(|&(k, c)| k != index && c.vertex == vertex && !c.is_corner())
             .map(|(k, _)| k);
         ([index, other.next().unwrap_or(index)], None)
     }
@@ -299,13 +299,18 @@ impl<R: Real> FixedPose<R> {
             Yield::Pivot { contact } => self.about(contact),
             Yield::Slide { first, second } => {
                 let [a, b] = [first.0, second.0].map(|i| self.contact(i));
-                if a.vertex == b.vertex {
+                if a.vertex == b.vertex && !a.is_corner() {
                     self.about(first.0)
                 } else {
                     ([first.0, second.0], Some(first.1))
                 }
             }
         }
+    }
+
+    /// The surface of a contact, as the body is turned.
+    fn surface(&self, scene: &impl World<R>, contact: Pair) -> Surface<R> {
+        scene.face(contact, self.pivot.orientation.rotation())
     }
 
     fn contact(&self, index: usize) -> Pair {

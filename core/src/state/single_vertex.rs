@@ -3,6 +3,7 @@
 
 use super::segment::Segment;
 use super::short_slip::ShortSlip;
+use super::side_end::stop_at_end;
 use super::two_vertex::Slip;
 use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
@@ -48,6 +49,16 @@ impl<R: Real> SingleVertex<R> {
         gather([self.pivot.contact])
     }
 
+    /// A corner of an obstacle on a side of the body.
+    pub(super) fn is_corner<W: World<R>>(&self, _: &W) -> bool {
+        W::CORNERS && self.pivot.contact.is_corner()
+    }
+
+    /// Nothing but the contact holds the angle of a body whose vertex slides (STATICS 3.7).
+    pub(crate) fn swings<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+        !self.is_corner(scene) && grip.swings(scene)
+    }
+
     fn reaction(
         load: &Load<R>,
         surface: &Surface<R>,
@@ -82,7 +93,7 @@ impl<R: Real> SingleVertex<R> {
             let stray = certified
                 .curvature_bound(&load.drive(&displacement))
                 .halved();
-            if !self.holds(scene, &end, stray) {
+            if self.is_corner(scene) || !self.holds(scene, &end, stray) {
                 return false;
             }
         }
@@ -111,40 +122,57 @@ impl<R: Real> SingleVertex<R> {
             return Some(self.regime);
         }
         let (normal, _) = surface.reaction(load.force);
-        if normal + self.stray(load, certified.turn_bound) < threshold || threshold >= R::HUGE {
+        if normal + self.stray(scene, load, certified.turn_bound) < threshold
+            || threshold >= R::HUGE
+        {
             return Some(self.regime);
         }
         let end = load.turned(scene, certified.orientation, to);
+        let surface = scene.face(self.pivot.contact, certified.orientation.rotation());
         let (normal, _) = surface.reaction(end.force);
         (surface.friction.is_pressed(normal)).then_some(Regime::Stick { stiction: true })
     }
 
     /// By so much a reaction strays whose lever strays by a part of its length.
-    fn stray(&self, load: &Load<R>, part: R) -> R {
-        load.lever.length_bound() * part + load.rounding()
+    fn stray<W: World<R>>(&self, scene: &W, load: &Load<R>, part: R) -> R {
+        let mut lever = load.lever.length_bound();
+        if self.is_corner(scene) {
+            // The normal of a corner turns with the body.
+            lever = lever + load.force.length_bound();
+        }
+        lever * part + load.rounding()
     }
 
     /// True if the reaction stays within the cone though the lever strays by a part of its length.
     fn holds(&self, scene: &impl World<R>, load: &Load<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
-        let slack = self.stray(load, stray);
+        let slack = self.stray(scene, load, stray);
         (surface.friction).is_within((normal, friction), self.regime.has_stiction(), slack)
     }
 
     /// True if no other vertex can reach a surface on the path to `end`, on which no point of the body goes farther than
     /// `travel_bound`, and on which a gap that ends larger than `open` was never closed.
-    pub(super) fn has_room(
+    pub(super) fn has_room<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         end: &Pivot<R>,
         (travel_bound, open): (R, R),
     ) -> bool {
         let mut room = self.room - travel_bound;
         if room <= R::ZERO {
-            room = end.placed(scene).room(scene, Some(end.contact.vertex));
+            let placed = end.placed(scene);
+            room = placed.room(scene, Some(end.contact.vertex));
             if room <= open {
                 return false;
+            }
+            if W::CORNERS {
+                // An obstacle may be passed on the way.
+                let among = placed.room_among(scene, &[end.contact]);
+                if among <= travel_bound {
+                    return false;
+                }
+                room = room.min(among);
             }
         }
         self.room = room;
@@ -152,9 +180,9 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The same of a certified turn. No point of the body is farther from the pivot than one body size.
-    pub(super) fn has_room_to_turn(
+    pub(super) fn has_room_to_turn<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         certified: &CertifiedTurn<R>,
     ) -> bool {
         let end = Pivot {
@@ -174,6 +202,9 @@ impl<R: Real> SingleVertex<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         self.room = R::ZERO;
+        if self.is_corner(scene) {
+            return self.advance_on_corner(scene, (from, to));
+        }
         let load = self.pivot.load(scene, from);
         let surface = self.pivot.surface(scene);
         let displacement = from.displacement_to(to);
@@ -312,13 +343,17 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    fn slip_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);
-        let found = ShortSlip::find(scene, placed, grip, sign);
+        let found = if self.is_corner(scene) {
+            Err(None)
+        } else {
+            ShortSlip::find(scene, placed, grip, sign)
+        };
         if let Ok(slip) = found {
             let end = self.pivot.moved(slip.slide, slip.turn);
-            if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
+            if end.is_on_side(scene) && self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
                 self.end_slip(scene, grip, sign);
                 return Moved::by(Trigger::Stopped);
@@ -363,14 +398,17 @@ impl<R: Real> SingleVertex<R> {
     }
 
     fn end_slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
-        if grip.swings(scene) {
+        if self.swings(scene, grip) {
             self.lean_on(scene, grip, sign);
         }
         self.regime = Regime::after_slip(self.pivot.is_pressed(scene, grip), sign);
     }
 
     /// A slip by `shift` along t, or to what ends it before: how far it goes, and its course.
-    fn slip_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
+    fn slip_segment<W: World<R>>(&self, scene: &W, load: &Load<R>, shift: R) -> (R, Segment<R>) {
+        if self.is_corner(scene) {
+            return self.slip_on_corner(scene, load, shift);
+        }
         let surface = self.pivot.surface(scene);
         let displacement = Displacement::slide(surface.tangent * shift);
         let moment = load.pinned::<Pinned>();
@@ -386,6 +424,9 @@ impl<R: Real> SingleVertex<R> {
             (&PointPath::straight(surface.tangent * shift), &lasting),
         );
         segment.stop_at(&normal, Trigger::Clear);
+        if W::CORNERS {
+            stop_at_end(scene, &mut segment, (&self.pivot, shift));
+        }
         (shift * segment.part(), segment)
     }
 

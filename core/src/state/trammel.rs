@@ -169,9 +169,12 @@ impl<R: Real> Trammel<R> {
             load.force.length_bound() + load.lever.length_bound() + scene.weight().length_bound();
         Self {
             sense: Sense::along(BalanceCurve::straight(), R::ONE),
-            surfaces: [pivot.surface(scene), scene.surface(other.surface)],
+            surfaces: [
+                pivot.surface(scene),
+                scene.face(other, placed.orientation.rotation()),
+            ],
             load,
-            arm: placed.arm(scene, other.vertex),
+            arm: placed.arm_to(scene, other),
             weight: scene.weight(),
             per_load: R::ONE / (size + load.couple.abs() + load.stiffness),
         }

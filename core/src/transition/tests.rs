@@ -83,7 +83,13 @@ fn arm_of_a_verb_leads_from_the_state() {
     let states = [
         ContactState::Free(Free { pose }),
         ContactState::SingleVertex(SingleVertex::new(pivot)),
-        ContactState::Edge(Edge::new(pivot, 1)),
+        ContactState::Edge(Edge::new(
+            pivot,
+            Pair {
+                vertex: 1,
+                ..pivot.contact
+            },
+        )),
         ContactState::TwoVertex(TwoVertex::new(pivot, other)),
         ContactState::Corner(Corner {
             pivot,

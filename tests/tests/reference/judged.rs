@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use serde_json::Value;
 use stiction_judge::{
     Bounds, Contact, Evolution, Finding, Frame, Judge, Obstacle, Scene, Status, Surface, Touch, law,
 };
@@ -11,7 +12,7 @@ use stiction_tests::budget;
 use stiction_tests::draw::Draw;
 use stiction_tests::reference::{self, Reference};
 
-use super::cases::{cases, named, run, text};
+use super::cases::{cases, run};
 use super::traced::frame;
 use super::worlds::crowded;
 
@@ -102,19 +103,34 @@ fn traced(draw: &mut Draw) -> (Scene, Vec<Frame>) {
     (scene(&world.scene, world.start), frames)
 }
 
+/// The scene file of a case.
+fn file_of(name: &str) -> Scene {
+    let cases: Vec<Value> =
+        serde_json::from_str(include_str!("../../cases/obstacles.json")).expect("the cases");
+    let case = cases
+        .iter()
+        .find(|case| case["name"] == name)
+        .expect("the case");
+    let text = case["scene"].as_str().expect("a text");
+    Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+}
+
 #[test]
 fn cases_are_lawful() {
     for case in cases() {
-        let named = named(&case["geometry"]);
-        let scene = Scene::parse(Path::new("scene.toml"), text(&case["scene"]));
-        let scene = scene.expect("a sound scene");
+        let scene = file_of(&case.name);
         let mut frames: Vec<Frame> = Vec::new();
-        run(&named, &case, |i, body, (hand, _)| {
-            let next = frame(&named.scene, body, (i as f64, hand), frames.last());
+        run(&case.among, &case, |i, body, (hand, _)| {
+            let next = frame(
+                &case.among.reference(),
+                body,
+                (i as f64, hand),
+                frames.last(),
+            );
             frames.push(next);
         });
         for (frames, bounds) in [(single(&frames), Bounds::SINGLE), (frames, Bounds::DOUBLE)] {
-            assert_eq!(broken(&scene, &frames, bounds), None, "{}", case["name"]);
+            assert_eq!(broken(&scene, &frames, bounds), None, "{}", case.name);
         }
     }
 }

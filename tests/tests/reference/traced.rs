@@ -2,7 +2,8 @@
 //! the contacts before and after leave no other.
 
 use stiction_judge::{Contact, Event, Frame, State, Status};
-use stiction_tests::reference::{ContactForce, Reference, Scene, Touch};
+use stiction_tests::obstacles::before_judge::touch;
+use stiction_tests::reference::{ContactForce, Reference, Scene};
 
 use super::lawful::place;
 use super::worlds::placed;
@@ -10,29 +11,8 @@ use super::worlds::placed;
 /// A contact as the judge has it.
 fn contact(scene: &Scene, pose: [f64; 3], force: &ContactForce) -> Contact {
     let (point, direction) = place(scene, pose, force.touch);
-    let touch = match force.touch {
-        Touch::Surface { vertex, surface } => stiction_judge::Touch::Surface { vertex, surface },
-        Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        } => stiction_judge::Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        },
-        Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        } => stiction_judge::Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        },
-    };
     Contact {
-        touch,
+        touch: touch(force.touch),
         point,
         direction: Some(direction),
         normal: force.normal,

@@ -40,7 +40,10 @@ fn edge(foot: f64, regime: Regime<f64>) -> ContactState<f64> {
             foot,
             ..fixtures::pivot(0.0)
         },
-        1,
+        Pair {
+            vertex: 1,
+            surface: 0,
+        },
     ));
     state.set_regime(regime);
     state

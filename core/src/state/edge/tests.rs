@@ -46,7 +46,13 @@ fn certified_edge_presses_beyond_the_rounding() {
         let scene = fixtures::scene::<3, 1>(&vertices, &[0.0]);
         assert_eq!(scene.vertex(1).x, span);
         let pivot = fixtures::pivot(0.0);
-        let edge = Edge::new(pivot, 1);
+        let edge = Edge::new(
+            pivot,
+            Pair {
+                vertex: 1,
+                surface: pivot.contact.surface,
+            },
+        );
         // Pressed by 1, above one of the vertices but for so many roundings.
         for (begin, side) in [(0.0, 1.0), (span, -1.0)] {
             let pressed = |off: f64| {

@@ -50,8 +50,8 @@ impl<R: Real> FixedPose<R> {
         let lasting = mode.0.map(|i| self.contact(i));
         let others = self.contacts.iter().filter(|c| !lasting.contains(c));
         let rates = others.map(|c| {
-            let velocity = twist.velocity + placed.arm(scene, c.vertex).turned() * twist.turn;
-            scene.surface(c.surface).normal.dot(velocity)
+            let velocity = twist.velocity + placed.arm_to(scene, *c).turned() * twist.turn;
+            self.surface(scene, *c).normal.dot(velocity)
         });
         Some(rates.fold(R::HUGE, R::min))
     }
@@ -70,8 +70,8 @@ impl<R: Real> FixedPose<R> {
         let load = self.pivot.load(scene, grip);
         match sliding {
             None => {
-                let pressed = [a, b].iter().any(|c| {
-                    let normal = scene.surface(c.surface).normal;
+                let pressed = [a, b].iter().any(|&c| {
+                    let normal = self.surface(scene, c).normal;
                     normal.dot(load.force) < R::ZERO
                 });
                 pressed.then(|| self.pivoting(scene, &load, a))?
@@ -79,29 +79,29 @@ impl<R: Real> FixedPose<R> {
             Some(sign) if a == b => {
                 let pivot = Pivot::at(scene, &load.placed.pose(), a);
                 let about = pivot.load(scene, grip);
-                let along = self.sliding(&about, &scene.surface(a.surface), sign)?;
+                let along = self.sliding(&about, &self.surface(scene, a), sign)?;
                 let stability = about.stability();
                 if stability <= R::ZERO {
                     return None;
                 }
                 let turn = -about.lever.cross(along.velocity) / stability;
-                let arm = load.placed.arm(scene, a.vertex);
+                let arm = load.placed.arm_to(scene, a);
                 Some(Twist {
                     velocity: along.velocity - arm.turned() * turn,
                     turn,
                 })
             }
-            Some(sign) if a.surface == b.surface => {
-                self.sliding(&load, &scene.surface(a.surface), sign)
+            Some(sign) if scene.are_in_line([a, b], &load.placed) => {
+                self.sliding(&load, &self.surface(scene, a), sign)
             }
-            Some(_) if a.vertex == b.vertex => None,
+            Some(_) if a.vertex == b.vertex && !a.is_corner() => None,
             Some(_) => {
                 self.cone.spend(DRIVEN);
                 let pivot = Pivot::at(scene, &load.placed.pose(), a);
                 let (slide, turn) = Trammel::driven(scene, (&pivot, b), grip, demand)?.twist();
-                let arm = load.placed.arm(scene, a.vertex);
+                let arm = load.placed.arm_to(scene, a);
                 Some(Twist {
-                    velocity: scene.surface(a.surface).tangent * slide - arm.turned() * turn,
+                    velocity: self.surface(scene, a).tangent * slide - arm.turned() * turn,
                     turn,
                 })
             }
@@ -110,7 +110,7 @@ impl<R: Real> FixedPose<R> {
 
     /// A turn about one contact, in the direction of the moment about it.
     fn pivoting(&self, scene: &impl World<R>, load: &Load<R>, about: Pair) -> Option<Twist<R>> {
-        let arm = load.placed.arm(scene, about.vertex);
+        let arm = load.placed.arm_to(scene, about);
         let moment = load.moment() - arm.cross(load.force);
         let turn = moment.sign();
         (moment.abs() > load.rounding()).then_some(Twist {

@@ -9,7 +9,7 @@ use crate::model::{Frictionless, Full};
 fn states() -> [ContactState<f64>; 4] {
     let pivot = pivot(0.0);
     [
-        ContactState::Edge(Edge::new(pivot, 1)),
+        ContactState::Edge(Edge::new(pivot, pair(1, 0))),
         ContactState::TwoVertex(TwoVertex::new(pivot, pair(1, 0))),
         ContactState::Corner(Corner {
             pivot,
@@ -64,7 +64,7 @@ fn what_glides_does_not_slip() {
     let pivot = pivot(0.0);
     let begin = [
         ContactState::SingleVertex(SingleVertex::new(pivot)),
-        ContactState::Edge(Edge::new(pivot, 1)),
+        ContactState::Edge(Edge::new(pivot, pair(1, 0))),
     ];
     for mut state in begin {
         let before = state.clone();

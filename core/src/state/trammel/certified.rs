@@ -41,9 +41,10 @@ const MAX_CORRECTIONS: usize = 4;
 impl<R: Real> Twist<R> {
     /// In the direction of a sign of the unit twist; nothing where a contact hardly moves, or the reactions hardly span the plane.
     fn of(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), direction: R) -> Option<Self> {
-        let surfaces = [pivot.surface(scene), scene.surface(other.surface)];
+        let rotation = pivot.orientation.rotation();
+        let surfaces = [pivot.surface(scene), scene.face(other, rotation)];
         let [first, second] = surfaces;
-        let arm = pivot.placed(scene).arm(scene, other.vertex);
+        let arm = pivot.placed(scene).arm_to(scene, other);
         let by_slide = second.normal.dot(first.tangent);
         let by_turn = second.normal.dot(arm.turned());
         let size = by_slide.hypot(by_turn);

@@ -222,11 +222,7 @@ impl<R: Real> TwoVertex<R> {
         let pairs = self.contacts();
         let surfaces = || pairs.iter().map(|pair| scene.surface(pair.surface));
         let has_stiction = surfaces().any(|surface| surface.friction.threshold() < R::HUGE);
-        let foot = |pivot: &Pivot<R>, pair: &Pair| {
-            let placed = pivot.placed(scene);
-            let point = placed.point + placed.arm(scene, pair.vertex);
-            scene.surface(pair.surface).tangent.dot(point)
-        };
+        let foot = |pivot: &Pivot<R>, pair: &Pair| pivot.placed(scene).foot(scene, *pair);
         let renews = |(pair, surface): (&Pair, Surface<R>)| {
             (foot(&self.pivot, pair) - foot(begin, pair)).abs() >= surface.friction.memory()
         };

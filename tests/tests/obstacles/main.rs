@@ -1,0 +1,4 @@
+//! The solver among obstacles with corners: cases with known answers.
+
+mod cases;
+mod judged;
