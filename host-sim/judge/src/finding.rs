@@ -4,6 +4,8 @@
 pub mod law {
     /// No number is infinite or missing; what else is wrong with such a frame is not looked for.
     pub const FINITE: &str = "every number is finite";
+    /// No contact is of a vertex, side or corner that the scene does not have; what else is wrong with such a frame is not looked for.
+    pub const EXISTS: &str = "a contact is of what there is";
     /// A frame is later than the one before.
     pub const TIME: &str = "times increase";
     /// `state` says how many vertices are on how many surfaces; of contacts with obstacles, how many there are, and whether two are in

@@ -61,6 +61,9 @@ impl Judge {
 
     /// The laws of a frame alone, of a body that is held at the scene's holding point for the first time, or not at all.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
+        if let Some(unknown) = still::unknown(&self.model, frame) {
+            return vec![unknown];
+        }
         let grip = (self.model.scene.holding_point).map(|point| Grip { point, offset: 0.0 });
         self.still(frame, grip.filter(|_| frame.held).as_ref())
     }
@@ -71,6 +74,9 @@ impl Judge {
         if !finite.holds() {
             // Neither it nor what follows from it can be judged; the frame before stays the last one.
             return vec![finite];
+        }
+        if let Some(unknown) = still::unknown(&self.model, &frame) {
+            return vec![finite, unknown];
         }
         let told = self.take_hold(&frame);
         let grip = self.hold.grip;

@@ -47,6 +47,27 @@ fn in_body(pose: [f64; 3], place: Vec2) -> Vec2 {
 }
 
 impl Model {
+    /// The scene has this pair.
+    pub(crate) fn has(&self, touch: Touch) -> bool {
+        let corners = |obstacle: usize| self.scene.obstacles.get(obstacle).map(|o| &o.vertices);
+        let body = &self.scene.vertices;
+        match touch {
+            Touch::Surface { vertex, surface } => {
+                vertex < body.len() && surface < self.scene.surfaces.len()
+            }
+            Touch::Side {
+                vertex,
+                obstacle,
+                side,
+            } => vertex < body.len() && corners(obstacle).is_some_and(|shape| side < sides(shape)),
+            Touch::Corner {
+                obstacle,
+                corner,
+                body_side,
+            } => body_side < sides(body) && corners(obstacle).is_some_and(|all| corner < all.len()),
+        }
+    }
+
     /// Line and friction of a contact.
     pub(crate) fn face(&self, pose: [f64; 3], touch: Touch) -> Face {
         let normal = self.facing(touch).at(pose[2]);

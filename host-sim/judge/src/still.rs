@@ -27,6 +27,13 @@ pub(crate) fn finite(frame: &Frame) -> Finding {
     Finding::whether(law::FINITE, holds)
 }
 
+/// A contact is of what the scene does not have.
+pub(crate) fn unknown(model: &Model, frame: &Frame) -> Option<Finding> {
+    let is_known = |contact: &Contact| model.has(contact.touch);
+    let all = frame.contacts.iter().all(is_known);
+    (!all).then(|| Finding::whether(law::EXISTS, false))
+}
+
 /// The state's name, and contacts that are there twice.
 pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 2] {
     let contacts = &frame.contacts;

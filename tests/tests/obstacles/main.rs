@@ -1,4 +1,4 @@
-//! The solver among obstacles with corners: cases with known answers.
+//! The solver among obstacles with corners: cases with known answers, and before the judge of traces.
 
 mod cases;
 mod judged;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_judge::{Contact, Evolution, Frame, Scene, State, Touch};
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Touch, law};
 
 use crate::drag::SCENE;
 use crate::write::{FORMATS, frame, judged, lines};
@@ -219,10 +219,31 @@ fn contacts_with_obstacles_are_read_in_both_formats() {
                 .collect::<Vec<_>>()
         });
         assert_eq!(laws[0], laws[1]);
-        assert!(
-            laws[0]
-                .iter()
-                .any(|(name, _)| *name == stiction_judge::law::ON_SIDE)
-        );
+        assert!(laws[0].iter().any(|(name, _)| *name == law::ON_SIDE));
+    }
+}
+
+/// Frames that do not come from a file may name anything.
+#[test]
+fn contact_of_what_there_is_not_is_found() {
+    let side_of_a_pin = Touch::Side {
+        vertex: 0,
+        obstacle: 1,
+        side: 0,
+    };
+    let no_vertex = Touch::Surface {
+        vertex: 4,
+        surface: 0,
+    };
+    for touch in [side_of_a_pin, no_vertex] {
+        let judge = Judge::new(scene(), Bounds::DOUBLE, Evolution::Path);
+        for findings in [
+            judge.clone().next(touching(touch)),
+            judge.alone(&touching(touch)),
+        ] {
+            let broken = findings.iter().filter(|finding| !finding.holds());
+            let laws: Vec<_> = broken.map(|finding| finding.law).collect();
+            assert_eq!(laws, [law::EXISTS]);
+        }
     }
 }
