@@ -47,7 +47,7 @@
 //! A body is `jammed` if the load asks for N beyond 64 k_h L: it is not if reactions of half of that within mu_d bear the load. In a
 //! trace that tells slides it is not `ok` if every sum within mu_s asks for more than 17/16 of it, which a twist proves.
 //!
-//! # Obstacles
+//! # Obstacles (STATICS 12)
 //!
 //! A contact is a vertex of the body on a half-plane, or on a side of an obstacle, or a corner of an obstacle on a side of the body,
 //! whose normal turns with it ([`Touch`]). Its point, normal and friction are all that balance, slips, slides and what holds
