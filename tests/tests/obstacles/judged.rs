@@ -7,13 +7,6 @@ use stiction_tests::obstacles::before_judge::{frame, scene};
 use stiction_tests::obstacles::cases::{Case, all};
 use stiction_tests::obstacles::run::Run;
 
-/// Cases that are not lawful yet: a flat contact keeps its ends where they leave their side, two contacts slide out of balance.
-const UNLAWFUL: [&str; 3] = [
-    "box pushed over the edge, flat, static = dynamic",
-    "peg in a hole, two points",
-    "wedge between two pins, no friction",
-];
-
 fn is_lawful<R: Number>(case: &Case, evolution: Evolution, bounds: Bounds) -> bool {
     let of_judge = match evolution {
         Evolution::Path => stiction_judge::Evolution::Path,
@@ -39,7 +32,7 @@ fn is_lawful<R: Number>(case: &Case, evolution: Evolution, bounds: Bounds) -> bo
 fn cases_are_lawful() {
     let cases = all().into_iter();
     let mut unlawful = 0;
-    for case in cases.filter(|case| !case.refused && !UNLAWFUL.contains(&case.name.as_str())) {
+    for case in cases.filter(|case| !case.refused) {
         for evolution in [Evolution::Path, Evolution::Frame] {
             unlawful += usize::from(!is_lawful::<f64>(&case, evolution, Bounds::DOUBLE));
             unlawful += usize::from(!is_lawful::<f32>(&case, evolution, Bounds::SINGLE));
