@@ -15,10 +15,10 @@ use crate::obstacles::{OVERLAP, placed};
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
 use crate::scene::Scene;
-use crate::shape::{ends, gap_of_segments, separation};
+use crate::shape::{ends, gap_of_segments, outward, separation};
 use crate::slip::{Step, static_excess};
 use crate::touch::Touch;
-use crate::vector::{Vec2, between, distance, sub, turned};
+use crate::vector::{Vec2, add, between, distance, dot, scaled, sub, turned};
 
 /// Places that are looked at on a way.
 const PLACES: u32 = 64;
@@ -96,7 +96,13 @@ fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
         let shape = |obstacle: usize| &model.scene.obstacles[obstacle].vertices;
         match touch {
             Touch::Surface { .. } => None,
-            Touch::Side { obstacle, side, .. } => Some(ends(shape(obstacle), side)),
+            // With the sides that it is one with.
+            Touch::Side { obstacle, side, .. } => {
+                let normal = outward(shape(obstacle), side);
+                let foot = scaled(normal, dot(normal, shape(obstacle)[side]));
+                let along = |place: f64| add(foot, scaled([normal[1], -normal[0]], place));
+                Some(model.sides.run(obstacle, side).map(along))
+            }
             Touch::Corner {
                 obstacle, corner, ..
             } => Some([shape(obstacle)[corner]; 2]),

@@ -98,6 +98,24 @@ fn box_that_is_pushed_over_an_edge_is_lawful() {
     assert_eq!(laws(frames), NONE);
 }
 
+/// A table in two pieces is one, and so are the names of its side.
+#[test]
+fn edge_of_a_table_in_two_pieces_is_lawful() {
+    let mut scene = table();
+    let mut second = scene.obstacles[0].clone();
+    second.name = "outer".to_owned();
+    scene.obstacles[0].vertices = vec![[-0.5, -0.1], [-0.3, -0.1], [-0.3, 0.0], [-0.5, 0.0]];
+    second.vertices = vec![[-0.3, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.3, 0.0]];
+    scene.obstacles.push(second);
+    let mut frames = pushed();
+    for contact in frames.iter_mut().flat_map(|frame| &mut frame.contacts) {
+        if let Touch::Corner { obstacle, .. } = &mut contact.touch {
+            *obstacle = 1;
+        }
+    }
+    assert_eq!(laws_of(&scene, frames), NONE);
+}
+
 #[test]
 fn vertex_beyond_the_edge_is_found() {
     let mut frames = pushed();
