@@ -13,6 +13,7 @@ use crate::motion::Instant;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::search::{Found, Looks};
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
