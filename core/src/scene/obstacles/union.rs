@@ -136,16 +136,21 @@ pub(super) fn cover_hollows<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R:
         };
         let leaves = || {
             sides.iter().flat_map(|side| {
-                let begins = is_here(side.from).then_some(side.along);
-                let ends = is_here(side.to).then_some(-side.along);
+                let begins = is_here(side.from).then_some((side.along, side.length));
+                let ends = is_here(side.to).then_some((-side.along, side.length));
                 [begins, ends].into_iter().flatten()
             })
         };
+        // A direction is known to the rounding of its ends.
+        let at_size = near::<R>(at.length_bound());
+        let known = |length: R::Si| at_size / length;
         // In a tip all sides that leave it are on one side of one of them.
-        let level = R::MICRO.to_si(R::Si::ONE);
-        let is_tip = leaves().any(|one| {
-            leaves().all(|other| one.cross(other) >= -level)
-                || leaves().all(|other| one.cross(other) <= level)
+        let is_tip = leaves().any(|(one, length)| {
+            let turned =
+                |(other, of): (Vec2<R::Si>, R::Si)| (one.cross(other), known(length) + known(of));
+            let is_left = |(sine, off): (R::Si, R::Si)| sine >= -off;
+            let is_right = |(sine, off): (R::Si, R::Si)| sine <= off;
+            leaves().map(turned).all(is_left) || leaves().map(turned).all(is_right)
         });
         corner.covered |= !is_tip;
     }

@@ -178,7 +178,8 @@ fn sides_that_turn_or_face_away_are_not_one() {
     let roof = shape(&[[1.0, 0.0], [2.0, 0.5], [2.0, 1.0], [1.0, 1.0 + 1e-4]]);
     united(&[block([0.0, 0.0], UNIT), roof], (&[], &[(1, 0), (0, 2)]));
     let below = block([1.0, -1.0], UNIT);
-    united(&[block([0.0, 0.0], UNIT), below], (&[], &[(1, 3)]));
+    // Between their sides less than a half-plane is free.
+    united(&[block([0.0, 0.0], UNIT), below], (&[], &[(0, 1), (1, 3)]));
     // A wall on a box: its upper side is a part of the box's, its lower one is nowhere.
     let lines: [(&[Of], f64); 1] = [(&[(0, 2), (1, 1)], 1.0)];
     let wall = shape(&[[0.25, 1.0], [0.75, 1.0]]);
