@@ -14,6 +14,18 @@ fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -
 }
 
 impl WrittenScene {
+    /// A solver without obstacles takes none.
+    ///
+    /// # Errors
+    /// There are some.
+    pub(crate) fn check_half_planes(&self) -> Result<(), InputError> {
+        let Some(first) = self.document.obstacle.first() else {
+            return Ok(());
+        };
+        let problem = "there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check` and `sweep` take obstacles";
+        Err(self.source.error_at(first.span().start, problem))
+    }
+
     /// The error of a solver with room for so many vertices and surfaces, in the words of the file.
     pub(crate) fn explain<F: SiFloat>(
         &self,
