@@ -30,6 +30,12 @@ pub const ALL: &[(&str, &str)] = bundled![
     "burst",
 ];
 
+/// Those of them without obstacles.
+pub fn without_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    ALL.iter()
+        .filter(|(_, text)| !text.contains("[[obstacle]]"))
+}
+
 /// The bundled scene of a name.
 pub fn find(name: &Path) -> Option<Source> {
     let (name, text) = ALL.iter().find(|(known, _)| Path::new(known) == name)?;
