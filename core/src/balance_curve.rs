@@ -11,8 +11,10 @@
 //! all: a straight motion, a free one, a slip of a stiff or centred grip are the same curve.
 //! Everything that can end the motion is a [`Margin`].
 
+use crate::detect::{Placed, PointPath};
 use crate::geometry::Vec2;
 use crate::moment::{Drive, Moment, Pinned, SecondHarmonic};
+use crate::motion::Instant;
 use crate::real::Real;
 use crate::search::{Found, Looks, Samples, Slope, first_zero};
 
@@ -303,6 +305,45 @@ impl<R: Real, H: SecondHarmonic<R>> BalanceCurve<R, H> {
             curvature: rate * curved,
             rounding: R::rounding(whole),
         }
+    }
+
+    /// The body on this curve whose placed point goes along a path, among obstacles.
+    pub(crate) fn instant(
+        &self,
+        p: &Place<R>,
+        placed: &Placed<R>,
+        path: &PointPath<R>,
+    ) -> Instant<R> {
+        let PointPath {
+            shift,
+            tangent,
+            turning,
+        } = *path;
+        let (part, rate) = self.part_and_rate(p);
+        let cosine = R::ONE - p.versine;
+        let along = turning.y * p.sine - turning.x * p.versine;
+        let speed = (turning.y * cosine - turning.x * p.sine) * self.rate;
+        Instant {
+            placed: Placed {
+                point: placed.point + shift * part + tangent * along,
+                orientation: placed.orientation.plus(p.turn),
+                ..*placed
+            },
+            velocity: shift * rate + tangent * speed,
+            turn: self.rate,
+        }
+    }
+
+    /// tau and dtau/dx.
+    pub(crate) fn part_and_rate(&self, p: &Place<R>) -> (R, R) {
+        let per = R::ONE / p.d.max(R::EPSILON);
+        let part = p.h * per;
+        (part, (p.h_slope - part * p.d_slope) * per)
+    }
+
+    /// dϑ/dx
+    pub(crate) fn rate(&self) -> R {
+        self.rate
     }
 
     /// The extent of a motion whose end is known: x from 0 to `x`.

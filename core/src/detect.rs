@@ -9,6 +9,10 @@ use crate::thresholds::Thresholds;
 use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
+mod obstacles;
+
+pub(crate) use obstacles::{Reached, first_reached, together};
+
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Placed<R> {
@@ -113,7 +117,7 @@ impl<R: Real> Placed<R> {
     }
 
     /// All contacts whose gap is below `tolerance`, in the order of surfaces and vertices.
-    pub(crate) fn touching(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+    pub(crate) fn touching<W: World<R>>(&self, scene: &W, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
             let (height, normal) = self.above(scene, surface);
@@ -125,12 +129,15 @@ impl<R: Real> Placed<R> {
                 }
             }
         }
+        if W::CORNERS {
+            self.touching_obstacles(scene, tolerance, &mut list);
+        }
         list
     }
 
     /// The contacts of a body that is set onto the surfaces, whose gaps are below `tolerance`: of each surface the two lowest vertices,
     /// in the order of surfaces and vertices.
-    pub(crate) fn seats(&self, scene: &impl World<R>, tolerance: R) -> Pairs {
+    pub(crate) fn seats<W: World<R>>(&self, scene: &W, tolerance: R) -> Pairs {
         let mut list = Pairs::new();
         for surface in scene.surface_indices() {
             let gap = |vertex: u8| self.gap(scene, Pair { vertex, surface });
@@ -143,12 +150,24 @@ impl<R: Real> Placed<R> {
                 }
             }
         }
+        if W::CORNERS {
+            let mut near = Pairs::new();
+            self.touching_obstacles(scene, tolerance, &mut near);
+            for pair in near {
+                let is_taken = |&other: &Pair| self.are_together(scene, [other, pair]);
+                if !list.iter().any(is_taken) {
+                    // Of too many the first ones count.
+                    let _ = list.push(pair);
+                }
+            }
+            list = self.outermost(scene, &list);
+        }
         list
     }
 
     /// True if no vertex can have come to a surface on a path of the point that ended here, and no gap was negative at its beginning:
     /// a gap lies above its chord but for a sagitta. `curvature_bound`: a bound of ϑ'² + |ϑ''| in tau.
-    pub(crate) fn is_clear(&self, scene: &impl World<R>, curvature_bound: R) -> bool {
+    pub(crate) fn is_clear<W: World<R>>(&self, scene: &W, curvature_bound: R) -> bool {
         self.room(scene, None) > (self.radius(scene, None) * curvature_bound).halved()
     }
 
@@ -201,6 +220,11 @@ impl<R: Real> Placed<R> {
         gaps.fold(R::HUGE, R::min)
     }
 
+    /// No point of the body goes farther where it turns about the placed point by no more than an angle.
+    pub(crate) fn swing(&self, scene: &impl World<R>, turn: R) -> R {
+        self.radius(scene, None) * turn
+    }
+
     /// No vertex is farther from the point than this; `pivot`: the vertex at the point, if there is one.
     fn radius(&self, scene: &impl World<R>, pivot: Option<u8>) -> R {
         match pivot {
@@ -230,9 +254,9 @@ impl<R: Real> Placed<R> {
 
     /// The first vertex to reach a surface on a motion, other than the contacts that last. The extent is
     /// shortened to there.
-    pub(crate) fn first_touch<H: SecondHarmonic<R>>(
+    pub(crate) fn first_touch<W: World<R>, H: SecondHarmonic<R>>(
         &self,
-        scene: &impl World<R>,
+        scene: &W,
         extent: &mut Extent<R>,
         moving: &Moving<'_, R, H>,
     ) -> Option<Pair> {
@@ -275,7 +299,33 @@ impl<R: Real> Placed<R> {
                 neighbours.for_each(&mut visit);
             }
         }
+        if W::CORNERS
+            && let Some(reached) = self.first_obstacle(scene, extent, moving)
+        {
+            extent.end = moving.curve.at(reached.x);
+            (extent.folds, extent.unsure) = (false, reached.unsure);
+            first = Some(reached.contact);
+        }
         first
+    }
+
+    /// The first obstacle to be reached on the extent of a motion.
+    #[inline(never)]
+    fn first_obstacle<W: World<R>, H: SecondHarmonic<R>>(
+        &self,
+        scene: &W,
+        extent: &Extent<R>,
+        moving: &Moving<'_, R, H>,
+    ) -> Option<Reached<R>> {
+        let end = extent.end.x;
+        first_reached(scene, moving.lasting, (end, end), &|x| {
+            let place = if x == end {
+                extent.end
+            } else {
+                moving.curve.at(x)
+            };
+            moving.curve.instant(&place, self, moving.path)
+        })
     }
 }
 

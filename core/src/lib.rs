@@ -95,6 +95,7 @@ mod certified;
 mod contact;
 mod detect;
 mod event;
+mod falls;
 #[cfg(test)]
 mod fixtures;
 mod forces;
@@ -108,6 +109,7 @@ mod load;
 mod log;
 mod model;
 mod moment;
+mod motion;
 mod obstacle;
 mod output;
 mod path_event;

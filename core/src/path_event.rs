@@ -63,7 +63,7 @@ fn outcome<R: Real, W: World<R>>(
             match state {
                 // What bears nothing may go back.
                 ContactState::SingleVertex(s)
-                    if path.0.swings(scene) && !s.leans(scene, path.0) =>
+                    if s.swings(scene, path.0) && !s.leans(scene, path.0) =>
                 {
                     s.begin(scene, path);
                 }
@@ -83,7 +83,13 @@ fn outcome<R: Real, W: World<R>>(
             log.event(Event::Snap);
             Outcome::Next(Next::Snap(direction))
         }
-        _ => Outcome::Next(apply(scene, state, &Moved::by(trigger), R::ZERO, log)),
+        _ => Outcome::Next(apply(
+            (scene, path.0),
+            state,
+            &Moved::by(trigger),
+            R::ZERO,
+            log,
+        )),
     }
 }
 
@@ -98,7 +104,7 @@ fn touches<R: Real, W: World<R>>(
 ) -> Outcome<R> {
     let (before, regime) = (state.kind(), state.regime());
     let bears = match state {
-        ContactState::SingleVertex(s) => !path.0.swings(scene) || s.leans(scene, path.0),
+        ContactState::SingleVertex(s) => !s.swings(scene, path.0) || s.leans(scene, path.0),
         _ => true,
     };
     touch(scene, state, pair, log);
@@ -139,7 +145,7 @@ fn yields<R: Real, W: World<R>>(
                 log.event(Event::Snap);
                 return Outcome::Next(Next::Snap(direction));
             }
-            if path.0.swings(scene) && !s.is_leaning(scene, path.0, sign) {
+            if s.swings(scene, path.0) && !s.is_leaning(scene, path.0, sign) {
                 s.begin(scene, path);
                 let slide = s.regime.slide();
                 return if slide.is_some_and(|sign| s.swings_in_balance(scene, path.0, sign)) {
@@ -151,7 +157,7 @@ fn yields<R: Real, W: World<R>>(
             if s.recedes(scene, path, sign) {
                 return Outcome::Release;
             }
-            if path.0.swings(scene) {
+            if s.swings(scene, path.0) {
                 s.lean_on(scene, path.0, sign);
             }
             s.regime = Regime::Slide(sign);
@@ -224,7 +230,7 @@ fn leaves<R: Real, W: World<R>>(
             })
         }
         _ => Outcome::Next(apply(
-            scene,
+            (scene, path.0),
             state,
             &Moved::by(Trigger::Clear),
             R::ZERO,
@@ -275,7 +281,7 @@ fn opens<R: Real, W: World<R>>(
         if !s.slide_on(scene, path.0, along) {
             return Outcome::Next(Next::Relax(None));
         }
-        if path.0.swings(scene) {
+        if s.swings(scene, path.0) {
             // A single vertex that slides bears nothing: it may stick instead.
             s.begin(scene, path);
         }

@@ -153,7 +153,7 @@ impl<R: Real> Settling<R> {
                 log.transitions.add(slip_arm(state));
                 log.slip(moved.slip);
             }
-            self.next = apply(scene, state, &moved, sliding, log).map(Sign::of);
+            self.next = apply((scene, grip), state, &moved, sliding, log).map(Sign::of);
         }
         work.saturating_add(moved.work)
     }
@@ -233,7 +233,7 @@ fn on<R: Real>(sliding: R) -> Next<R> {
 /// The table: the state after a verb, which slid along sliding·t, and what it does next. A call of its own, as the verbs are.
 #[inline(never)]
 pub(crate) fn apply<R: Real, W: World<R>>(
-    scene: &W,
+    (scene, grip): (&W, &Grip<R>),
     state: &mut ContactState<R>,
     moved: &Moved<R>,
     sliding: R,
@@ -273,6 +273,9 @@ pub(crate) fn apply<R: Real, W: World<R>>(
         Trigger::Keep { contacts, sliding } if W::SEVERAL => {
             keep(scene, state, contacts, sliding, log)
         }
+        Trigger::Off { contact, sign } if W::CORNERS => {
+            pass_on(scene, state, (contact, sign), grip, log)
+        }
         Trigger::Clear if moved.unsure => on(sliding),
         Trigger::Clear => {
             log.transitions.add(clear_arm(state));
@@ -281,7 +284,61 @@ pub(crate) fn apply<R: Real, W: World<R>>(
             *state = ContactState::Free(Free { pose });
             Next::Relax(None)
         }
-        Trigger::Keep { .. } | Trigger::Undriven => undriven(scene, state, log),
+        Trigger::Keep { .. } | Trigger::Undriven | Trigger::Off { .. } => {
+            undriven(scene, state, log)
+        }
+    }
+}
+
+/// A contact that slides has left its side. One of an edge ends elsewhere now; any other one is passed on to the contact at the
+/// same place whose normal comes next as the normal turns towards the slide, and what follows is a slip in the same direction. Where
+/// the new normal is not pressed the body is free, and of two contacts the new one opens (STATICS 12.4).
+fn pass_on<R: Real, W: World<R>>(
+    scene: &W,
+    state: &mut ContactState<R>,
+    (index, sign): (usize, R),
+    grip: &Grip<R>,
+    log: &mut Log<R>,
+) -> Next<R> {
+    let contacts = state.contacts();
+    let Some(&left) = contacts.get(index) else {
+        return Next::Relax(None);
+    };
+    let stiction = state.regime().has_stiction();
+    let placed = state.placed(scene);
+    let mut others = contacts.clone();
+    others.retain(|&pair| pair != left);
+    let next = if state.kind() == StateKind::Edge {
+        placed.next_end(scene, (left, sign), &others)
+    } else {
+        placed.next_contact(scene, (left, sign), &contacts)
+    };
+    let pose = state.pose(scene);
+    let pressed = next.filter(|&next| {
+        let load = state.load(scene, grip);
+        let normal = scene.face(next, pose.orientation.rotation()).normal;
+        !others.is_empty() || -normal.dot(load.force) > load.rounding()
+    });
+    let lasting = pressed.into_iter().chain(others);
+    let mut lasting = lasting.collect::<Pairs>().into_iter();
+    let Some(first) = lasting.next() else {
+        log.transitions.add(clear_arm(state));
+        log.event(Event::Lift);
+        *state = ContactState::Free(Free { pose });
+        return Next::Relax(None);
+    };
+    let others: Pairs = lasting.collect();
+    let slides = state.regime().slide().is_some();
+    *state = ContactState::seated(scene, pivot_of(scene, state, first), &others);
+    state.set_regime(Regime::Stick { stiction });
+    match state.kind() {
+        // It slides on as it did: nothing has changed but its end.
+        StateKind::Edge if slides => {
+            state.set_regime(Regime::Slide(sign));
+            Next::Rest
+        }
+        StateKind::SingleVertex | StateKind::Edge => Next::Slip(sign),
+        _ => Next::Relax(Some(sign)),
     }
 }
 
@@ -300,10 +357,14 @@ fn undriven<R: Real>(
 }
 
 /// A vertex at a surface that is no contact yet.
-fn another<R: Real>(scene: &impl World<R>, state: &ContactState<R>) -> Option<Pair> {
+fn another<R: Real, W: World<R>>(scene: &W, state: &ContactState<R>) -> Option<Pair> {
     let contacts = state.contacts();
-    let touching = state.placed(scene).touching(scene, R::TOUCH);
-    let mut others = touching.iter().filter(|pair| !contacts.contains(pair));
+    let placed = state.placed(scene);
+    let touching = placed.touching(scene, R::TOUCH);
+    let mut others = touching.iter().filter(|&&pair| {
+        let is_taken = |&other: &Pair| W::CORNERS && placed.are_together(scene, [other, pair]);
+        !contacts.contains(&pair) && !contacts.iter().any(is_taken)
+    });
     others.next().copied()
 }
 
@@ -326,14 +387,25 @@ pub(crate) fn touch<R: Real, W: World<R>>(
         log.event(Event::Touch);
         return;
     }
-    let touching = pivot.placed(scene).touching(scene, R::TOUCH);
+    let placed = pivot.placed(scene);
+    let touching = placed.touching(scene, R::TOUCH);
     let mut all = Pairs::new();
-    let old = state.contacts();
+    let mut old = state.contacts();
+    if W::CORNERS {
+        // What turns on about an overlap that short goes on about its other end.
+        old.retain(|&contact| !placed.are_together(scene, [contact, pair]));
+    }
     for &contact in old.iter().chain(&[pair]).chain(&touching) {
-        if !all.contains(&contact) {
+        let is_taken = |&other: &Pair| W::CORNERS && placed.are_together(scene, [other, contact]);
+        if !all.contains(&contact) && !all.iter().any(is_taken) {
             // Of more than four surfaces the first ones count.
             let _ = all.push(contact);
         }
+    }
+    let mut pivot = pivot;
+    if W::CORNERS {
+        all = placed.outermost(scene, &all);
+        pivot = pivot_of(scene, state, all.first().copied().unwrap_or(pair));
     }
     let others = all.get(1..).unwrap_or_default();
     let stiction = state.regime().has_stiction();

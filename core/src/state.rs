@@ -216,8 +216,8 @@ impl<R: Real> ContactState<R> {
         let path = (from, to);
         work.spend(self.certified_work());
         match self {
-            Self::Free(s) if W::GLIDES => s.follow::<Sliding<R>>(scene, path),
-            Self::Free(s) => s.follow::<Pinned>(scene, path),
+            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path),
+            Self::Free(s) => s.follow::<W, Pinned>(scene, path),
             Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, R::ONE),
             Self::SingleVertex(s) => match s.regime {
                 Regime::Slide(sign) => s.follow_sliding(scene, path, sign),

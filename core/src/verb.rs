@@ -32,6 +32,8 @@ pub(crate) enum Trigger<R> {
         contacts: [usize; 2],
         sliding: Option<R>,
     },
+    /// Contact number `contact`, which slides along sign·t, has left its side: it is passed on (STATICS 12.4).
+    Off { contact: usize, sign: R },
     /// All contacts open.
     Clear,
     /// No motion is driven although friction gives way.

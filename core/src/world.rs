@@ -143,18 +143,43 @@ pub(crate) trait World<R: Real>: Sized {
 
     /// Two contacts lie in one line, with one friction: together they are an edge.
     fn are_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
-        if !Self::CORNERS || a.surface == b.surface && !a.is_corner() && !b.is_corner() {
+        if !Self::CORNERS {
             return a.surface == b.surface;
         }
+        let [first, second] = [a, b].map(|pair| self.surface(pair.surface).friction);
+        first == second && self.lie_in_line([a, b], placed)
+    }
+
+    /// Two contacts lie in one line and face one way, to the least displacement: told by the tilt, which heights of contacts close to
+    /// each other do not tell.
+    fn lie_in_line(&self, [a, b]: [Pair; 2], placed: &Placed<R>) -> bool {
+        if a.surface == b.surface && !a.is_corner() && !b.is_corner() {
+            return true;
+        }
+        if !a.is_corner() && a.vertex == b.vertex {
+            return false;
+        }
         let rotation = placed.orientation.rotation();
-        let [first, second] = [a, b].map(|pair| self.face(pair, rotation));
+        let [first, second] = [a, b].map(|pair| self.face(pair, rotation).normal);
         let apart = placed.arm_to(self, b) - placed.arm_to(self, a);
-        let is_of_obstacle = |pair: Pair| self.corner(pair.surface).is_some();
-        first.friction == second.friction
-            && (is_of_obstacle(a) && is_of_obstacle(b))
-            && first.normal.dot(second.normal) > R::ZERO
-            && first.normal.cross(second.normal).abs() <= R::MICRO
-            && first.normal.dot(apart).abs() <= R::from_int(4) * R::MICRO
+        first.dot(second) > R::ZERO
+            && first.cross(second).abs() <= R::MICRO
+            && first.dot(apart).abs() <= R::from_int(4) * R::MICRO
+    }
+
+    /// Along t, where the side of a contact begins and ends; of a half-plane beyond all numbers.
+    fn reach(&self, contact: Pair) -> [R; 2] {
+        let Some(corner) = self.corner(contact.surface) else {
+            return [R::LEAST, R::HUGE];
+        };
+        if !contact.is_corner() {
+            return corner.reach;
+        }
+        // t_b
+        let tangent = self.body_normal(contact.body_side()).turned();
+        let side = contact.body_side();
+        let [next, _] = self.neighbours(side);
+        [next, side].map(|end| -tangent.dot(self.vertex(end)))
     }
 
     /// v_i, body frame; the origin where there is no such vertex.

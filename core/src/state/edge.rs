@@ -154,12 +154,16 @@ impl<R: Real> Edge<R> {
     }
 
     /// True if no vertex can reach another surface on a way of the edge that has ended here.
-    fn has_room(&mut self, scene: &impl World<R>, way: R) -> bool {
+    fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
         self.room = self.room - way;
         if self.room <= R::ZERO {
             let placed = self.pivot.placed(scene);
             self.room =
                 placed.room_of(scene, |pair| pair.surface != self.pivot.contact.surface) - way;
+            if W::CORNERS {
+                let among = placed.room_among(scene, &self.contacts()) - way;
+                self.room = self.room.min(among);
+            }
         }
         self.room > R::ZERO
     }

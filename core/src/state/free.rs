@@ -35,9 +35,9 @@ impl<R: Real> Free<R> {
     }
 
     /// A certified frame: it hangs at the hand, clear of all surfaces.
-    pub(crate) fn follow<H: SecondHarmonic<R>>(
+    pub(crate) fn follow<W: World<R>, H: SecondHarmonic<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
     ) -> bool {
         let turn = to.angle.minus(from.angle);
@@ -54,7 +54,15 @@ impl<R: Real> Free<R> {
         let after = Self {
             pose: Self::hanging(scene, to, orientation),
         };
-        let is_certified = after.placed(to).is_clear(scene, curvature_bound);
+        let mut is_certified = after.placed(to).is_clear(scene, curvature_bound);
+        if W::CORNERS && is_certified {
+            // An obstacle may be passed on the way.
+            let (before, after) = (self.placed(from), after.placed(to));
+            let turned = (after.orientation.angle()).minus(before.orientation.angle());
+            let swing = turned.abs().doubled() + curvature_bound;
+            let way = (after.point - before.point).length_bound() + after.swing(scene, swing);
+            is_certified = after.room_among(scene, &[]) > way;
+        }
         if is_certified {
             *self = after;
         }

@@ -48,6 +48,16 @@ impl<R: Real> SingleVertex<R> {
         gather([self.pivot.contact])
     }
 
+    /// A corner of an obstacle on a side of the body.
+    pub(super) fn is_corner<W: World<R>>(&self, _: &W) -> bool {
+        W::CORNERS && self.pivot.contact.is_corner()
+    }
+
+    /// Nothing but the contact holds the angle of a body whose vertex slides (STATICS 3.7).
+    pub(crate) fn swings<W: World<R>>(&self, scene: &W, grip: &Grip<R>) -> bool {
+        !self.is_corner(scene) && grip.swings(scene)
+    }
+
     fn reaction(
         load: &Load<R>,
         surface: &Surface<R>,
@@ -134,17 +144,26 @@ impl<R: Real> SingleVertex<R> {
 
     /// True if no other vertex can reach a surface on the path to `end`, on which no point of the body goes farther than
     /// `travel_bound`, and on which a gap that ends larger than `open` was never closed.
-    pub(super) fn has_room(
+    pub(super) fn has_room<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         end: &Pivot<R>,
         (travel_bound, open): (R, R),
     ) -> bool {
         let mut room = self.room - travel_bound;
         if room <= R::ZERO {
-            room = end.placed(scene).room(scene, Some(end.contact.vertex));
+            let placed = end.placed(scene);
+            room = placed.room(scene, Some(end.contact.vertex));
             if room <= open {
                 return false;
+            }
+            if W::CORNERS {
+                // An obstacle may be passed on the way.
+                let among = placed.room_among(scene, &[end.contact]);
+                if among <= travel_bound {
+                    return false;
+                }
+                room = room.min(among);
             }
         }
         self.room = room;
@@ -152,9 +171,9 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The same of a certified turn. No point of the body is farther from the pivot than one body size.
-    pub(super) fn has_room_to_turn(
+    pub(super) fn has_room_to_turn<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         certified: &CertifiedTurn<R>,
     ) -> bool {
         let end = Pivot {
@@ -363,7 +382,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     fn end_slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) {
-        if grip.swings(scene) {
+        if self.swings(scene, grip) {
             self.lean_on(scene, grip, sign);
         }
         self.regime = Regime::after_slip(self.pivot.is_pressed(scene, grip), sign);

@@ -112,7 +112,7 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
-        if from.swings(scene) {
+        if self.swings(scene, from) {
             return self.advance_swinging(scene, (from, to), sign);
         }
         let load = self.pivot.load(scene, from);
@@ -177,7 +177,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// Glides downhill at a frozen hand, to the first of balance, touch, lift-off.
     pub(crate) fn glide_down<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>) -> Moved<R> {
-        let downhill = if grip.swings(scene) {
+        let downhill = if self.swings(scene, grip) {
             self.swing_down(scene, grip, (None, R::ONE))
         } else {
             self.sliding_moment(scene, grip, R::ONE).downhill()
@@ -193,7 +193,7 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
-        let downhill = if grip.swings(scene) {
+        let downhill = if self.swings(scene, grip) {
             self.swing_down(scene, grip, (Some(direction), sign))
         } else {
             let moment = self.sliding_moment(scene, grip, sign);
@@ -207,7 +207,7 @@ impl<R: Real> SingleVertex<R> {
         let (_, edge) = self.sliding(scene, sign);
         let lever = self.pivot.load(scene, grip).lever;
         let ahead = -edge.balanced.dot(lever.turned()) * sign;
-        let topples = if grip.swings(scene) {
+        let topples = if self.swings(scene, grip) {
             self.swing(scene, grip, sign).topples()
         } else {
             self.sliding_moment(scene, grip, sign).stability() <= R::ZERO
@@ -237,7 +237,7 @@ impl<R: Real> SingleVertex<R> {
             let path = PointPath::of_foot(surface.tangent, &foot, edge.cos);
             segment.stop_at_touch(scene, &load.placed, (&path, &self.contacts()));
         }
-        if !grip.swings(scene) {
+        if !self.swings(scene, grip) {
             segment.stop_at(&load.reaction(surface.normal, &frozen), Trigger::Clear);
         }
         let moved = segment.moved();
@@ -260,7 +260,7 @@ impl<R: Real> SingleVertex<R> {
     pub(crate) fn slide_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
-        let mut slides = if grip.swings(scene) {
+        let mut slides = if self.swings(scene, grip) {
             self.pivot.slide(scene, grip, &edge);
             self.swings_in_balance(scene, grip, sign)
         } else {
@@ -288,7 +288,7 @@ impl<R: Real> SingleVertex<R> {
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.
     fn rest(&mut self, scene: &impl World<R>, grip: &Grip<R>, edge: &SlidingEdge<R>) -> bool {
-        if grip.swings(scene) {
+        if self.swings(scene, grip) {
             self.pivot.slide(scene, grip, edge);
             return true;
         }

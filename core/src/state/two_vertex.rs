@@ -72,11 +72,14 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// True if no further vertex can reach a surface on a way that begins here.
-    fn has_room(&mut self, scene: &impl World<R>, way: R) -> bool {
+    fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
         if self.room <= way {
             let contacts = self.contacts();
             let placed = self.pivot.placed(scene);
             self.room = placed.room_of(scene, |pair| !contacts.contains(pair));
+            if W::CORNERS {
+                self.room = self.room.min(placed.room_among(scene, &contacts));
+            }
         }
         let has_room = self.room > way;
         self.room = self.room - way;

@@ -1,0 +1,531 @@
+//! Obstacles with corners (STATICS 12): how far the body is from them, which pairs touch, and the first one that a motion reaches. Body
+//! and obstacle are apart by the largest gap along an axis: an outward normal of either, or the direction in which a thin wall or a
+//! rod ends. On a motion one axis is watched for each obstacle, as long as its gap is positive.
+
+use super::Placed;
+use crate::bounded::Sloped;
+use crate::contact::{Pair, Pairs};
+use crate::falls::{Level, first_fall};
+use crate::geometry::Vec2;
+use crate::motion::Instant;
+use crate::obstacle::corners_of;
+use crate::real::Real;
+use crate::search::Found;
+use crate::thresholds::Thresholds;
+use crate::world::World;
+use core::ops::Range;
+
+/// A direction in which body and obstacle may be apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Axis {
+    /// The normal of this side of the obstacle.
+    Side(u8),
+    /// The normal of this side of the body.
+    BodySide(u8),
+    /// The direction in which a thin wall ends at this corner.
+    End(u8),
+    /// The direction in which a rod ends at this vertex.
+    BodyEnd(u8),
+}
+
+/// Where a motion reaches an obstacle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reached<R> {
+    pub(crate) x: R,
+    pub(crate) contact: Pair,
+    /// The search came no farther: up to there nothing is reached.
+    pub(crate) unsure: bool,
+}
+
+/// On a piece of a motion on which the body turns by no more than this (rad), a gap lies above its chord or above its tangents.
+fn longest_turn<R: Real>() -> R {
+    R::HALF.halved().halved()
+}
+
+/// So many axes are watched one after the other on a piece of a motion.
+const MOST_AXES: usize = 12;
+/// So many pieces of a motion are looked at before it is taken for as long as that.
+const MOST_PIECES: usize = 400;
+
+/// Two contacts of one obstacle that are closer than this are one (L).
+pub(crate) fn together<R: Real>() -> R {
+    R::MICRO
+}
+
+/// The index of the first side in line with that of a corner.
+fn line_of<R: Real>(scene: &impl World<R>, corner: u8) -> u8 {
+    scene.corner(corner).map_or(corner, |corner| corner.line)
+}
+
+/// The indices of the corners of an obstacle, as surfaces.
+fn corners<R: Real>(scene: &impl World<R>, obstacle: usize) -> Range<u8> {
+    let first = scene.surface_indices().end;
+    let own = corners_of(scene.firsts(), scene.corners().len(), obstacle);
+    first.saturating_add(own.start)..first.saturating_add(own.end)
+}
+
+/// The next or previous one of a range, round and round.
+fn beside(range: &Range<u8>, index: u8, next: bool) -> u8 {
+    let last = range.end.saturating_sub(1);
+    match (next, index) {
+        (true, i) if i >= last => range.start,
+        (true, i) => i.saturating_add(1),
+        (false, i) if i <= range.start => last,
+        (false, i) => i.saturating_sub(1),
+    }
+}
+
+/// The sides of a shape of so many vertices: a point has none.
+fn sides(vertices: Range<u8>) -> Range<u8> {
+    if vertices.len() > 1 { vertices } else { 0..0 }
+}
+
+/// Both axes along which a segment ends; other shapes have none.
+fn ends(vertices: Range<u8>) -> Range<u8> {
+    if vertices.len() == 2 { vertices } else { 0..0 }
+}
+
+/// All axes between the body and an obstacle.
+fn axes<R: Real, W: World<R>>(
+    scene: &W,
+    obstacle: usize,
+) -> impl Iterator<Item = Axis> + use<R, W> {
+    let own = corners(scene, obstacle);
+    let body = scene.vertex_indices();
+    (sides(own.clone()).map(Axis::Side))
+        .chain(sides(body.clone()).map(Axis::BodySide))
+        .chain(ends(own).map(Axis::End))
+        .chain(ends(body).map(Axis::BodyEnd))
+}
+
+/// What of the other shape may be nearest along an axis: the vertices of the body, or the corners of the obstacle.
+fn features<R: Real, W: World<R>>(scene: &W, (obstacle, axis): (usize, Axis)) -> Range<u8> {
+    match axis {
+        Axis::Side(_) | Axis::End(_) => scene.vertex_indices(),
+        Axis::BodySide(_) | Axis::BodyEnd(_) => corners(scene, obstacle),
+    }
+}
+
+/// The contact of a feature along an axis, if it is one.
+fn contact<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Option<Pair> {
+    match axis {
+        Axis::Side(side) => Some(Pair {
+            vertex: feature,
+            surface: line_of(scene, side),
+        }),
+        Axis::BodySide(side) => Some(Pair::of_corner(feature, side)),
+        Axis::End(_) | Axis::BodyEnd(_) => None,
+    }
+}
+
+/// How far a feature is off along an axis.
+fn off<R: Real, W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis, feature: u8) -> Sloped<R> {
+    if let Some(pair) = contact(scene, axis, feature) {
+        return body.gap(scene, pair);
+    }
+    let place = |corner: u8| scene.corner(corner).map_or(Vec2::ZERO, |c| c.place);
+    let placed = &body.placed;
+    match axis {
+        Axis::End(corner) => {
+            let away = scene.surface(corner).tangent;
+            let arm = placed.arm(scene, feature);
+            Sloped {
+                value: away.dot(placed.point + arm - place(corner)),
+                slope: away.dot(body.velocity_at(arm)),
+            }
+        }
+        Axis::BodyEnd(vertex) => {
+            let outward = scene.body_normal(vertex);
+            let away = -placed.orientation.rotation().apply(outward.turned());
+            let arm = placed.arm(scene, vertex);
+            let beyond = place(feature) - (placed.point + arm);
+            Sloped {
+                value: away.dot(beyond),
+                slope: away.turned().dot(beyond) * body.turn - away.dot(body.velocity_at(arm)),
+            }
+        }
+        Axis::Side(_) | Axis::BodySide(_) => Sloped {
+            value: R::HUGE,
+            slope: R::ZERO,
+        },
+    }
+}
+
+/// Body and obstacle touch along this axis in two contacts: then they are apart, and what else is in that line is so by rounding only.
+fn is_flat_on<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> bool {
+    let own = corners(scene, obstacle);
+    let is_along = |pair: &Pair| match axis {
+        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Axis::BodySide(side) => {
+            pair.is_corner() && pair.body_side() == side && own.contains(&pair.surface)
+        }
+        Axis::End(_) | Axis::BodyEnd(_) => false,
+    };
+    lasting.len() > 1
+        && lasting.iter().filter(|pair| is_along(pair)).any(|&pair| {
+            let mut others = lasting.iter().filter(|&&other| other != pair);
+            others.any(|&other| scene.lie_in_line([pair, other], placed))
+        })
+}
+
+/// The least gap along an axis, but for contacts that last.
+fn gap_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        least.min(off(scene, body, axis, feature).value)
+    })
+}
+
+/// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a point and a
+/// wall or a rod and a pin, that of two sides at one place which the body leaves.
+fn widest<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    obstacle: usize,
+    lasting: &[Pair],
+) -> (Option<Axis>, R) {
+    let mut found = (None, R::LEAST);
+    let mut opens = R::LEAST;
+    let is_thin = corners(scene, obstacle).len() + scene.vertices().len() == 3;
+    let rounding = if is_thin {
+        body.placed.rounding()
+    } else {
+        R::ZERO
+    };
+    for axis in axes(scene, obstacle) {
+        let gap = gap_along(scene, body, (obstacle, axis), lasting);
+        let rate = if is_thin {
+            let feature = features(scene, (obstacle, axis)).start;
+            off(scene, body, axis, feature).slope
+        } else {
+            R::ZERO
+        };
+        let is_wider = if is_thin && gap.abs() <= rounding && found.1.abs() <= rounding {
+            rate > opens
+        } else {
+            gap > found.1
+        };
+        if is_wider {
+            (found, opens) = ((Some(axis), gap), rate);
+        }
+    }
+    found
+}
+
+impl<R: Real> Placed<R> {
+    /// The rounding of a gap to an obstacle near the body.
+    fn rounding(&self) -> R {
+        R::of_coordinates() * (R::TWO + self.point.length_bound())
+    }
+
+    /// The least distance from any obstacle, but for contacts that last, less what counts as a touch and the rounding: a lower bound.
+    pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
+        let body = Instant::at_rest(*self);
+        let gaps = (0..scene.firsts().len()).map(|obstacle| {
+            let (_, gap) = widest(scene, &body, obstacle, lasting);
+            gap - self.rounding().doubled() - R::TOUCH
+        });
+        gaps.fold(R::HUGE, R::min)
+    }
+
+    /// The body is deeper in an obstacle than this.
+    pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
+        let body = Instant::at_rest(*self);
+        (0..scene.firsts().len()).any(|obstacle| widest(scene, &body, obstacle, &[]).1 < -depth)
+    }
+
+    /// How far a contact is beyond the end of its side; negative on it.
+    pub(crate) fn beyond<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        (low - foot).max(foot - high)
+    }
+
+    /// The sides next to a vertex or corner lead away from the side that it touches, or no deeper than this.
+    fn supports<W: World<R>>(&self, scene: &W, contact: Pair, depth: R) -> bool {
+        let normal = scene.face(contact, self.orientation.rotation()).normal;
+        if contact.is_corner() {
+            let Some(corner) = scene.corner(contact.surface) else {
+                return false;
+            };
+            let own = corners(scene, usize::from(corner.obstacle));
+            [true, false].into_iter().all(|next| {
+                let other = scene.corner(beside(&own, contact.surface, next));
+                other.is_none_or(|other| normal.dot(other.place - corner.place) <= depth)
+            })
+        } else {
+            let arm = self.arm(scene, contact.vertex);
+            let others = scene.neighbours(contact.vertex).into_iter();
+            let mut others = others.map(|other| self.arm(scene, other));
+            others.all(|other| normal.dot(other - arm) >= -depth)
+        }
+    }
+
+    /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.
+    pub(super) fn touching_obstacles<W: World<R>>(
+        &self,
+        scene: &W,
+        tolerance: R,
+        list: &mut Pairs,
+    ) {
+        for obstacle in 0..scene.firsts().len() {
+            let (_, gap) = widest(scene, &Instant::at_rest(*self), obstacle, &[]);
+            if gap > tolerance {
+                continue;
+            }
+            let own = corners(scene, obstacle);
+            let lines = sides(own.clone()).filter(|&side| line_of(scene, side) == side);
+            let vertices = lines.flat_map(|surface| {
+                let pair = move |vertex: u8| Pair { vertex, surface };
+                scene.vertex_indices().map(pair)
+            });
+            let is_bare = |&corner: &u8| scene.corner(corner).is_some_and(|c| !c.covered);
+            let corners = own.filter(is_bare).flat_map(|corner| {
+                sides(scene.vertex_indices()).map(move |side| Pair::of_corner(corner, side))
+            });
+            let pairs = vertices.chain(corners).filter(|&pair| {
+                self.gap(scene, pair).abs() <= tolerance
+                    && self.beyond(scene, pair) <= tolerance
+                    && self.supports(scene, pair, tolerance)
+            });
+            for pair in pairs {
+                // More than there is room for is not counted.
+                let _ = list.push(pair);
+            }
+        }
+    }
+
+    /// The contact at the place of one that has left its side along sign·t whose normal comes next as the normal turns towards the slide.
+    pub(crate) fn next_contact<W: World<R>>(
+        &self,
+        scene: &W,
+        (left, sign): (Pair, R),
+        contacts: &[Pair],
+    ) -> Option<Pair> {
+        let rotation = self.orientation.rotation();
+        let surface = scene.face(left, rotation);
+        let (normal, ahead) = (surface.normal, surface.tangent * sign);
+        let turn = |pair: Pair| {
+            let next = scene.face(pair, rotation).normal;
+            next.dot(ahead).atan2(next.dot(normal))
+        };
+        let mut list = Pairs::new();
+        self.touching_obstacles(scene, together(), &mut list);
+        let mut found: Option<(R, Pair)> = None;
+        for pair in list {
+            let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
+            let least = if self.are_together(scene, [pair, left]) {
+                R::in_plane()
+            } else {
+                -R::in_plane()
+            };
+            let turn = turn(pair);
+            let is_here = apart.length_bound() <= together() && !contacts.contains(&pair);
+            if is_here && turn > least && found.is_none_or(|(first, _)| turn < first) {
+                found = Some((turn, pair));
+            }
+        }
+        found.map(|(_, pair)| pair)
+    }
+
+    /// The contact at the other end of an edge that one end of has left its side: the farthest in line with those that last.
+    pub(crate) fn next_end<W: World<R>>(
+        &self,
+        scene: &W,
+        (left, _): (Pair, R),
+        lasting: &[Pair],
+    ) -> Option<Pair> {
+        let &kept = lasting.first()?;
+        let tangent = scene.face(kept, self.orientation.rotation()).tangent;
+        let along = |pair: Pair| tangent.dot(self.arm_to(scene, pair) - self.arm_to(scene, kept));
+        let way = along(left).sign();
+        let mut list = Pairs::new();
+        self.touching_obstacles(scene, together(), &mut list);
+        let is_end =
+            |&pair: &Pair| pair != left && pair != kept && scene.lie_in_line([kept, pair], self);
+        let ends = list.iter().copied().filter(is_end);
+        let mut found: Option<(R, Pair)> = None;
+        for pair in ends {
+            let far = along(pair) * way;
+            if far > together() && found.is_none_or(|(farthest, _)| far > farthest) {
+                found = Some((far, pair));
+            }
+        }
+        found.map(|(_, pair)| pair)
+    }
+
+    /// Two contacts of one obstacle at one place are one.
+    pub(crate) fn are_together<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+        let apart = self.arm_to(scene, a) - self.arm_to(scene, b);
+        obstacle(a).is_some() && obstacle(a) == obstacle(b) && apart.length_bound() <= together()
+    }
+
+    /// Of contacts in one line the outermost two.
+    pub(crate) fn outermost<W: World<R>>(&self, scene: &W, contacts: &Pairs) -> Pairs {
+        let is_inner = |&pair: &Pair| {
+            let tangent = scene.face(pair, self.orientation.rotation()).tangent;
+            let arm = self.arm_to(scene, pair);
+            let in_line = |&&other: &&Pair| other != pair && scene.lie_in_line([pair, other], self);
+            let along = |other: &Pair| tangent.dot(self.arm_to(scene, *other) - arm);
+            let others = || contacts.iter().filter(in_line).map(along);
+            others().any(|x| x > R::ZERO) && others().any(|x| x < R::ZERO)
+        };
+        contacts
+            .iter()
+            .copied()
+            .filter(|pair| !is_inner(pair))
+            .collect()
+    }
+}
+
+/// The first obstacle that a motion from 0 to `end` reaches, but for contacts that last; pieces are no longer than `longest`. `at`: the
+/// body at a place of the motion.
+pub(crate) fn first_reached<R: Real, W: World<R>>(
+    scene: &W,
+    lasting: &[Pair],
+    (end, longest): (R, R),
+    at: &dyn Fn(R) -> Instant<R>,
+) -> Option<Reached<R>> {
+    let start = at(R::ZERO);
+    let (mut x, mut here) = (R::ZERO, start);
+    let mut step = longest.min(end);
+    for _ in 0..MOST_PIECES {
+        let mut to = end.min(x + step);
+        let mut there = at(to);
+        for _ in 0..64 {
+            let turn = (there.placed.orientation.angle()).minus(here.placed.orientation.angle());
+            let shift = (there.placed.point - here.placed.point).length_bound();
+            if turn.abs() * R::ONE.max(shift) <= longest_turn() {
+                break;
+            }
+            to = x + (to - x).halved();
+            there = at(to);
+        }
+        step = (to - x).doubled().min(longest);
+        let mut first: Option<(R, usize, Instant<R>)> = None;
+        for obstacle in 0..scene.firsts().len() {
+            if let Some((at, body)) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at)
+            {
+                (to, there) = (at, body);
+                first = Some((at, obstacle, body));
+            }
+        }
+        if let Some((x, obstacle, body)) = first {
+            let contact = touched(scene, lasting, obstacle, (&start.placed, &body.placed));
+            return Some(Reached {
+                x,
+                contact,
+                unsure: false,
+            });
+        }
+        (x, here) = (to, there);
+        if x >= end {
+            return None;
+        }
+    }
+    Some(Reached {
+        x,
+        contact: Pair::default(),
+        unsure: true,
+    })
+}
+
+/// Where an obstacle is reached on a piece of a motion, and the body there.
+fn closes<R: Real, W: World<R>>(
+    scene: &W,
+    obstacle: usize,
+    lasting: &[Pair],
+    [mut from, to]: [(R, Instant<R>); 2],
+    at: &dyn Fn(R) -> Instant<R>,
+) -> Option<(R, Instant<R>)> {
+    for _ in 0..MOST_AXES {
+        let (axis, _) = widest(scene, &from.1, obstacle, lasting);
+        let axis = axis?;
+        if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
+            return None;
+        }
+        let mut end = to;
+        let mut found = false;
+        for feature in features(scene, (obstacle, axis)) {
+            if contact(scene, axis, feature).is_some_and(|pair| lasting.contains(&pair)) {
+                continue;
+            }
+            let width = end.0 - from.0;
+            let zero = first_fall((width, width), |x| {
+                let body = if x == R::ZERO {
+                    from.1
+                } else if x == width {
+                    end.1
+                } else {
+                    at(from.0 + x)
+                };
+                [Some(Level::new(
+                    off(scene, &body, axis, feature),
+                    body.placed.rounding(),
+                ))]
+            });
+            if let Found::Zero { x, .. } | Found::Unsure { x, .. } = zero {
+                let x = from.0 + x;
+                end = (x, at(x));
+                found = true;
+            }
+        }
+        if !found {
+            return None;
+        }
+        let (_, gap) = widest(scene, &end.1, obstacle, lasting);
+        if gap <= R::TOUCH {
+            return Some(end);
+        }
+        from = end;
+    }
+    Some(from)
+}
+
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before.
+fn touched<R: Real, W: World<R>>(
+    scene: &W,
+    lasting: &[Pair],
+    obstacle: usize,
+    (before, now): (&Placed<R>, &Placed<R>),
+) -> Pair {
+    let mut near = R::TOUCH;
+    for _ in 0..4 {
+        let mut list = Pairs::new();
+        now.touching_obstacles(scene, near, &mut list);
+        let own = corners(scene, obstacle);
+        let is_own = |pair: Pair| {
+            let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
+            own.contains(&pair.surface) || own.clone().any(side)
+        };
+        let new = (list.iter().copied()).filter(|&pair| is_own(pair) && !lasting.contains(&pair));
+        let latest = new.fold(None, |latest: Option<(R, Pair)>, pair| {
+            let gap = before.gap(scene, pair);
+            match latest {
+                Some((largest, _)) if gap <= largest => latest,
+                _ => Some((gap, pair)),
+            }
+        });
+        if let Some((_, pair)) = latest {
+            return pair;
+        }
+        near = near * R::from_int(8);
+    }
+    Pair::default()
+}

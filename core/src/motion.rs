@@ -1,0 +1,97 @@
+//! A place on any motion of the body, to first order: where it is and how fast each of its points goes. Among obstacles a normal may
+//! turn with the body, so that what ends a motion is looked at by its value and slope at places of it (STATICS 12.3).
+
+use crate::bounded::Sloped;
+use crate::contact::Pair;
+use crate::detect::Placed;
+use crate::geometry::Vec2;
+use crate::load::Load;
+use crate::real::Real;
+use crate::world::{Surface, World};
+
+/// The body at a place of a motion, and its velocity per unit of the motion's parameter.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instant<R> {
+    pub(crate) placed: Placed<R>,
+    /// Of the body's material at the placed point.
+    pub(crate) velocity: Vec2<R>,
+    /// dϑ/dx
+    pub(crate) turn: R,
+}
+
+/// Normal and friction reaction of a contact, and how fast they change.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bears<R> {
+    pub(crate) normal: Sloped<R>,
+    pub(crate) friction: Sloped<R>,
+}
+
+impl<R: Real> Instant<R> {
+    /// At rest.
+    pub(crate) fn at_rest(placed: Placed<R>) -> Self {
+        Self {
+            placed,
+            velocity: Vec2::ZERO,
+            turn: R::ZERO,
+        }
+    }
+
+    /// Of the body's material at an arm from the placed point.
+    pub(crate) fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
+        self.velocity + arm.turned() * self.turn
+    }
+
+    /// The gap of a contact.
+    pub(crate) fn gap(&self, scene: &impl World<R>, contact: Pair) -> Sloped<R> {
+        let surface = self.surface(scene, contact);
+        let arm = self.placed.arm_to(scene, contact);
+        Sloped {
+            value: self.placed.gap(scene, contact),
+            slope: surface.normal.dot(self.velocity_at(arm)),
+        }
+    }
+
+    /// Where along t the body's material at a contact is.
+    pub(crate) fn foot(&self, scene: &impl World<R>, contact: Pair) -> Sloped<R> {
+        let surface = self.surface(scene, contact);
+        let arm = self.placed.arm_to(scene, contact);
+        Sloped {
+            value: self.placed.foot(scene, contact),
+            slope: surface.tangent.dot(self.velocity_at(arm)),
+        }
+    }
+
+    /// The surface of a contact, as the body is turned.
+    pub(crate) fn surface(&self, scene: &impl World<R>, contact: Pair) -> Surface<R> {
+        scene.face(contact, self.placed.orientation.rotation())
+    }
+
+    /// How fast the force of a load changes whose hand goes at a velocity.
+    pub(crate) fn force_rate(&self, load: &Load<R>, hand: Vec2<R>) -> Vec2<R> {
+        hand - self.velocity_at(load.lever)
+    }
+
+    /// The reaction of a contact that alone bears a force that changes at a rate.
+    pub(crate) fn bears(
+        &self,
+        scene: &impl World<R>,
+        contact: Pair,
+        (force, rate): (Vec2<R>, Vec2<R>),
+    ) -> Bears<R> {
+        let surface = self.surface(scene, contact);
+        // The normal of a corner turns with the body.
+        let turn = if contact.is_corner() {
+            self.turn
+        } else {
+            R::ZERO
+        };
+        let along = |direction: Vec2<R>| Sloped {
+            value: -direction.dot(force),
+            slope: -direction.dot(rate) - direction.turned().dot(force) * turn,
+        };
+        Bears {
+            normal: along(surface.normal),
+            friction: along(surface.tangent),
+        }
+    }
+}
