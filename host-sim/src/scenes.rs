@@ -28,6 +28,11 @@ pub const ALL: &[(&str, &str)] = bundled![
     "rod-on-floor",
     "slide",
     "burst",
+    "table-edge",
+    "step",
+    "peg-in-hole",
+    "plank-on-posts",
+    "hook",
 ];
 
 /// Those of them without obstacles.
