@@ -11,7 +11,7 @@ use crate::world::World;
 
 mod obstacles;
 
-pub(crate) use obstacles::{Reached, first_reached, together};
+pub(crate) use obstacles::{Among, Reached, first_reached};
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
@@ -318,7 +318,7 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R, H>,
     ) -> Option<Reached<R>> {
         let end = extent.end.x;
-        first_reached(scene, moving.lasting, (end, end), &|x| {
+        first_reached(scene, (moving.lasting, Among::Obstacles), end, &|x| {
             let place = if x == end {
                 extent.end
             } else {

@@ -150,8 +150,14 @@ impl<R: Real> Coulomb<R> {
         stiction: bool,
         sign: R,
     ) -> Margin<R> {
+        let (of_normal, of_friction) = self.holding(stiction, sign);
+        normal.combine(of_normal, friction, of_friction)
+    }
+
+    /// The parts of N and T in that.
+    pub(crate) fn holding(&self, stiction: bool, sign: R) -> (R, R) {
         let cone = self.cone(stiction);
-        normal.combine(cone.sin, friction, along(sign, cone.cos))
+        (cone.sin, along(sign, cone.cos))
     }
 
     /// Positive while the contact slides on along sign·t: (E3) is its zero.

@@ -5,7 +5,6 @@ use crate::bounded::Sloped;
 use crate::contact::Pair;
 use crate::detect::Placed;
 use crate::geometry::Vec2;
-use crate::load::Load;
 use crate::real::Real;
 use crate::world::{Surface, World};
 
@@ -24,6 +23,16 @@ pub(crate) struct Instant<R> {
 pub(crate) struct Bears<R> {
     pub(crate) normal: Sloped<R>,
     pub(crate) friction: Sloped<R>,
+}
+
+impl<R: Real> Bears<R> {
+    /// A part of N and a part of T.
+    pub(crate) fn combine(&self, (normal, friction): (R, R)) -> Sloped<R> {
+        Sloped {
+            value: self.normal.value * normal + self.friction.value * friction,
+            slope: self.normal.slope * normal + self.friction.slope * friction,
+        }
+    }
 }
 
 impl<R: Real> Instant<R> {
@@ -66,9 +75,17 @@ impl<R: Real> Instant<R> {
         scene.face(contact, self.placed.orientation.rotation())
     }
 
-    /// How fast the force of a load changes whose hand goes at a velocity.
-    pub(crate) fn force_rate(&self, load: &Load<R>, hand: Vec2<R>) -> Vec2<R> {
-        hand - self.velocity_at(load.lever)
+    /// The force of the load and how fast it changes, the hand at a place and going at a velocity.
+    pub(crate) fn force(
+        &self,
+        scene: &impl World<R>,
+        holding_point: Vec2<R>,
+        (hand, rate): (Vec2<R>, Vec2<R>),
+    ) -> (Vec2<R>, Vec2<R>) {
+        let rotation = self.placed.orientation.rotation();
+        let lever = rotation.apply(holding_point - self.placed.body_point);
+        let force = hand - self.placed.point - lever + scene.weight();
+        (force, rate - self.velocity_at(lever))
     }
 
     /// The reaction of a contact that alone bears a force that changes at a rate.

@@ -71,6 +71,11 @@ impl<R: Real> Pivot<R> {
         }
     }
 
+    /// The contact is on its side, to a touch.
+    pub(crate) fn is_on_side<W: World<R>>(&self, scene: &W) -> bool {
+        !W::CORNERS || self.placed(scene).beyond(scene, self.contact) <= R::TOUCH
+    }
+
     /// The load on the body about the pivot. Once in an image.
     #[inline(never)]
     pub(crate) fn load(&self, scene: &impl World<R>, grip: &Grip<R>) -> Load<R> {

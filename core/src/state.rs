@@ -31,6 +31,7 @@ mod edge;
 mod fixed_pose;
 mod free;
 mod locked;
+mod on_corner;
 mod onset;
 mod segment;
 mod short_slip;

@@ -9,6 +9,7 @@ pub mod extremes;
 pub mod haptic;
 pub mod laws;
 pub mod number;
+pub mod obstacles;
 pub mod random;
 pub mod reference;
 pub mod run;

@@ -394,17 +394,26 @@ impl<R: Real> Placed<R> {
     }
 }
 
-/// The first obstacle that a motion from 0 to `end` reaches, but for contacts that last; pieces are no longer than `longest`. `at`: the
-/// body at a place of the motion.
+/// What a motion may reach.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Among {
+    /// Obstacles alone: the half-planes are looked at elsewhere.
+    Obstacles,
+    /// Half-planes, too.
+    All,
+}
+
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
+/// motion.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
-    lasting: &[Pair],
-    (end, longest): (R, R),
+    (lasting, among): (&[Pair], Among),
+    end: R,
     at: &dyn Fn(R) -> Instant<R>,
 ) -> Option<Reached<R>> {
     let start = at(R::ZERO);
     let (mut x, mut here) = (R::ZERO, start);
-    let mut step = longest.min(end);
+    let mut step = end;
     for _ in 0..MOST_PIECES {
         let mut to = end.min(x + step);
         let mut there = at(to);
@@ -417,17 +426,29 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             to = x + (to - x).halved();
             there = at(to);
         }
-        step = (to - x).doubled().min(longest);
-        let mut first: Option<(R, usize, Instant<R>)> = None;
-        for obstacle in 0..scene.firsts().len() {
-            if let Some((at, body)) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at)
-            {
-                (to, there) = (at, body);
-                first = Some((at, obstacle, body));
+        step = (to - x).doubled();
+        let mut first = None;
+        if among == Among::All {
+            let surfaces = scene.surface_indices();
+            let pairs = surfaces.flat_map(|surface| {
+                (scene.vertex_indices()).map(move |vertex| Pair { vertex, surface })
+            });
+            for pair in pairs.filter(|pair| !lasting.contains(pair)) {
+                let gap = |body: &Instant<R>| body.gap(scene, pair);
+                if let Some(end) = falls([(x, here), (to, there)], at, gap) {
+                    (to, there) = end;
+                    first = Some((end.0, pair));
+                }
             }
         }
-        if let Some((x, obstacle, body)) = first {
-            let contact = touched(scene, lasting, obstacle, (&start.placed, &body.placed));
+        for obstacle in 0..scene.firsts().len() {
+            if let Some(end) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at) {
+                (to, there) = end;
+                let contact = touched(scene, lasting, obstacle, (&start.placed, &there.placed));
+                first = Some((to, contact));
+            }
+        }
+        if let Some((x, contact)) = first {
             return Some(Reached {
                 x,
                 contact,
@@ -444,6 +465,29 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         contact: Pair::default(),
         unsure: true,
     })
+}
+
+/// Where a gap closes on a piece of a motion, and the body there.
+fn falls<R: Real>(
+    [from, to]: [(R, Instant<R>); 2],
+    at: &dyn Fn(R) -> Instant<R>,
+    gap: impl Fn(&Instant<R>) -> Sloped<R>,
+) -> Option<(R, Instant<R>)> {
+    let width = to.0 - from.0;
+    let found = first_fall((width, width), |x| {
+        let body = if x == R::ZERO {
+            from.1
+        } else if x == width {
+            to.1
+        } else {
+            at(from.0 + x)
+        };
+        [Some(Level::new(gap(&body), body.placed.rounding()))]
+    });
+    match found {
+        Found::Nothing { .. } => None,
+        Found::Zero { x, .. } | Found::Unsure { x, .. } => Some((from.0 + x, at(from.0 + x))),
+    }
 }
 
 /// Where an obstacle is reached on a piece of a motion, and the body there.
@@ -466,23 +510,9 @@ fn closes<R: Real, W: World<R>>(
             if contact(scene, axis, feature).is_some_and(|pair| lasting.contains(&pair)) {
                 continue;
             }
-            let width = end.0 - from.0;
-            let zero = first_fall((width, width), |x| {
-                let body = if x == R::ZERO {
-                    from.1
-                } else if x == width {
-                    end.1
-                } else {
-                    at(from.0 + x)
-                };
-                [Some(Level::new(
-                    off(scene, &body, axis, feature),
-                    body.placed.rounding(),
-                ))]
-            });
-            if let Found::Zero { x, .. } | Found::Unsure { x, .. } = zero {
-                let x = from.0 + x;
-                end = (x, at(x));
+            let gap = |body: &Instant<R>| off(scene, body, axis, feature);
+            if let Some(first) = falls([from, end], at, gap) {
+                end = first;
                 found = true;
             }
         }

@@ -1,6 +1,7 @@
 //! What begins where a reaction is zero: there friction does not decide by the reaction, but by the rates at which it grows along the
 //! displacement of the hand (STATICS 7, rule 6).
 
+use super::on_corner::slide_rates;
 use super::swing::Swing;
 use super::{Edge, SingleVertex};
 use crate::contact::{Pair, Regime};
@@ -29,12 +30,18 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// Sliding along sign·t; nothing where that is not stable.
-    fn sliding_rates(
-        scene: &impl World<R>,
+    fn sliding_rates<W: World<R>>(
+        &self,
+        scene: &W,
         (load, surface): (&Load<R>, &Surface<R>),
         displacement: &Displacement<R>,
         sign: R,
     ) -> Option<Rates<R>> {
+        if self.is_corner(scene) {
+            let edge = surface.sliding(sign);
+            let rates = slide_rates(scene, (load, &self.pivot), &edge, displacement);
+            return rates.rates().map(|(foot, turn)| Rates { foot, turn });
+        }
         if load.swings(scene) {
             let rates = Swing::new(load, surface, sign).rates(displacement);
             return rates.map(|(foot, turn)| Rates { foot, turn });
@@ -60,7 +67,7 @@ impl<R: Real> SingleVertex<R> {
     /// Of a vertex that has just touched, or whose reaction has fallen to zero: it sticks if the friction grows more slowly than
     /// mu_d times the normal reaction, else it slides with the load.
     pub(crate) fn begin(&mut self, scene: &impl World<R>, (at, to): (&Grip<R>, &Grip<R>)) {
-        if at.swings(scene) {
+        if self.swings(scene, at) {
             return self.begin_swinging(scene, (at, to));
         }
         self.regime = Regime::LOOSE;
@@ -76,7 +83,7 @@ impl<R: Real> SingleVertex<R> {
             return;
         }
         let sign = -friction.sign();
-        let slides = Self::sliding_rates(scene, (&load, &surface), &displacement, sign);
+        let slides = self.sliding_rates(scene, (&load, &surface), &displacement, sign);
         if slides.is_some_and(|rates| along(sign, rates.foot) > R::ZERO) {
             self.regime = Regime::Slide(sign);
         }
@@ -92,7 +99,7 @@ impl<R: Real> SingleVertex<R> {
         let load = self.pivot.load(scene, at);
         let surface = self.pivot.surface(scene);
         let displacement = at.displacement_to(to);
-        let rates = Self::sliding_rates(scene, (&load, &surface), &displacement, sign);
+        let rates = self.sliding_rates(scene, (&load, &surface), &displacement, sign);
         rates.is_some_and(|rates| along(sign, rates.foot) < -Self::slack(&displacement))
     }
 
@@ -136,7 +143,7 @@ impl<R: Real> SingleVertex<R> {
         let load = self.pivot.load(scene, at);
         let surface = self.pivot.surface(scene);
         let displacement = at.displacement_to(to);
-        let rates = Self::sliding_rates(scene, (&load, &surface), &displacement, sign);
+        let rates = self.sliding_rates(scene, (&load, &surface), &displacement, sign);
         rates.is_some_and(|rates| {
             let arm = load.placed.arm_to(scene, other);
             let velocity = surface.tangent * rates.foot + arm.turned() * rates.turn;

@@ -1,16 +1,18 @@
 //! One segment of a motion: its curve, how far it goes, and what ends it. Every verb of every state begins with a segment and
 //! shortens it to the first event.
 
-use crate::balance_curve::{BalanceCurve, Extent, Margin};
+use crate::balance_curve::{BalanceCurve, Extent, Margin, Place};
 use crate::contact::Pair;
-use crate::detect::{Moving, Placed, PointPath};
+use crate::detect::{Among, Moving, Placed, PointPath, Reached, first_reached};
+use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Drive, Moment, Pinned, SecondHarmonic};
+use crate::motion::Instant;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::search::Looks;
+use crate::search::{Found, Looks};
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
@@ -104,6 +106,76 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         };
         if let Some(pair) = placed.first_touch(scene, &mut self.extent, &moving) {
             self.trigger = Trigger::Touch(pair);
+            self.goes_on = false;
+        }
+    }
+
+    /// Ends at the first place at which one of some functions of the motion falls to zero, if that is earlier.
+    pub(super) fn stop_at_first<const M: usize>(
+        &mut self,
+        sample: impl Fn(&BalanceCurve<R, H>, &Place<R>) -> [Option<Level<R>>; M],
+        triggers: [Trigger<R>; M],
+    ) {
+        let limit = self.extent.end;
+        // A turn of an eighth: on the piece no reaction turns back twice.
+        let rate = self.curve.rate().abs().doubled().doubled().doubled();
+        let longest = if rate * limit.x > R::ONE {
+            R::ONE / rate
+        } else {
+            limit.x
+        };
+        let found = first_fall((limit.x, longest), |x| {
+            let place = if x == limit.x {
+                limit
+            } else {
+                self.curve.at(x)
+            };
+            sample(&self.curve, &place)
+        });
+        let (x, which, unsure) = match found {
+            Found::Nothing { .. } => return,
+            Found::Zero { x, which } => (x, which, false),
+            Found::Unsure { x, which } => (x, which, true),
+        };
+        let end = if x == limit.x {
+            limit
+        } else {
+            self.curve.at(x)
+        };
+        self.extent = Extent {
+            end,
+            folds: false,
+            unsure,
+            ..self.extent
+        };
+        self.trigger = triggers.get(which).copied().unwrap_or(self.trigger);
+        self.goes_on = false;
+    }
+
+    /// Ends where a motion on which the placed point is not one of the body's reaches an obstacle or a half-plane.
+    pub(super) fn stop_at_reached(
+        &mut self,
+        scene: &impl World<R>,
+        lasting: &[Pair],
+        at: impl Fn(&BalanceCurve<R, H>, &Place<R>) -> Instant<R>,
+    ) {
+        let limit = self.extent.end;
+        let reached = first_reached(scene, (lasting, Among::All), limit.x, &|x| {
+            let place = if x == limit.x {
+                limit
+            } else {
+                self.curve.at(x)
+            };
+            at(&self.curve, &place)
+        });
+        if let Some(Reached { x, contact, unsure }) = reached {
+            self.extent = Extent {
+                end: self.curve.at(x),
+                folds: false,
+                unsure,
+                ..self.extent
+            };
+            self.trigger = Trigger::Touch(contact);
             self.goes_on = false;
         }
     }

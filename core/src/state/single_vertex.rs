@@ -92,7 +92,7 @@ impl<R: Real> SingleVertex<R> {
             let stray = certified
                 .curvature_bound(&load.drive(&displacement))
                 .halved();
-            if !self.holds(scene, &end, stray) {
+            if self.is_corner(scene) || !self.holds(scene, &end, stray) {
                 return false;
             }
         }
@@ -121,24 +121,32 @@ impl<R: Real> SingleVertex<R> {
             return Some(self.regime);
         }
         let (normal, _) = surface.reaction(load.force);
-        if normal + self.stray(load, certified.turn_bound) < threshold || threshold >= R::HUGE {
+        if normal + self.stray(scene, load, certified.turn_bound) < threshold
+            || threshold >= R::HUGE
+        {
             return Some(self.regime);
         }
         let end = load.turned(scene, certified.orientation, to);
+        let surface = scene.face(self.pivot.contact, certified.orientation.rotation());
         let (normal, _) = surface.reaction(end.force);
         (surface.friction.is_pressed(normal)).then_some(Regime::Stick { stiction: true })
     }
 
     /// By so much a reaction strays whose lever strays by a part of its length.
-    fn stray(&self, load: &Load<R>, part: R) -> R {
-        load.lever.length_bound() * part + load.rounding()
+    fn stray<W: World<R>>(&self, scene: &W, load: &Load<R>, part: R) -> R {
+        let mut lever = load.lever.length_bound();
+        if self.is_corner(scene) {
+            // The normal of a corner turns with the body.
+            lever = lever + load.force.length_bound();
+        }
+        lever * part + load.rounding()
     }
 
     /// True if the reaction stays within the cone though the lever strays by a part of its length.
     fn holds(&self, scene: &impl World<R>, load: &Load<R>, stray: R) -> bool {
         let surface = self.pivot.surface(scene);
         let (normal, friction) = surface.reaction(load.force);
-        let slack = self.stray(load, stray);
+        let slack = self.stray(scene, load, stray);
         (surface.friction).is_within((normal, friction), self.regime.has_stiction(), slack)
     }
 
@@ -193,6 +201,9 @@ impl<R: Real> SingleVertex<R> {
         to: &Grip<R>,
     ) -> Moved<R> {
         self.room = R::ZERO;
+        if self.is_corner(scene) {
+            return self.advance_on_corner(scene, (from, to));
+        }
         let load = self.pivot.load(scene, from);
         let surface = self.pivot.surface(scene);
         let displacement = from.displacement_to(to);
@@ -331,13 +342,17 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
-    fn slip_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    fn slip_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);
-        let found = ShortSlip::find(scene, placed, grip, sign);
+        let found = if self.is_corner(scene) {
+            Err(None)
+        } else {
+            ShortSlip::find(scene, placed, grip, sign)
+        };
         if let Ok(slip) = found {
             let end = self.pivot.moved(slip.slide, slip.turn);
-            if self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
+            if end.is_on_side(scene) && self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
                 self.pivot = end;
                 self.end_slip(scene, grip, sign);
                 return Moved::by(Trigger::Stopped);
@@ -389,7 +404,10 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// A slip by `shift` along t, or to what ends it before: how far it goes, and its course.
-    fn slip_segment(&self, scene: &impl World<R>, load: &Load<R>, shift: R) -> (R, Segment<R>) {
+    fn slip_segment<W: World<R>>(&self, scene: &W, load: &Load<R>, shift: R) -> (R, Segment<R>) {
+        if self.is_corner(scene) {
+            return self.slip_on_corner(scene, load, shift);
+        }
         let surface = self.pivot.surface(scene);
         let displacement = Displacement::slide(surface.tangent * shift);
         let moment = load.pinned::<Pinned>();
@@ -405,6 +423,9 @@ impl<R: Real> SingleVertex<R> {
             (&PointPath::straight(surface.tangent * shift), &lasting),
         );
         segment.stop_at(&normal, Trigger::Clear);
+        if W::CORNERS {
+            self.stop_at_end(scene, &mut segment, shift);
+        }
         (shift * segment.part(), segment)
     }
 

@@ -3,7 +3,9 @@
 //! is the normal: the vertex glides.
 
 use super::SingleVertex;
+use super::on_corner::room_ahead;
 use super::segment::Segment;
+use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
 use crate::contact::Regime;
 use crate::detect::PointPath;
@@ -12,6 +14,7 @@ use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Moment, Sliding};
+use crate::motion::Instant;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
@@ -32,7 +35,7 @@ impl<R: Real> SingleVertex<R> {
         sign: R,
     ) -> bool {
         let load = self.pivot.load(scene, to);
-        if load.swings(scene) || !load.is_representable_sliding() {
+        if self.is_corner(scene) || load.swings(scene) || !load.is_representable_sliding() {
             return false;
         }
         let (surface, edge) = self.sliding(scene, sign);
@@ -76,6 +79,7 @@ impl<R: Real> SingleVertex<R> {
             let travel = way + certified.turn_bound;
             if advances <= slack
                 || normal + stray >= surface.friction.threshold()
+                || !pivot.is_on_side(scene)
                 || !end.has_room(scene, &pivot, (travel, travel))
             {
                 return false;
@@ -115,6 +119,9 @@ impl<R: Real> SingleVertex<R> {
         if self.swings(scene, from) {
             return self.advance_swinging(scene, (from, to), sign);
         }
+        if self.is_corner(scene) {
+            return self.advance_sliding_on_corner(scene, (from, to), sign);
+        }
         let load = self.pivot.load(scene, from);
         let (surface, edge) = self.sliding(scene, sign);
         let displacement = from.displacement_to(to);
@@ -133,6 +140,16 @@ impl<R: Real> SingleVertex<R> {
             segment.stop_at_reversal(&ahead, Self::slack(&displacement), Trigger::Halts);
             if let Some(loosens) = surface.friction.loosens(normal) {
                 segment.stop_at(&loosens, Trigger::Pressed);
+            }
+            if W::CORNERS {
+                let body = Instant::at_rest(load.placed);
+                let room = room_ahead(scene, &body, (self.pivot.contact, sign));
+                let ahead = Margin {
+                    start: room.value * edge.cos,
+                    rounding: room.rounding,
+                    ..foot.combine(-sign, foot, R::ZERO)
+                };
+                segment.stop_at(&ahead, Trigger::Off { contact: 0, sign });
             }
         }
         let moved = segment.moved();
@@ -193,6 +210,10 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
+        if self.is_corner(scene) {
+            self.regime = Regime::LOOSE;
+            return self.relax(scene, grip, Some(sign));
+        }
         let downhill = if self.swings(scene, grip) {
             self.swing_down(scene, grip, (Some(direction), sign))
         } else {
@@ -203,7 +224,10 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// The direction in which the body turns as its foot begins to slide along sign·t, if the balance of that slide is not stable.
-    pub(crate) fn topples(&self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Option<R> {
+    pub(crate) fn topples<W: World<R>>(&self, scene: &W, grip: &Grip<R>, sign: R) -> Option<R> {
+        if self.is_corner(scene) {
+            return self.topples_on_corner(scene, grip, sign);
+        }
         let (_, edge) = self.sliding(scene, sign);
         let lever = self.pivot.load(scene, grip).lever;
         let ahead = -edge.balanced.dot(lever.turned()) * sign;
@@ -257,19 +281,27 @@ impl<R: Real> SingleVertex<R> {
     /// Slides on along sign·t, where another contact has let go: to what two contacts bear together a slide is found less exactly than
     /// to the balance of one, which is not far, but for a soft grip, and not inside a surface. False, and it sticks where it is, if there is
     /// no such balance, or if it is farther than a search may end.
-    pub(crate) fn slide_on(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> bool {
+    pub(crate) fn slide_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> bool {
         let begin = self.pivot;
         let (_, edge) = self.sliding(scene, sign);
         let mut slides = if self.swings(scene, grip) {
             self.pivot.slide(scene, grip, &edge);
             self.swings_in_balance(scene, grip, sign)
+        } else if self.is_corner(scene) {
+            self.rest_on_corner(scene, grip, sign)
         } else {
             self.rest(scene, grip, &edge)
         };
         if self.is_inside(scene) {
             self.pivot = begin;
-            let found_to = Self::found_to(&self.pivot.load(scene, grip));
-            slides &= self.sliding_moment(scene, grip, sign).now().abs() <= found_to;
+            let load = self.pivot.load(scene, grip);
+            let found_to = Self::found_to(&load);
+            let moment = if self.is_corner(scene) {
+                load.moment()
+            } else {
+                self.sliding_moment(scene, grip, sign).now()
+            };
+            slides &= moment.abs() <= found_to;
         }
         self.regime = if slides {
             Regime::Slide(sign)
@@ -281,9 +313,10 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// A vertex is inside a surface.
-    pub(super) fn is_inside(&self, scene: &impl World<R>) -> bool {
+    pub(super) fn is_inside<W: World<R>>(&self, scene: &W) -> bool {
         let placed = self.pivot.placed(scene);
         !placed.touching(scene, -R::TOUCH).is_empty()
+            || W::CORNERS && placed.is_in_obstacle(scene, R::TOUCH)
     }
 
     /// In balance but for the rounding of the way, which it takes out. False if more is left.

@@ -1,0 +1,440 @@
+//! A corner of an obstacle on a side of the body (STATICS 12.2): what of a single contact differs from that of a vertex on a
+//! surface. Where it sticks the body turns about the corner as about a vertex, but the normal turns with it. A slip is that of a
+//! vertex with body and world exchanged. A slide with the hand has a balance that is quadratic in the displacement, and is
+//! followed in pieces.
+
+use super::SingleVertex;
+use super::segment::Segment;
+use crate::balance_curve::Margin;
+use crate::bounded::Sloped;
+use crate::detect::{Among, PointPath, Reached, first_reached};
+use crate::falls::{Level, first_fall};
+use crate::friction::SlidingEdge;
+use crate::geometry::Vec2;
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
+use crate::moment::{Drive, Pinned};
+use crate::motion::Instant;
+use crate::pivot::Pivot;
+use crate::real::{Real, along};
+use crate::search::Found;
+use crate::thresholds::Thresholds;
+use crate::verb::{Moved, Trigger};
+use crate::world::World;
+
+/// Corrections of a place of a slide.
+const MAX_CORRECTIONS: usize = 6;
+
+/// How a slide of a corner begins to go on, per part of a displacement of the hand.
+pub(super) struct SlideRates<R> {
+    /// -dM/dtheta, the foot in balance.
+    pub(super) stability: R,
+    /// dM/dtau
+    drive: R,
+    /// Of the foot along t: with the turn, and with the hand.
+    foot_by_turn: R,
+    foot_by_hand: R,
+    /// M
+    moment: R,
+}
+
+impl<R: Real> SlideRates<R> {
+    /// Of the foot along t, and the turn.
+    pub(super) fn rates(&self) -> Option<(R, R)> {
+        (self.stability > R::ZERO).then(|| {
+            let turn = self.drive / self.stability;
+            (self.foot_by_hand + self.foot_by_turn * turn, turn)
+        })
+    }
+}
+
+/// A slide of a corner along sign·t, from where the body is in balance, along a curve of turn and part of the hand's displacement.
+struct CornerSlide<'a, R, W> {
+    scene: &'a W,
+    pivot: Pivot<R>,
+    path: (&'a Grip<R>, &'a Grip<R>),
+    sign: R,
+    /// The direction in which it begins: turn and part, of length 1.
+    ahead: (R, R),
+}
+
+/// A place of it.
+struct Spot<R> {
+    pivot: Pivot<R>,
+    rates: SlideRates<R>,
+    part: R,
+    /// Of turn, part and foot along the curve.
+    turn_rate: R,
+    part_rate: R,
+    foot_rate: R,
+}
+
+impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
+    /// At a turn and a part, with the foot in balance.
+    fn at(&self, (turn, part): (R, R)) -> Spot<R> {
+        let (from, to) = self.path;
+        let grip = from.lerp(to, part);
+        let mut pivot = self.pivot.moved(R::ZERO, turn);
+        let edge = pivot.surface(self.scene).sliding(self.sign);
+        pivot.slide(self.scene, &grip, &edge);
+        let load = pivot.load(self.scene, &grip);
+        let rates = slide_rates(
+            self.scene,
+            (&load, &pivot),
+            &edge,
+            &from.displacement_to(to),
+        );
+        Spot {
+            pivot,
+            rates,
+            part,
+            turn_rate: R::ZERO,
+            part_rate: R::ZERO,
+            foot_rate: R::ZERO,
+        }
+    }
+
+    /// At a place of the curve: as far ahead, and in balance.
+    fn along(&self, x: R) -> Spot<R> {
+        let (a, b) = self.ahead;
+        let mut aside = R::ZERO;
+        let mut spot = self.at((a * x, b * x));
+        for _ in 0..MAX_CORRECTIONS {
+            let falls = spot.rates.stability * b + spot.rates.drive * a;
+            if falls.abs() <= R::EPSILON {
+                break;
+            }
+            let step = spot.rates.moment / falls;
+            aside = aside - step;
+            spot = self.at((a * x - b * aside, b * x + a * aside));
+            if step.abs() <= R::EPSILON {
+                break;
+            }
+        }
+        let rates = &spot.rates;
+        let falls = rates.stability * b + rates.drive * a;
+        let aside_rate = (rates.stability * a - rates.drive * b) / falls;
+        spot.turn_rate = a - b * aside_rate;
+        spot.part_rate = b + a * aside_rate;
+        spot.foot_rate = rates.foot_by_turn * spot.turn_rate + rates.foot_by_hand * spot.part_rate;
+        spot
+    }
+
+    fn instant(&self, spot: &Spot<R>) -> Instant<R> {
+        let tangent = spot.pivot.surface(self.scene).tangent;
+        Instant {
+            placed: spot.pivot.placed(self.scene),
+            velocity: tangent * spot.foot_rate,
+            turn: spot.turn_rate,
+        }
+    }
+
+    /// What ends it: N = 0, the end of the side, N*, a halt, a fold, the end of the displacement.
+    fn ends(&self, spot: &Spot<R>) -> [Option<Level<R>>; 6] {
+        let (from, to) = self.path;
+        let displacement = from.displacement_to(to);
+        let body = self.instant(spot);
+        let hand = from.lerp(to, spot.part).hand;
+        let force = body.force(
+            self.scene,
+            from.holding_point,
+            (hand, displacement.hand * spot.part_rate),
+        );
+        let contact = spot.pivot.contact;
+        let bears = body.bears(self.scene, contact, force);
+        let rounding = R::of_sums(force.0.length_bound() + R::ONE);
+        let coulomb = self.scene.surface(contact.surface).friction;
+        let slack = SingleVertex::<R>::slack(&displacement);
+        let advances = along(self.sign, spot.foot_rate) + slack * spot.part_rate.abs();
+        let steady = |value: R, rounding: R| Level {
+            value,
+            slope: R::ZERO,
+            rounding,
+        };
+        let loosens = Sloped {
+            value: coulomb.threshold() - bears.normal.value,
+            slope: -bears.normal.slope,
+        };
+        [
+            Some(Level::new(bears.normal, rounding)),
+            Some(room_ahead(self.scene, &body, (contact, self.sign))),
+            (coulomb.threshold() < R::HUGE).then(|| Level::new(loosens, rounding)),
+            Some(steady(advances, R::ZERO)),
+            Some(steady(spot.part_rate, R::ZERO)),
+            Some(Level {
+                value: R::ONE - spot.part,
+                slope: -spot.part_rate,
+                rounding: R::EPSILON,
+            }),
+        ]
+    }
+}
+
+/// How far a contact that slides along sign·t is from the end of its side, which counts as left beyond a touch.
+pub(super) fn room_ahead<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (contact, sign): (crate::contact::Pair, R),
+) -> Level<R> {
+    let [low, high] = scene.reach(contact);
+    let foot = body.foot(scene, contact);
+    let room = if sign > R::ZERO {
+        high - foot.value
+    } else {
+        foot.value - low
+    };
+    Level {
+        value: room + R::TOUCH,
+        slope: -along(sign, foot.slope),
+        rounding: R::of_coordinates() * (R::ONE + foot.value.abs()),
+    }
+}
+
+/// Of a corner that slides along an edge of the cone, per part of a displacement.
+pub(super) fn slide_rates<R: Real>(
+    scene: &impl World<R>,
+    (load, pivot): (&Load<R>, &Pivot<R>),
+    edge: &SlidingEdge<R>,
+    displacement: &Displacement<R>,
+) -> SlideRates<R> {
+    let tangent = pivot.surface(scene).tangent;
+    // q: hand and weight from the corner.
+    let pull = load.force + load.lever;
+    let twist = tangent.cross(pull);
+    let foot_by_turn = edge.balanced.turned().dot(pull) / edge.cos;
+    let foot_by_hand = edge.balanced.dot(displacement.hand) / edge.cos;
+    SlideRates {
+        stability: load.stability() - foot_by_turn * twist,
+        drive: load.drive(displacement).now() + foot_by_hand * twist,
+        foot_by_turn,
+        foot_by_hand,
+        moment: load.moment(),
+    }
+}
+
+impl<R: Real> SingleVertex<R> {
+    /// Sticks and turns about the corner as the hand moves, to the first of fold, touch, friction limit, lift-off.
+    pub(super) fn advance_on_corner<W: World<R>>(
+        &mut self,
+        scene: &W,
+        (from, to): (&Grip<R>, &Grip<R>),
+    ) -> Moved<R> {
+        let load = self.pivot.load(scene, from);
+        let displacement = from.displacement_to(to);
+        let mut segment = Segment::pinned(scene, &load, &displacement, &self.contacts());
+        let stiction = self.regime.has_stiction();
+        let (contact, rounding) = (self.pivot.contact, load.rounding());
+        let friction = scene.surface(contact.surface).friction;
+        segment.stop_at_first(
+            |curve, place| {
+                let (part, rate) = curve.part_and_rate(place);
+                let path = PointPath::straight(Vec2::ZERO);
+                let body = curve.instant(place, &load.placed, &path);
+                let hand = from.lerp(to, part).hand;
+                let hand = (hand, displacement.hand * rate);
+                let force = body.force(scene, from.holding_point, hand);
+                let bears = body.bears(scene, contact, force);
+                let holds = |sign: R| {
+                    let holds = bears.combine(friction.holding(stiction, sign));
+                    Some(Level::new(holds, rounding))
+                };
+                let loosens = Sloped {
+                    value: friction.threshold() - bears.normal.value,
+                    slope: -bears.normal.slope,
+                };
+                let gains = !stiction && friction.threshold() < R::HUGE;
+                [
+                    Some(Level::new(bears.normal, rounding)),
+                    holds(-R::ONE),
+                    holds(R::ONE),
+                    gains.then(|| Level::new(loosens, rounding)),
+                ]
+            },
+            [
+                Trigger::Clear,
+                Trigger::Slide(-R::ONE),
+                Trigger::Slide(R::ONE),
+                Trigger::Pressed,
+            ],
+        );
+        segment.turn_with_hand(scene, &mut self.pivot, to)
+    }
+
+    /// A slip of the body's side along a corner by `shift` along t, or to what ends it before (E7'): how far it goes, and its course.
+    pub(super) fn slip_on_corner<W: World<R>>(
+        &self,
+        scene: &W,
+        load: &Load<R>,
+        shift: R,
+    ) -> (R, Segment<R>) {
+        let surface = self.pivot.surface(scene);
+        let (normal, tangent) = (surface.normal, surface.tangent);
+        // q: hand and weight from the corner.
+        let pull = load.force + load.lever;
+        let reaction = |direction: Vec2<R>| Margin {
+            start: -direction.dot(load.force),
+            along: direction.dot(tangent) * shift,
+            turning: -Vec2::new(direction.dot(pull), direction.turned().dot(pull)),
+            rounding: load.rounding(),
+        };
+        let (bears, rubs) = (reaction(normal), reaction(tangent));
+        let drive = Drive {
+            couple: R::ZERO,
+            hold: tangent.conj_mul(pull) * shift,
+        };
+        let drives = surface.friction.drives(bears, rubs, shift.sign());
+        let moment = load.pinned::<Pinned>();
+        let ends = (&drives, Trigger::Stopped);
+        let mut segment = Segment::balanced_until(&moment, &drive, Trigger::Stopped, ends);
+        let (pivot, contacts) = (self.pivot, self.contacts());
+        segment.stop_at_reached(scene, &contacts, |curve, place| {
+            let (part, rate) = curve.part_and_rate(place);
+            let pivot = pivot.moved(shift * part, place.turn);
+            Instant {
+                placed: pivot.placed(scene),
+                velocity: pivot.surface(scene).tangent * (shift * rate),
+                turn: curve.rate(),
+            }
+        });
+        segment.stop_at(&bears, Trigger::Clear);
+        self.stop_at_end(scene, &mut segment, shift);
+        (shift * segment.part(), segment)
+    }
+
+    /// Ends a slip by `shift` along t where the contact leaves its side.
+    pub(super) fn stop_at_end<W: World<R>>(&self, scene: &W, segment: &mut Segment<R>, shift: R) {
+        let body = Instant::at_rest(self.pivot.placed(scene));
+        let sign = shift.sign();
+        let room = room_ahead(scene, &body, (self.pivot.contact, sign));
+        let margin = Margin {
+            start: room.value,
+            along: -shift.abs(),
+            turning: Vec2::ZERO,
+            rounding: room.rounding,
+        };
+        segment.stop_at(&margin, Trigger::Off { contact: 0, sign });
+    }
+
+    /// Slides along sign·t as the hand moves, to the first of fold, touch, lift-off, halt, N = N*, the end of the side; or as far as one
+    /// piece goes.
+    pub(super) fn advance_sliding_on_corner<W: World<R>>(
+        &mut self,
+        scene: &W,
+        path: (&Grip<R>, &Grip<R>),
+        sign: R,
+    ) -> Moved<R> {
+        let mut slide = CornerSlide {
+            scene,
+            pivot: self.pivot,
+            path,
+            sign,
+            ahead: (R::ZERO, R::ONE),
+        };
+        let start = slide.at((R::ZERO, R::ZERO));
+        let SlideRates {
+            stability, drive, ..
+        } = start.rates;
+        if stability <= R::ZERO {
+            return Moved {
+                part: R::ZERO,
+                ..Moved::by(Trigger::Fold(sign))
+            };
+        }
+        let size = stability.hypot(drive);
+        let (turn, part) = (drive / size, stability / size);
+        slide.ahead = (turn, part);
+        // A turn of an eighth at most, and beyond the end of the displacement.
+        let eighth = R::HALF.halved().halved();
+        let mut end = (R::ONE + eighth) / part.max(R::MICRO);
+        if turn.abs() * end > eighth {
+            end = eighth / turn.abs();
+        }
+        let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
+        let (mut x, which, mut unsure) = match found {
+            Found::Nothing { .. } => (end, None, false),
+            Found::Zero { x, which } => (x, Some(which), false),
+            Found::Unsure { x, which } => (x, Some(which), true),
+        };
+        let mut trigger = match which {
+            None => Trigger::GoesOn,
+            Some(0) => Trigger::Clear,
+            Some(1) => Trigger::Off { contact: 0, sign },
+            Some(2) => Trigger::Pressed,
+            Some(3) => Trigger::Halts,
+            Some(4) => Trigger::Fold(sign),
+            Some(_) => Trigger::Balanced,
+        };
+        let at = |x: R| slide.instant(&slide.along(x));
+        if let Some(reached) = first_reached(scene, (&self.contacts(), Among::All), x, &at) {
+            Reached { x, unsure, .. } = reached;
+            trigger = Trigger::Touch(reached.contact);
+        }
+        let spot = slide.along(x);
+        self.pivot = spot.pivot;
+        let arrives = trigger == Trigger::Balanced && !unsure;
+        let part = if arrives {
+            R::ONE
+        } else {
+            spot.part.max(R::ZERO).min(R::ONE)
+        };
+        if arrives {
+            self.rest_on_corner(scene, path.1, sign);
+        }
+        Moved {
+            part,
+            unsure,
+            ..Moved::by(trigger)
+        }
+    }
+
+    /// A slide along sign·t in balance at a grip, but for the rounding of the way, which it takes out. False if more is left.
+    pub(super) fn rest_on_corner<W: World<R>>(
+        &mut self,
+        scene: &W,
+        grip: &Grip<R>,
+        sign: R,
+    ) -> bool {
+        let slide = CornerSlide {
+            scene,
+            pivot: self.pivot,
+            path: (grip, grip),
+            sign,
+            ahead: (R::ZERO, R::ONE),
+        };
+        let mut turn = R::ZERO;
+        let mut spot = slide.at((turn, R::ZERO));
+        for _ in 0..MAX_CORRECTIONS {
+            let SlideRates {
+                stability, moment, ..
+            } = spot.rates;
+            let is_near = moment.abs() <= stability * R::divisor();
+            if stability <= R::ZERO || !is_near {
+                return false;
+            }
+            let step = moment / stability;
+            turn = turn + step;
+            spot = slide.at((turn, R::ZERO));
+            if step.abs() <= R::EPSILON {
+                break;
+            }
+        }
+        self.pivot = spot.pivot;
+        true
+    }
+
+    /// The direction in which the body turns as a corner begins to slide along sign·t, if the balance of that slide is not stable.
+    pub(super) fn topples_on_corner<W: World<R>>(
+        &self,
+        scene: &W,
+        grip: &Grip<R>,
+        sign: R,
+    ) -> Option<R> {
+        let load = self.pivot.load(scene, grip);
+        let surface = self.pivot.surface(scene);
+        let edge = surface.sliding(sign);
+        let still = Displacement::slide(Vec2::ZERO);
+        let rates = slide_rates(scene, (&load, &self.pivot), &edge, &still);
+        let twist = surface.tangent.cross(load.force + load.lever);
+        (rates.stability <= R::ZERO).then(|| along(sign, twist).sign())
+    }
+}

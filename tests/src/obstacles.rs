@@ -1,0 +1,16 @@
+//! Scenes among obstacles with corners: convex polygons, thin walls, pins. A scene and its runs in any number type, the cases with
+//! known answers, a judge of single frames that knows nothing but geometry and statics, random scenes, and closed rooms.
+//! SI units, world frame, unless said otherwise.
+
+pub mod cases;
+pub mod guard;
+pub mod judged;
+pub mod laws;
+pub mod run;
+pub mod scene;
+pub mod shape;
+pub mod survey;
+pub mod worlds;
+
+pub use run::{Contact, Frame, Run};
+pub use scene::{Among, Obstacle};

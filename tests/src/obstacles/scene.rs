@@ -1,0 +1,165 @@
+//! A scene among obstacles in f64, from which that of any number type, that of the reference and a scene file are made.
+
+use super::shape::Point;
+use crate::number::Number;
+use crate::reference;
+use crate::setup::Setup;
+use std::fmt::Write;
+use stiction_core::{
+    Description, ObstacleDescription, SceneError, SurfaceDescription, WithObstacles,
+};
+
+/// Room for vertices of the body.
+pub const VERTICES: usize = 8;
+/// Room for half-planes.
+pub const SURFACES: usize = 4;
+/// Room for obstacles.
+pub const OBSTACLES: usize = 12;
+/// Room for their corners.
+pub const CORNERS: usize = 48;
+
+/// The model of these scenes.
+pub type Model = WithObstacles<OBSTACLES, CORNERS>;
+/// The scene of a number type.
+pub type Scene<R> = stiction_core::Scene<R, VERTICES, SURFACES, Model>;
+
+/// An obstacle, SI units, world frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacle {
+    /// Its corners (m), counter-clockwise: two for a thin wall, one for a pin.
+    pub vertices: Vec<Point>,
+    /// mu_s and mu_d.
+    pub friction: [f64; 2],
+}
+
+/// A scene with obstacles; the half-planes are those of the setup.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Among {
+    /// Body, hand, half-planes.
+    pub setup: Setup,
+    /// The obstacles.
+    pub obstacles: Vec<Obstacle>,
+}
+
+impl Among {
+    /// The scene of a number type.
+    ///
+    /// # Errors
+    /// What the solver refuses.
+    pub fn scene<R: Number>(&self) -> Result<Scene<R>, SceneError<R::Si>> {
+        let setup = &self.setup;
+        let pair = |p: Point| p.map(R::si);
+        let all = |points: &[Point]| points.iter().map(|&p| pair(p)).collect::<Vec<_>>();
+        let surface = |s: &SurfaceDescription<f64>| SurfaceDescription {
+            normal: pair(s.normal),
+            offset: R::si(s.offset),
+            friction_static: R::si(s.friction_static),
+            friction_dynamic: R::si(s.friction_dynamic),
+            memory: s.memory.map(R::si),
+        };
+        let surfaces: Vec<_> = setup.surfaces.iter().map(surface).collect();
+        let corners: Vec<_> = self.obstacles.iter().map(|o| all(&o.vertices)).collect();
+        let obstacle = |(o, corners)| {
+            let (o, corners): (&Obstacle, &Vec<_>) = (o, corners);
+            let [friction_static, friction_dynamic] = o.friction.map(R::si);
+            ObstacleDescription {
+                vertices: corners,
+                friction_static,
+                friction_dynamic,
+                memory: None,
+            }
+        };
+        let obstacles: Vec<_> = self.obstacles.iter().zip(&corners).map(obstacle).collect();
+        let description = Description {
+            vertices: &all(&setup.vertices),
+            start: setup.start.map(R::si),
+            weight: R::si(setup.weight),
+            holding_point: setup.holding_point.map(pair),
+            reach: R::si(setup.reach),
+            stiffness_translation: R::si(setup.stiffness_translation),
+            stiffness_rotation: R::si(setup.stiffness_rotation),
+            surfaces: &surfaces,
+        };
+        Scene::among(&description, &obstacles)
+    }
+
+    /// The same scene with every number rounded as the type `R` takes it in.
+    #[must_use]
+    pub fn rounded<R: Number>(&self) -> Self {
+        let obstacle = |o: &Obstacle| Obstacle {
+            vertices: o.vertices.iter().map(|p| p.map(R::rounded)).collect(),
+            friction: o.friction.map(R::rounded),
+        };
+        Self {
+            setup: self.setup.rounded::<R>(),
+            obstacles: self.obstacles.iter().map(obstacle).collect(),
+        }
+    }
+
+    /// The scene of the slow reference.
+    pub fn reference(&self) -> reference::Scene {
+        let setup = &self.setup;
+        let default = setup.size() / 4096.0;
+        let surface = |s: &SurfaceDescription<f64>| {
+            let [x, y] = s.normal;
+            let long = x.hypot(y);
+            reference::Surface {
+                normal: [x / long, y / long],
+                offset: s.offset,
+                mu_s: s.friction_static,
+                mu_d: s.friction_dynamic,
+                memory: s.memory.unwrap_or(default),
+            }
+        };
+        let obstacle = |o: &Obstacle| reference::Obstacle {
+            vertices: o.vertices.clone(),
+            mu_s: o.friction[0],
+            mu_d: o.friction[1],
+            memory: default,
+        };
+        reference::Scene {
+            vertices: setup.vertices.clone(),
+            holding_point: setup.holding_point.unwrap_or_default(),
+            k_h: setup.stiffness_translation,
+            k_theta: setup.stiffness_rotation,
+            weight: setup.weight,
+            surfaces: setup.surfaces.iter().map(surface).collect(),
+            obstacles: self.obstacles.iter().map(obstacle).collect(),
+        }
+    }
+
+    /// As a scene file, with the keyframes of the hand: t (s), x, y (m), phi (rad).
+    pub fn toml(&self, keyframes: &[[f64; 4]], rate: f64) -> String {
+        let setup = &self.setup;
+        let mut text = format!(
+            "[body]\nvertices = {:?}\nstart = {:?}\nweight = {:?}\n\n[grasp]\npoint = {:?}\n\n\
+             [spring]\ntranslation = {:?}\nrotation = {:?}\n\n[friction]\nstatic = 0.0\ndynamic = 0.0\n",
+            setup.vertices,
+            setup.start,
+            setup.weight,
+            setup.holding_point.unwrap_or_default(),
+            setup.stiffness_translation,
+            setup.stiffness_rotation,
+        );
+        for (i, s) in setup.surfaces.iter().enumerate() {
+            let (mu_s, mu_d) = (s.friction_static, s.friction_dynamic);
+            let (normal, offset) = (s.normal, s.offset);
+            let _ = write!(
+                text,
+                "\n[[surface]]\nname = \"s{i}\"\nnormal = {normal:?}\noffset = {offset:?}\nstatic = {mu_s:?}\ndynamic = {mu_d:?}\n"
+            );
+        }
+        for (i, o) in self.obstacles.iter().enumerate() {
+            let ([mu_s, mu_d], corners) = (o.friction, &o.vertices);
+            let _ = write!(
+                text,
+                "\n[[obstacle]]\nname = \"o{i}\"\nvertices = {corners:?}\nstatic = {mu_s:?}\ndynamic = {mu_d:?}\n"
+            );
+        }
+        let _ = write!(text, "\n[hand]\nrate = {rate:?}\nkeyframes = [\n");
+        for keyframe in keyframes {
+            let _ = writeln!(text, "  {keyframe:?},");
+        }
+        text + "]\n"
+    }
+}

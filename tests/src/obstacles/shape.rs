@@ -1,0 +1,109 @@
+//! Convex shapes in the plane: a point, a segment or a polygon, counter-clockwise, m.
+
+/// A point or a vector, m.
+pub type Point = [f64; 2];
+
+/// a - b
+pub fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// a · b
+pub fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+/// a × b
+pub fn cross(a: Point, b: Point) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// |a|
+pub fn length(a: Point) -> f64 {
+    a[0].hypot(a[1])
+}
+
+/// The tangent of a normal n: (n_y, -n_x), of a floor +x.
+pub fn tangent(normal: Point) -> Point {
+    [normal[1], -normal[0]]
+}
+
+/// Points of the body frame in the world, for a pose x, y (m), theta (rad).
+pub fn placed(points: &[Point], [x, y, theta]: [f64; 3]) -> Vec<Point> {
+    let (sin, cos) = theta.sin_cos();
+    let place = |p: &Point| [x + cos * p[0] - sin * p[1], y + sin * p[0] + cos * p[1]];
+    points.iter().map(place).collect()
+}
+
+/// How many sides a shape has: a point none, a segment two.
+pub fn sides(shape: &[Point]) -> usize {
+    if shape.len() < 2 { 0 } else { shape.len() }
+}
+
+/// Both ends of a side.
+pub fn ends(shape: &[Point], side: usize) -> [Point; 2] {
+    [shape[side], shape[(side + 1) % shape.len()]]
+}
+
+/// The outward unit normal of a side.
+pub fn outward(shape: &[Point], side: usize) -> Point {
+    let [from, to] = ends(shape, side);
+    let along = sub(to, from);
+    let long = length(along);
+    [along[1] / long, -along[0] / long]
+}
+
+/// The vertices before and after a vertex; of a segment twice the other one, of a point none.
+pub fn neighbours(shape: &[Point], vertex: usize) -> Vec<Point> {
+    let n = shape.len();
+    let at = |i: usize| shape[i % n];
+    match n {
+        1 => Vec::new(),
+        _ => vec![at(vertex + n - 1), at(vertex + 1)],
+    }
+}
+
+/// How far two convex shapes are apart along the best of their axes (m), which is no more than their distance; negative where their
+/// insides meet. Of two points their distance.
+pub fn separation(a: &[Point], b: &[Point]) -> f64 {
+    if let ([a], [b]) = (a, b) {
+        return length(sub(*a, *b));
+    }
+    beyond(a, b).max(beyond(b, a))
+}
+
+/// The largest distance of `other` beyond a side of `shape`, or beyond an end of a segment.
+fn beyond(shape: &[Point], other: &[Point]) -> f64 {
+    let along = |at: Point, way: Point| {
+        let gaps = other.iter().map(|p| dot(way, sub(*p, at)));
+        gaps.fold(f64::INFINITY, f64::min)
+    };
+    let side = |side: usize| {
+        let normal = outward(shape, side);
+        let past = along(shape[side], normal);
+        if shape.len() > 2 {
+            return past;
+        }
+        past.max(along(shape[side], [normal[1], -normal[0]]))
+    };
+    (0..sides(shape))
+        .map(side)
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Of the area, of the segment, of the point.
+pub fn centroid(shape: &[Point]) -> Point {
+    let first = shape[0];
+    let (mut area, mut sum) = (0.0, [0.0; 2]);
+    for i in 2..shape.len() {
+        let (a, b) = (sub(shape[i - 1], first), sub(shape[i], first));
+        let twice = cross(a, b);
+        area += twice;
+        sum = [0, 1].map(|k| sum[k] + twice * (a[k] + b[k]) / 3.0);
+    }
+    if area > 0.0 {
+        return [0, 1].map(|k| first[k] + sum[k] / area);
+    }
+    let count = shape.len() as f64;
+    [0, 1].map(|k| shape.iter().map(|p| p[k]).sum::<f64>() / count)
+}

@@ -1,0 +1,3 @@
+//! The solver among obstacles with corners: cases with known answers.
+
+mod cases;
