@@ -35,6 +35,7 @@ mod on_corner;
 mod onset;
 mod segment;
 mod short_slip;
+mod side_end;
 mod single_vertex;
 mod slide;
 mod swing;

@@ -3,9 +3,11 @@
 //! SI units, world frame, unless said otherwise.
 
 pub mod cases;
+pub mod compare;
 pub mod guard;
 pub mod judged;
 pub mod laws;
+pub mod rooms;
 pub mod run;
 pub mod scene;
 pub mod shape;

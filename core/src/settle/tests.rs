@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::fixtures;
+use crate::grip::Grip;
 use crate::state::{Edge, SingleVertex};
 
 use StateKind as Kind;
@@ -17,7 +18,13 @@ fn point_keeps_its_contact() {
         sliding: None,
     };
     let mut log = Log::default();
-    let next = apply(&scene, &mut state, &Moved::by(trigger), 0.0, &mut log);
+    let next = apply(
+        (&scene, &Grip::default()),
+        &mut state,
+        &Moved::by(trigger),
+        0.0,
+        &mut log,
+    );
     assert_eq!((next, &state), (Next::Rest, &begin));
     assert!(log.ambiguous && log.transitions.iter().eq([Transition::Stays]));
     assert!(log.events.is_empty());
@@ -34,7 +41,16 @@ fn contact_that_was_let_go_is_taken_back() {
         let mut state = ContactState::SingleVertex(SingleVertex::new(fixtures::pivot(angle)));
         let mut log = Log::default();
         let moved = Moved::by(Trigger::Undriven);
-        assert_eq!(apply(&scene, &mut state, &moved, 0.0, &mut log), next);
+        assert_eq!(
+            apply(
+                (&scene, &Grip::default()),
+                &mut state,
+                &moved,
+                0.0,
+                &mut log
+            ),
+            next
+        );
         assert_eq!(log.events.first().copied(), event);
         assert_eq!(log.ambiguous, event.is_none());
         assert_eq!(state.contacts().len(), 1 + usize::from(event.is_some()));
@@ -57,12 +73,24 @@ fn nothing_happens_where_a_search_gave_up() {
                 ..Moved::by(trigger)
             };
             let (mut state, mut log) = (begin.clone(), Log::default());
-            let next = apply(&scene, &mut state, &moved, sliding, &mut log);
+            let next = apply(
+                (&scene, &Grip::default()),
+                &mut state,
+                &moved,
+                sliding,
+                &mut log,
+            );
             assert_eq!((next, &state), (Next::Relax(on), &begin));
             assert!(log.events.is_empty());
         }
         let (mut state, mut log) = (begin.clone(), Log::default());
-        apply(&scene, &mut state, &Moved::by(trigger), 0.0, &mut log);
+        apply(
+            (&scene, &Grip::default()),
+            &mut state,
+            &Moved::by(trigger),
+            0.0,
+            &mut log,
+        );
         assert!(state != begin && log.events.len() == 1);
     }
 }

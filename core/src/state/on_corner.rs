@@ -5,6 +5,7 @@
 
 use super::SingleVertex;
 use super::segment::Segment;
+use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
 use crate::detect::{Among, PointPath, Reached, first_reached};
@@ -170,26 +171,6 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
     }
 }
 
-/// How far a contact that slides along sign·t is from the end of its side, which counts as left beyond a touch.
-pub(super) fn room_ahead<R: Real, W: World<R>>(
-    scene: &W,
-    body: &Instant<R>,
-    (contact, sign): (crate::contact::Pair, R),
-) -> Level<R> {
-    let [low, high] = scene.reach(contact);
-    let foot = body.foot(scene, contact);
-    let room = if sign > R::ZERO {
-        high - foot.value
-    } else {
-        foot.value - low
-    };
-    Level {
-        value: room + R::TOUCH,
-        slope: -along(sign, foot.slope),
-        rounding: R::of_coordinates() * (R::ONE + foot.value.abs()),
-    }
-}
-
 /// Of a corner that slides along an edge of the cone, per part of a displacement.
 pub(super) fn slide_rates<R: Real>(
     scene: &impl World<R>,
@@ -297,22 +278,89 @@ impl<R: Real> SingleVertex<R> {
             }
         });
         segment.stop_at(&bears, Trigger::Clear);
-        self.stop_at_end(scene, &mut segment, shift);
+        stop_at_end(scene, &mut segment, (&self.pivot, shift));
         (shift * segment.part(), segment)
     }
 
-    /// Ends a slip by `shift` along t where the contact leaves its side.
-    pub(super) fn stop_at_end<W: World<R>>(&self, scene: &W, segment: &mut Segment<R>, shift: R) {
-        let body = Instant::at_rest(self.pivot.placed(scene));
-        let sign = shift.sign();
-        let room = room_ahead(scene, &body, (self.pivot.contact, sign));
-        let margin = Margin {
-            start: room.value,
-            along: -shift.abs(),
-            turning: Vec2::ZERO,
-            rounding: room.rounding,
+    /// A certified frame: it slides along sign·t and turns. As for a vertex (STATICS 3.4), but the foot and the normal depend on the turn.
+    pub(super) fn follow_sliding_on_corner<W: World<R>>(
+        &mut self,
+        scene: &W,
+        path: (&Grip<R>, &Grip<R>),
+        sign: R,
+    ) -> bool {
+        let slide = CornerSlide {
+            scene,
+            pivot: self.pivot,
+            path,
+            sign,
+            ahead: (R::ZERO, R::ONE),
         };
-        segment.stop_at(&margin, Trigger::Off { contact: 0, sign });
+        let displacement = path.0.displacement_to(path.1);
+        let (before, mut spot) = (slide.at((R::ZERO, R::ZERO)), slide.at((R::ZERO, R::ONE)));
+        let load = spot.pivot.load(scene, path.1);
+        if !load.is_representable_sliding() {
+            return false;
+        }
+        // Q / cos(lambda), and with it bounds of the second derivative of M, and of how its first one changes with the hand.
+        let edge = spot.pivot.surface(scene).sliding(sign);
+        let (lever, hand) = (load.lever.length_bound(), displacement.hand.length_bound());
+        let pull = (load.force + load.lever).length_bound() + hand;
+        let glide = pull / edge.cos;
+        let curvature = load.hold.length_bound() + lever * hand + (pull * glide) * R::from_int(3);
+        let change = hand * (lever + glide.doubled().doubled());
+        let least = spot.rates.stability - change;
+        if least <= R::divisor() || curvature > R::LOAD {
+            return false;
+        }
+        let step = spot.rates.moment.abs() / least + R::MICRO;
+        let bend = curvature / least;
+        if step > R::divisor() || bend * step > R::divisor() {
+            return false;
+        }
+        let turn_bound = step.doubled();
+        // Both ends of the path in balance tell the rest but for what goes with the turn.
+        let rates = before.rates.rates();
+        let mut turn = R::ZERO;
+        for _ in 0..MAX_CORRECTIONS {
+            let correction = spot.rates.moment / spot.rates.stability;
+            turn = turn + correction;
+            spot = slide.at((turn, R::ONE));
+            if bend * correction * correction <= R::EPSILON {
+                break;
+            }
+        }
+        let (Some((foot, turning)), Some((foot_after, _))) = (rates, spot.rates.rates()) else {
+            return false;
+        };
+        let goes = glide * turning.abs() + foot.abs();
+        let slack = Self::slack(&displacement) + goes * R::divisor();
+        let advances = along(sign, foot).min(along(sign, foot_after));
+        let normals = [(&before.pivot, path.0), (&spot.pivot, path.1)].map(|(pivot, grip)| {
+            let load = pivot.load(scene, grip);
+            pivot.surface(scene).reaction(load.force).0
+        });
+        let [first, last] = normals;
+        let stray =
+            (lever + glide + load.force.length_bound() + hand) * turn_bound + load.rounding();
+        let threshold = scene
+            .surface(self.pivot.contact.surface)
+            .friction
+            .threshold();
+        let travel = (spot.pivot.foot - self.pivot.foot).abs() + (glide + R::ONE) * turn_bound;
+        let mut end = Self {
+            pivot: spot.pivot,
+            ..self.clone()
+        };
+        let follows = advances > slack
+            && first.min(last) > stray
+            && first.max(last) + stray < threshold
+            && spot.pivot.is_on_side(scene)
+            && end.has_room(scene, &spot.pivot, (travel, travel));
+        if follows {
+            *self = end;
+        }
+        follows
     }
 
     /// Slides along sign·t as the hand moves, to the first of fold, touch, lift-off, halt, N = N*, the end of the side; or as far as one

@@ -3,6 +3,7 @@
 
 use super::segment::Segment;
 use super::short_slip::ShortSlip;
+use super::side_end::stop_at_end;
 use super::two_vertex::Slip;
 use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
@@ -424,7 +425,7 @@ impl<R: Real> SingleVertex<R> {
         );
         segment.stop_at(&normal, Trigger::Clear);
         if W::CORNERS {
-            self.stop_at_end(scene, &mut segment, shift);
+            stop_at_end(scene, &mut segment, (&self.pivot, shift));
         }
         (shift * segment.part(), segment)
     }

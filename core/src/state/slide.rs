@@ -3,9 +3,8 @@
 //! is the normal: the vertex glides.
 
 use super::SingleVertex;
-use super::on_corner::room_ahead;
 use super::segment::Segment;
-use crate::balance_curve::Margin;
+use super::side_end::stop_at_end_of_slide;
 use crate::certified::CertifiedTurn;
 use crate::contact::Regime;
 use crate::detect::PointPath;
@@ -14,7 +13,6 @@ use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
 use crate::moment::{Downhill, Moment, Sliding};
-use crate::motion::Instant;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
@@ -34,8 +32,11 @@ impl<R: Real> SingleVertex<R> {
         (from, to): (&Grip<R>, &Grip<R>),
         sign: R,
     ) -> bool {
+        if self.is_corner(scene) {
+            return self.follow_sliding_on_corner(scene, (from, to), sign);
+        }
         let load = self.pivot.load(scene, to);
-        if self.is_corner(scene) || load.swings(scene) || !load.is_representable_sliding() {
+        if load.swings(scene) || !load.is_representable_sliding() {
             return false;
         }
         let (surface, edge) = self.sliding(scene, sign);
@@ -142,14 +143,8 @@ impl<R: Real> SingleVertex<R> {
                 segment.stop_at(&loosens, Trigger::Pressed);
             }
             if W::CORNERS {
-                let body = Instant::at_rest(load.placed);
-                let room = room_ahead(scene, &body, (self.pivot.contact, sign));
-                let ahead = Margin {
-                    start: room.value * edge.cos,
-                    rounding: room.rounding,
-                    ..foot.combine(-sign, foot, R::ZERO)
-                };
-                segment.stop_at(&ahead, Trigger::Off { contact: 0, sign });
+                let at = (&load.placed, self.pivot.contact);
+                stop_at_end_of_slide(scene, &mut segment, at, (&foot, edge.cos, sign));
             }
         }
         let moved = segment.moved();

@@ -3,6 +3,7 @@
 
 use super::SingleVertex;
 use super::segment::Segment;
+use super::side_end::stop_at_end_of_slide;
 use crate::balance_curve::Margin;
 use crate::contact::Regime;
 use crate::detect::PointPath;
@@ -227,6 +228,11 @@ impl<R: Real> SingleVertex<R> {
             let foot = swing.load.foot(&swing.edge, displacement);
             let path = PointPath::of_foot(swing.surface.tangent, &foot, swing.edge.cos);
             segment.stop_at_touch(scene, &swing.load.placed, (&path, &self.contacts()));
+            if W::CORNERS {
+                let at = (&swing.load.placed, self.pivot.contact);
+                let foot = (&foot, swing.edge.cos, swing.sign);
+                stop_at_end_of_slide(scene, &mut segment, at, foot);
+            }
         }
         segment.stop_at(&swing.leans(), Trigger::Bears);
         if !W::GLIDES {
@@ -260,6 +266,17 @@ impl<R: Real> SingleVertex<R> {
             let shift = swing.surface.tangent * (foot / swing.edge.cos);
             let path = PointPath::straight(shift);
             segment.stop_at_touch(scene, &swing.load.placed, (&path, &self.contacts()));
+            if W::CORNERS {
+                let along = Margin {
+                    start: R::ZERO,
+                    along: foot,
+                    turning: Vec2::ZERO,
+                    rounding: R::ZERO,
+                };
+                let at = (&swing.load.placed, self.pivot.contact);
+                let foot = (&along, swing.edge.cos, swing.sign);
+                stop_at_end_of_slide(scene, &mut segment, at, foot);
+            }
         }
         let normal = swing.load.reaction(swing.surface.normal, displacement);
         if let Some(loosens) = swing.surface.friction.loosens(normal)

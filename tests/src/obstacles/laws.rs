@@ -3,6 +3,7 @@
 //! Tolerances are those of the laws among half-planes: the number type's bounds for gaps and balance, none of them finer than 64
 //! roundings of the farthest coordinate. Corners add one length, [`SNAP`].
 
+use super::rooms::beyond as beyond_cell;
 use super::run::{Contact, Frame};
 use super::scene::Among;
 use super::shape::{
@@ -17,6 +18,8 @@ use stiction_core::Status;
 pub const FINITE: &str = "every number is finite";
 /// The body overlaps no obstacle and no half-plane.
 pub const OUTSIDE: &str = "the body is outside";
+/// The body is in the closed room that it was in.
+pub const STAYS: &str = "the body stays in its room";
 /// A contact is on the line of its side.
 pub const ON_LINE: &str = "a contact is on its line";
 /// A contact is between the ends of its side.
@@ -123,6 +126,16 @@ impl Laws {
         self.geometry(frame, &body, &mut findings);
         if !excuses_balance(frame.status) {
             self.statics(frame, &body, &mut findings);
+        }
+        findings.0
+    }
+
+    /// What a frame breaks whose body is in a closed room.
+    pub fn broken_in(&self, room: Option<&[Point]>, frame: &Frame) -> Vec<Finding> {
+        let mut findings = Findings(self.broken(frame));
+        if let Some(cell) = room {
+            let body = placed(&self.among.setup.vertices, frame.pose);
+            findings.add(STAYS, beyond_cell(cell, &body), self.lengths(frame).gap);
         }
         findings.0
     }

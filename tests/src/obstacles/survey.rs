@@ -2,9 +2,10 @@
 //! scenes is looked at in a process of its own, which ends itself where a step never does; who started it goes on with the next scene.
 
 use super::guard::caught;
-use super::laws::{Finding, Laws};
+use super::laws::{Finding, Laws, STAYS};
+use super::rooms::room;
 use super::run::{Frame, Run};
-use super::worlds::world;
+use super::worlds::{World, world};
 use crate::number::Number;
 use crate::reference::Touch;
 use std::collections::BTreeMap;
@@ -20,6 +21,25 @@ const LONG: Duration = Duration::from_secs(1);
 const ENDLESS: Duration = Duration::from_secs(10);
 /// The exit code of a part that met such a step.
 pub const NEVER_ENDS: i32 = 3;
+
+/// Which random scenes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Ordinary use among obstacles.
+    Worlds,
+    /// Jumps in closed rooms.
+    Rooms,
+}
+
+impl Kind {
+    /// The scene of a number, for a number type.
+    pub fn scene<R: Number>(self, number: u64) -> World {
+        match self {
+            Self::Worlds => world(number),
+            Self::Rooms => room(number, R::FARTHEST),
+        }
+    }
+}
 
 /// What a scene came to.
 #[derive(Clone, Debug, Default)]
@@ -50,8 +70,12 @@ pub fn kind(frame: &Frame) -> String {
 }
 
 /// Runs a scene; `now` holds the index of the frame.
-pub fn look<R: Number>(number: u64, evolution: Evolution, now: &AtomicU64) -> Report {
-    let world = world(number);
+pub fn look<R: Number>(
+    (scenes, number): (Kind, u64),
+    evolution: Evolution,
+    now: &AtomicU64,
+) -> Report {
+    let world = scenes.scene::<R>(number);
     let laws = Laws::new::<R>(&world.among);
     let hands = world.hands();
     let mut report = Report::default();
@@ -74,9 +98,13 @@ pub fn look<R: Number>(number: u64, evolution: Evolution, now: &AtomicU64) -> Re
             *report.statuses.entry(frame.status.name()).or_default() += 1;
         }
         *report.states.entry(kind(frame)).or_default() += 1;
-        let broken = laws.broken(frame);
+        let broken = laws.broken_in(world.room.as_deref(), frame);
+        let has_left = broken.iter().any(|finding| finding.law == STAYS);
         if !broken.is_empty() {
             report.unlawful.push((i, broken));
+        }
+        if has_left {
+            break;
         }
     }
     report
@@ -84,7 +112,7 @@ pub fn look<R: Number>(number: u64, evolution: Evolution, now: &AtomicU64) -> Re
 
 /// Looks at scenes `from`, `from + step` .. below `count` and tells of them on standard output, a line for each thing:
 /// `begin SCENE`, then what was found, then `end SCENE FRAMES WORK`.
-pub fn part<R: Number>((from, step, count): (u64, u64, u64), evolution: Evolution) {
+pub fn part<R: Number>(scenes: Kind, (from, step, count): (u64, u64, u64), evolution: Evolution) {
     static NUMBER: AtomicU64 = AtomicU64::new(u64::MAX);
     static NOW: AtomicU64 = AtomicU64::new(0);
     std::panic::set_hook(Box::new(|_| {}));
@@ -94,7 +122,7 @@ pub fn part<R: Number>((from, step, count): (u64, u64, u64), evolution: Evolutio
         say(&format!("begin {number}\n"));
         NOW.store(0, Ordering::Relaxed);
         NUMBER.store(number, Ordering::Relaxed);
-        let found = caught(|| look::<R>(number, evolution, &NOW));
+        let found = caught(|| look::<R>((scenes, number), evolution, &NOW));
         NUMBER.store(u64::MAX, Ordering::Relaxed);
         match found {
             Ok(report) => say(&lines(number, &report)),

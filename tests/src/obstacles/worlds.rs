@@ -7,7 +7,7 @@ use crate::draw::Draw;
 use crate::run::between;
 use crate::setup::Setup;
 
-mod pieces;
+pub(crate) mod pieces;
 
 /// Frames of a path, with the first.
 pub const FRAMES: usize = 401;
@@ -27,6 +27,8 @@ pub struct World {
     pub among: Among,
     /// Frame, and x, y (m), phi (rad) of the hand in it; straight lines between.
     pub keyframes: Vec<(usize, [f64; 3])>,
+    /// The convex cell that the body cannot leave, if it is in one (m).
+    pub room: Option<Vec<Point>>,
 }
 
 impl World {
@@ -79,14 +81,18 @@ pub fn world(number: u64) -> World {
         draw.one(&[0.01, 0.1, 1.0, 10.0])
     };
     scaled(
-        World { among, keyframes },
+        World {
+            among,
+            keyframes,
+            room: None,
+        },
         size,
         draw.one(&[10.0, 500.0, 4000.0]),
     )
 }
 
 /// mu_s = mu_d, mu_s > mu_d, none, or each of them at times.
-fn friction(draw: &mut Draw, kind: usize) -> [f64; 2] {
+pub(crate) fn friction(draw: &mut Draw, kind: usize) -> [f64; 2] {
     let mu_s = draw.between(0.05, 1.2);
     let less = mu_s * draw.between(0.3, 0.95);
     let kind = if kind == 3 { draw.below(3) } else { kind };
@@ -174,7 +180,9 @@ fn path(draw: &mut Draw, setup: &Setup, obstacles: &[Obstacle]) -> Vec<(usize, [
 
 /// Lengths times `size`, stiffness times `stiffness`.
 fn scaled(world: World, size: f64, stiffness: f64) -> World {
-    let World { among, keyframes } = world;
+    let World {
+        among, keyframes, ..
+    } = world;
     let Among {
         mut setup,
         mut obstacles,
@@ -197,5 +205,6 @@ fn scaled(world: World, size: f64, stiffness: f64) -> World {
     World {
         among: Among { setup, obstacles },
         keyframes: keyframes.into_iter().map(scaled).collect(),
+        room: None,
     }
 }

@@ -92,7 +92,7 @@ fn rates_are_those_of_the_balances() {
             assert!(close && rates.foot == 0.0, "{seed}: {} {turn}", rates.turn);
         }
         for sign in [1.0, -1.0] {
-            let rates = SingleVertex::sliding_rates(&scene, (&load, &surface), &displacement, sign);
+            let rates = vertex.sliding_rates(&scene, (&load, &surface), &displacement, sign);
             let stability = case.sliding_stability(sign);
             if stability.abs() < 0.02 {
                 continue;

@@ -3,9 +3,12 @@
 //! ```sh
 //! cargo run --release -p stiction-tests --bin obstacles -- cases [PART-OF-A-NAME]   # every case, number type and evolution
 //! cargo run --release -p stiction-tests --bin obstacles -- survey 1000 f32 path     # laws on random scenes
+//! cargo run --release -p stiction-tests --bin obstacles -- compare 50 f64 path      # with the slow reference
 //! cargo run --release -p stiction-tests --bin obstacles -- scene 17 f32 path 40 41  # a scene as a file, and two of its frames
+//! cargo run --release -p stiction-tests --bin obstacles -- rooms 1000 f32 frame     # 100 jumps in each of 1000 closed rooms
 //! ```
 
+mod beside;
 mod show;
 mod survey;
 
@@ -16,11 +19,14 @@ use stiction_tests::Number;
 use stiction_tests::obstacles::cases::{Case, all};
 use stiction_tests::obstacles::guard::{Outcome, within};
 use stiction_tests::obstacles::judged::verdict;
-use stiction_tests::obstacles::survey::part;
+use stiction_tests::obstacles::survey::{Kind, part};
 
 const USAGE: &str = "usage: obstacles cases [PART-OF-A-NAME]
        obstacles survey SCENES [f64|f32|fixed] [path|frame]
-       obstacles scene SCENE [f64|f32|fixed] [path|frame] FRAME...";
+       obstacles compare [FROM] TO [f64|f32|fixed] [path|frame]
+       obstacles scene SCENE [f64|f32|fixed] [path|frame] FRAME...
+       obstacles rooms ROOMS [f64|f32|fixed] [path|frame]
+       obstacles room ROOM [f64|f32|fixed] [path|frame] FRAME...";
 
 /// Runs a generic function in the number type of a name.
 macro_rules! in_number {
@@ -52,13 +58,38 @@ fn main() -> ExitCode {
     match (words.as_slice(), counts.as_slice()) {
         (["cases"], _) => cases(""),
         (["cases", part], _) => cases(part),
-        (["survey", _], [count]) => survey::survey(*count, number, evolution.name()),
+        (["survey", _], [count]) => survey::survey("part", *count, number, evolution.name()),
+        (["rooms", _], [count]) => survey::survey("part-rooms", *count, number, evolution.name()),
         (["scene", ..], [scene, frames @ ..]) => {
-            in_number!(number, show::show, *scene, evolution, frames);
+            in_number!(
+                number,
+                show::show,
+                (Kind::Worlds, *scene),
+                evolution,
+                frames
+            );
+        }
+        (["room", ..], [scene, frames @ ..]) => {
+            in_number!(number, show::show, (Kind::Rooms, *scene), evolution, frames);
+        }
+        (["compare", ..], [to]) => {
+            in_number!(number, beside::beside, (0, *to), evolution);
+        }
+        (["compare", ..], [from, to]) => {
+            in_number!(number, beside::beside, (*from, *to), evolution);
         }
         // What a survey starts.
         (["part", ..], [from, step, count]) => {
-            in_number!(number, part, (*from, *step, *count), evolution);
+            in_number!(
+                number,
+                part,
+                Kind::Worlds,
+                (*from, *step, *count),
+                evolution
+            );
+        }
+        (["part-rooms", ..], [from, step, count]) => {
+            in_number!(number, part, Kind::Rooms, (*from, *step, *count), evolution);
         }
         _ => {
             eprintln!("{USAGE}");

@@ -4,13 +4,12 @@ use stiction_core::{Evolution, Status};
 use stiction_tests::Number;
 use stiction_tests::obstacles::laws::Laws;
 use stiction_tests::obstacles::shape::{placed, separation};
-use stiction_tests::obstacles::survey::kind;
-use stiction_tests::obstacles::worlds::world;
+use stiction_tests::obstacles::survey::{Kind, kind};
 use stiction_tests::obstacles::{Among, Frame, Run};
 
 /// Prints a scene, a line for each frame in which something changes where no frames are asked for, and those that are.
-pub(crate) fn show<R: Number>(number: u64, evolution: Evolution, frames: &[u64]) {
-    let world = world(number);
+pub(crate) fn show<R: Number>((scenes, number): (Kind, u64), evolution: Evolution, frames: &[u64]) {
+    let world = scenes.scene::<R>(number);
     println!("# scene {number}\n{}", world.toml());
     let hands = world.hands();
     let last = frames
@@ -31,7 +30,7 @@ pub(crate) fn show<R: Number>(number: u64, evolution: Evolution, frames: &[u64])
         if frames.contains(&(i as u64)) {
             in_full(&world.among, frame);
         }
-        let broken = laws.broken(frame);
+        let broken = laws.broken_in(world.room.as_deref(), frame);
         let named = (kind(frame), frame.touches());
         let is_new = before.as_ref() != Some(&named);
         let is_told = frames.is_empty() && (is_new || frame.status != Status::Ok);

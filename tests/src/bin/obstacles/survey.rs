@@ -34,11 +34,14 @@ struct Law {
     place: String,
 }
 
-/// Looks at `count` scenes.
-pub(crate) fn survey(count: u64, number: &str, evolution: &str) {
+/// Looks at `count` scenes; `part` is the command of a part.
+pub(crate) fn survey(command: &str, count: u64, number: &str, evolution: &str) {
     let (send, receive) = channel();
     for part in 0..PARTS {
-        let (send, names) = (send.clone(), [number.to_owned(), evolution.to_owned()]);
+        let (send, names) = (
+            send.clone(),
+            [command, number, evolution].map(str::to_owned),
+        );
         thread::spawn(move || run_part(part, count, &names, &send));
     }
     drop(send);
@@ -49,7 +52,12 @@ pub(crate) fn survey(count: u64, number: &str, evolution: &str) {
     total.print(number, evolution);
 }
 
-fn run_part(part: u64, count: u64, [number, evolution]: &[String; 2], send: &Sender<String>) {
+fn run_part(
+    part: u64,
+    count: u64,
+    [part_command, number, evolution]: &[String; 3],
+    send: &Sender<String>,
+) {
     let Ok(program) = std::env::current_exe() else {
         return;
     };
@@ -57,7 +65,10 @@ fn run_part(part: u64, count: u64, [number, evolution]: &[String; 2], send: &Sen
     while from < count {
         let mut command = Command::new(&program);
         let bounds = [from, PARTS, count].map(|n| n.to_string());
-        command.arg("part").args(bounds).args([number, evolution]);
+        command
+            .arg(part_command)
+            .args(bounds)
+            .args([number, evolution]);
         let Ok(mut child) = command.stdout(Stdio::piped()).spawn() else {
             return;
         };
