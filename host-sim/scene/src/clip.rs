@@ -1,5 +1,4 @@
-//! Obstacles cut to what a number type can represent: a corner beyond its range is replaced by two at the edge of the range, which
-//! nothing reaches. From the obstacles of a file to those of the solver, and from the solver's indices back to the file's.
+//! Obstacles cut to what a number type can represent: a corner beyond its range is replaced by corners at the edge of the range. From the obstacles of a file to those of the solver, and from the solver's indices back to the file's.
 
 use stiction_core::{Real, SceneError, SiFloat, Touch};
 
@@ -68,76 +67,110 @@ impl Indices {
     }
 }
 
-/// A corner with the number of the file's corner.
-type Labelled = ([f64; 2], usize);
+/// A corner in a polygon that is cut.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Corner {
+    place: [f64; 2],
+    /// The number of the file's corner; of an added one that of the corner before it, whose side it is on.
+    number: usize,
+    is_added: bool,
+}
 
 /// The obstacles of a scene within the range of a number type, and what they are in the file where any was cut.
 pub(crate) fn clipped<R: Real<Si: SiFloat>>(
     scene: &WrittenScene,
 ) -> (Vec<ObstacleInfo>, Option<Indices>) {
+    let size = length(scene);
     // A little less, for rounding.
-    let range = (1.0 - 1e-6) * R::RANGE.to_si(R::Si::ONE).widen() * length(scene);
-    let is_within = |corner: &[f64; 2]| corner.iter().all(|x| x.abs() <= range);
+    let range = (1.0 - 1e-6) * R::RANGE.to_si(R::Si::ONE).widen() * size;
+    let is_within = |corner: &[f64; 2]| beyond(*corner) <= range;
     let mut corners = scene.obstacles.iter().flat_map(|o| &o.vertices);
     if corners.all(is_within) {
         return (scene.obstacles.clone(), None);
     }
     let (mut kept, mut indices) = (Vec::new(), Vec::new());
     for (i, obstacle) in scene.obstacles.iter().enumerate() {
-        let labelled = obstacle.vertices.iter().copied().zip(0..).collect();
-        let corners = within(labelled, range, 1e-3 * length(scene));
+        let corner = |(number, &place)| Corner {
+            place,
+            number,
+            is_added: false,
+        };
+        let corners: Vec<_> = obstacle.vertices.iter().enumerate().map(corner).collect();
+        let corners = match obstacle.vertices.iter().all(is_within) {
+            true => corners,
+            false => within(corners, range, 1e-3 * size),
+        };
         if corners.is_empty() {
             continue;
         }
         kept.push(ObstacleInfo {
-            vertices: corners.iter().map(|(place, _)| *place).collect(),
+            vertices: corners.iter().map(|corner| corner.place).collect(),
             ..obstacle.clone()
         });
         indices.push(Kept {
             obstacle: i,
-            corners: corners.iter().map(|(_, corner)| *corner).collect(),
+            corners: corners.iter().map(|corner| corner.number).collect(),
         });
     }
     (kept, Some(Indices(indices)))
 }
 
-/// The part of a polygon, a wall or a pin in the square |x|, |y| <= `range`, without sides shorter than `least`.
-fn within(corners: Vec<Labelled>, range: f64, least: f64) -> Vec<Labelled> {
-    let sides = [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)];
-    let is_whole = |([x, y], _): &Labelled| x.abs() <= range && y.abs() <= range;
-    if corners.iter().all(is_whole) {
-        return corners;
-    }
+/// The larger coordinate of a place and half the other, which a number type bounds.
+fn beyond([x, y]: [f64; 2]) -> f64 {
+    let (x, y) = (x.abs(), y.abs());
+    x.max(y) + x.min(y) / 2.0
+}
+
+/// The part of a polygon, a wall or a pin within the range. Added corners are farther than `least` from each other and from the line
+/// between their neighbours; of a polygon that is thinner nothing is left.
+fn within(corners: Vec<Corner>, range: f64, least: f64) -> Vec<Corner> {
+    let is_polygon = corners.len() > 2;
     let mut rest = corners;
-    for (axis, sign) in sides {
-        rest = cut(&rest, |place| range - sign * place[axis]);
+    for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
+        for [a, b] in [[1.0, 0.5], [0.5, 1.0]] {
+            let [a, b] = [a * signs[0], b * signs[1]];
+            rest = cut(&rest, |[x, y]| range - a * x - b * y);
+        }
     }
-    // A corner at the edge of the square leaves two that are one.
-    let all = rest.clone();
-    let next = |k: usize| all[(k + 1) % all.len()].0;
-    let mut k = 0..all.len();
-    rest.retain(|([x, y], _)| {
-        let [next_x, next_y] = next(k.next().unwrap_or_default());
-        all.len() < 3 || (next_x - x).hypot(next_y - y) > least
-    });
-    rest
+    let needless = |all: &[Corner], k: usize| {
+        let at = |i: usize| all[i % all.len()].place;
+        let (before, here, after) = (at(k + all.len() - 1), at(k), at(k + 1));
+        let [to_here, on, chord] = [sub(here, before), sub(after, here), sub(after, before)];
+        let off = (chord[0] * to_here[1] - chord[1] * to_here[0]).abs();
+        let is_near = to_here[0].hypot(to_here[1]) < least || on[0].hypot(on[1]) < least;
+        all[k].is_added && (is_near || off < least * chord[0].hypot(chord[1]))
+    };
+    while is_polygon && let Some(k) = (0..rest.len()).find(|&k| needless(&rest, k)) {
+        rest.remove(k);
+    }
+    match is_polygon && rest.len() < 3 {
+        true => Vec::new(),
+        false => rest,
+    }
+}
+
+fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
 }
 
 /// The part where `depth`, an affine function, is not negative.
-fn cut(corners: &[Labelled], depth: impl Fn([f64; 2]) -> f64) -> Vec<Labelled> {
+fn cut(corners: &[Corner], depth: impl Fn([f64; 2]) -> f64) -> Vec<Corner> {
     let mut kept = Vec::new();
     // A wall has one side, there and back.
     let sides = if corners.len() == 2 { 1 } else { corners.len() };
-    for (k, &(a, label)) in corners.iter().enumerate() {
-        let (b, _) = corners[(k + 1) % corners.len()];
+    for (k, &corner) in corners.iter().enumerate() {
+        let (a, b) = (corner.place, corners[(k + 1) % corners.len()].place);
         let (at_a, at_b) = (depth(a), depth(b));
         if at_a >= 0.0 {
-            kept.push((a, label));
+            kept.push(corner);
         }
         if k < sides && at_a * at_b < 0.0 {
             let part = at_a / (at_a - at_b);
-            let crossing = [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis]));
-            kept.push((crossing, label));
+            kept.push(Corner {
+                place: [0, 1].map(|axis| a[axis] + part * (b[axis] - a[axis])),
+                number: corner.number,
+                is_added: true,
+            });
         }
     }
     kept
@@ -208,7 +241,7 @@ mod tests {
         let (cut, indices) = clipped::<Fixed>(&scene);
         // Nothing reaches the pin.
         assert_eq!(cut.len(), 1);
-        let corners = [[-16.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-16.0, 0.0]];
+        let corners = [[-15.5, -1.0], [0.0, -1.0], [0.0, 0.0], [-16.0, 0.0]];
         assert_near(&cut[0].vertices, &corners);
         let indices = indices.expect("something is cut");
         let (vertex, obstacle) = (3, 0);
@@ -235,8 +268,8 @@ mod tests {
         let corners = [
             [0.0, 0.0],
             [16.0, 0.0],
-            [16.0, 4.0],
-            [4.0, 16.0],
+            [12.0, 8.0],
+            [8.0, 12.0],
             [0.0, 16.0],
         ];
         assert_near(&cut[0].vertices, &corners);
@@ -251,7 +284,7 @@ mod tests {
         };
         assert_eq!((original(0), original(2), original(4)), (0, 1, 2));
         let (cut, _) = clipped::<Fixed>(&scene("[[-20.0, 1.0], [3.0, 1.0]]"));
-        assert_near(&cut[0].vertices, &[[-16.0, 1.0], [3.0, 1.0]]);
+        assert_near(&cut[0].vertices, &[[-15.5, 1.0], [3.0, 1.0]]);
         let (cut, _) = clipped::<Fixed>(&scene("[[-20.0, 17.0], [3.0, 17.0]]"));
         assert!(cut.is_empty());
     }

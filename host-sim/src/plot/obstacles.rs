@@ -55,8 +55,14 @@ impl View<'_> {
             let width = text_width(&obstacle.name, SMALL) * self.pixel;
             let room = NAME * self.pixel;
             let (x, y) = seen.centre();
-            let is_solid = obstacle.vertices.len() > 2;
-            if is_solid && seen.width() >= width && seen.height() >= room {
+            // Within its hatches, or else over them where names are wanted in any case.
+            let margin = if beside {
+                0.0
+            } else {
+                2.0 * HATCH * self.pixel
+            };
+            let is_wide = seen.width() >= width + margin && seen.height() >= room + margin;
+            if obstacle.vertices.len() > 2 && is_wide {
                 self.name(&obstacle.name, (x, y), true)?;
             } else if beside {
                 let right = seen.x.end + 6.0 * self.pixel;
