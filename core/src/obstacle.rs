@@ -2,33 +2,39 @@
 //! them, by its type: a scene without obstacles stores nothing. World frame, lengths / L.
 
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::real::Real;
 use crate::world::Surface;
 use core::fmt::Debug;
 use core::ops::Range;
 use heapless::Vec;
 
-/// A corner w_k of an obstacle, and the side from it to the next one.
+/// A corner w_k of an obstacle, and the side from it to the next one. As a surface of a contact it has an index of its own: its place
+/// among all corners, counted on from the half-planes. World frame, lengths / L.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner<R> {
     /// w_k
     pub(crate) place: Vec2<R>,
-    /// The side from w_k to the next corner; of a pin, which has none, its friction alone.
+    /// The side from w_k to the next corner, its normal outwards; of a pin, which has none, its friction alone. Coplanar sides of equal
+    /// friction that meet are one line, that of the longest of them.
     pub(crate) side: Surface<R>,
-    /// Along the side's tangent: where the side begins and ends. Coplanar sides of equal friction are one.
+    /// Where that line begins and ends along its tangent; of a pin nothing.
     pub(crate) reach: [R; 2],
-    /// The index of the first of the coplanar sides: the one that is touched.
+    /// The index, as a surface, of the first side of that line: the one that is touched.
     pub(crate) line: u8,
     /// Which obstacle it belongs to.
     pub(crate) obstacle: u8,
-    /// Nothing can touch it, as it lies in or on another obstacle or behind a half-plane.
+    /// Nothing can touch it: it lies in or on another obstacle or behind a half-plane, or an earlier obstacle has a corner there.
     pub(crate) covered: bool,
 }
 
 /// What a scene stores of its obstacles, for a body of at most V vertices.
-pub trait Obstacles<R: Real>: Clone + Debug + PartialEq + Default {
+pub trait Obstacles<R: Real>: Clone + Debug + PartialEq {
     /// There can be some.
     const CORNERS: bool;
+    /// None yet, about a body with these outward normals of its sides, body frame; a point has no sides.
+    #[doc(hidden)]
+    fn of_body(normals: impl Iterator<Item = [R; 2]>) -> Self;
     /// All corners, obstacle by obstacle, counter-clockwise.
     #[doc(hidden)]
     fn corners(&self) -> &[Corner<R>];
@@ -41,11 +47,14 @@ pub trait Obstacles<R: Real>: Clone + Debug + PartialEq + Default {
 }
 
 /// No obstacles: nothing is stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoObstacles;
 
 impl<R: Real> Obstacles<R> for NoObstacles {
     const CORNERS: bool = false;
+    fn of_body(_: impl Iterator<Item = [R; 2]>) -> Self {
+        Self
+    }
     fn corners(&self) -> &[Corner<R>] {
         &[]
     }
@@ -65,22 +74,17 @@ pub struct SomeObstacles<R: Real, const V: usize, const O: usize, const C: usize
     pub(crate) body_normals: Vec<Vec2<R>, V>,
 }
 
-impl<R: Real, const V: usize, const O: usize, const C: usize> Default
-    for SomeObstacles<R, V, O, C>
-{
-    fn default() -> Self {
-        Self {
-            corners: Vec::new(),
-            firsts: Vec::new(),
-            body_normals: Vec::new(),
-        }
-    }
-}
-
 impl<R: Real, const V: usize, const O: usize, const C: usize> Obstacles<R>
     for SomeObstacles<R, V, O, C>
 {
     const CORNERS: bool = true;
+    fn of_body(normals: impl Iterator<Item = [R; 2]>) -> Self {
+        Self {
+            corners: Vec::new(),
+            firsts: Vec::new(),
+            body_normals: gather(normals.map(|[x, y]| Vec2::new(x, y))),
+        }
+    }
     fn corners(&self) -> &[Corner<R>] {
         &self.corners
     }

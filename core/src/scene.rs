@@ -20,8 +20,8 @@ mod description;
 mod obstacles;
 
 use check::{
-    Representable, check_model, check_numbers, check_vertices, larger, size_of_point, surfaces,
-    thinnest,
+    Representable, check_model, check_numbers, check_vertices, check_vertices_among, fits, larger,
+    size_of_point, surfaces, thinnest,
 };
 pub use description::{
     Description, ObstacleDescription, Parameter, SceneError, SurfaceDescription,
@@ -100,6 +100,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
         let d = description;
         check_numbers(d)?;
         check_model::<R::Si, M>(d)?;
+        if Self::CORNERS {
+            check_vertices_among(d.vertices)?;
+        }
         let length = match check_vertices::<R::Si, V>(d.vertices, thinnest::<R>())? {
             length if length > R::Si::ZERO => length,
             _ => size_of_point(d),
@@ -124,7 +127,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
             holding_point: d.holding_point.map(nd),
             reach: units.length_from_si(d.reach),
             units,
-            obstacles: M::Obstacles::default(),
+            obstacles: M::Obstacles::of_body(obstacles::normals::<R>(d.vertices)),
         };
         scene.check_range(d)?;
         scene.check_start()?;
@@ -133,7 +136,6 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Scene<R, V, S, M> {
 
     /// Coordinates beyond the range of the number type are refused: their sums would have no digits left.
     fn check_range(&self, d: &Description<'_, R::Si>) -> Result<(), SceneError<R::Si>> {
-        let fits = |x: R| x.is_finite() && x.abs() <= R::RANGE;
         let allowed = Representable::by::<R>();
         let error = |parameter, value, allowed| {
             Err(SceneError {

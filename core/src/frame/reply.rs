@@ -205,6 +205,8 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
             Parameter::FrictionDynamic(i) => (13, [i, 0]),
             Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
             Parameter::Memory(i) => (15, [i, 0]),
+            // Of obstacles, which no command brings.
+            _ => (0, [0; 2]),
         },
         Subject::TickRate => (32, [0; 2]),
         Subject::LineRate => (33, [0; 2]),

@@ -9,6 +9,13 @@ use crate::units::Units;
 use crate::world::Surface;
 use heapless::Vec;
 
+mod obstacles;
+mod outline;
+
+pub(super) use obstacles::{Room, check_obstacles, check_vertices_among};
+pub(super) use outline::sides;
+use outline::{check_convex, spread};
+
 type Checked<F> = Result<(), SceneError<F>>;
 
 /// Refuses `value` unless it is finite and `holds`.
@@ -112,6 +119,11 @@ pub(super) fn check_numbers<F: Real>(d: &Description<'_, F>) -> Checked<F> {
     )
 }
 
+/// The number type represents it as a coordinate.
+pub(super) fn fits<R: Real>(x: R) -> bool {
+    x.is_finite() && x.abs() <= R::RANGE
+}
+
 /// Friction and weight only where the model has them.
 pub(super) fn check_model<F: Real, M: Model>(d: &Description<'_, F>) -> Checked<F> {
     require(
@@ -121,15 +133,28 @@ pub(super) fn check_model<F: Real, M: Model>(d: &Description<'_, F>) -> Checked<
         "0 in a model without weight",
     )?;
     for (i, surface) in d.surfaces.iter().enumerate() {
-        let mu_s = surface.friction_static;
-        require(
-            M::FRICTION || mu_s == F::ZERO,
-            Parameter::FrictionStatic(i),
-            mu_s,
-            "0 in a model without friction",
-        )?;
+        check_model_friction::<F, M>(surface.friction_static, Parameter::FrictionStatic(i))?;
     }
     Ok(())
+}
+
+/// Friction only where the model has it.
+fn check_model_friction<F: Real, M: Model>(mu_s: F, parameter: Parameter) -> Checked<F> {
+    let allowed = "0 in a model without friction";
+    require(M::FRICTION || mu_s == F::ZERO, parameter, mu_s, allowed)
+}
+
+/// mu_s >= mu_d >= 0 and the memory length, each with its name.
+fn check_friction<F: Real>(
+    (mu_s, fixed): (F, Parameter),
+    (mu_d, sliding): (F, Parameter),
+    (memory, length): (Option<F>, Parameter),
+) -> Checked<F> {
+    require(mu_d >= F::ZERO, sliding, mu_d, "0 or more")?;
+    let allowed = "not less than the dynamic friction";
+    require(mu_s >= mu_d, fixed, mu_s, allowed)?;
+    let given = memory.unwrap_or(F::ZERO);
+    require(given >= F::ZERO, length, given, "0 or more")
 }
 
 /// The vertices; gives the largest distance between two of them, 0 for a point.
@@ -146,26 +171,8 @@ pub(super) fn check_vertices<F: Real, const V: usize>(
         shown,
         "1 to the capacity of the solver, and at most 255",
     )?;
-    for (i, v) in vertices.iter().enumerate() {
-        for &value in v {
-            require(true, Parameter::Vertex(i), value, "finite numbers")?;
-        }
-    }
-    let at = |[x, y]: [F; 2]| Vec2::new(x, y);
-    let mut length = F::ZERO;
-    for (i, &v) in vertices.iter().enumerate() {
-        for &u in vertices.iter().take(i) {
-            let distance = (at(v) - at(u)).length();
-            require(
-                distance > F::ZERO && distance.is_finite(),
-                Parameter::Vertex(i),
-                larger(v),
-                "a place of its own: no vertex twice, none too far",
-            )?;
-            length = length.max(distance);
-        }
-    }
-    check_convex(vertices, length, thinnest)?;
+    let length = spread(vertices, Parameter::Vertex)?;
+    check_convex(vertices, length, thinnest, Parameter::Vertex)?;
     Ok(length)
 }
 
@@ -199,26 +206,6 @@ pub(super) fn thinnest<R: Real>() -> R::Si {
     thinnest.to_si(R::Si::ONE)
 }
 
-/// Every vertex lies to the left of every side, but for the two that the side joins, and not too near.
-fn check_convex<F: Real>(vertices: &[[F; 2]], length: F, thinnest: F) -> Checked<F> {
-    let at = |[x, y]: [F; 2]| Vec2::new(x / length, y / length);
-    let ends = vertices.iter().skip(1).chain(vertices.first());
-    for (&from, &to) in vertices.iter().zip(ends) {
-        let side = at(to) - at(from);
-        let too_little = side.length() * thinnest;
-        for (k, &v) in vertices.iter().enumerate() {
-            let joined = v == from || v == to;
-            require(
-                joined || side.cross(at(v) - at(from)) > too_little,
-                Parameter::Vertex(k),
-                larger(v),
-                "a corner of a strictly convex polygon, counter-clockwise, inside every side but its own two by more than 3.1e-5 body sizes, in f64 5.8e-6, in fixed point 1.6e-5",
-            )?;
-        }
-    }
-    Ok(())
-}
-
 /// The memory length where none is given, in body sizes.
 pub(super) fn default_memory<F: Real>() -> F {
     F::ONE / F::from_int(4096)
@@ -246,26 +233,11 @@ pub(super) fn surfaces<R: Real, const S: usize>(
         )?;
         require(true, Parameter::Offset(i), d.offset, "a finite number")?;
         let (mu_s, mu_d) = (d.friction_static, d.friction_dynamic);
-        require(
-            mu_d >= R::Si::ZERO,
-            Parameter::FrictionDynamic(i),
-            mu_d,
-            "0 or more",
+        check_friction(
+            (mu_s, Parameter::FrictionStatic(i)),
+            (mu_d, Parameter::FrictionDynamic(i)),
+            (d.memory, Parameter::Memory(i)),
         )?;
-        require(
-            mu_s >= mu_d,
-            Parameter::FrictionStatic(i),
-            mu_s,
-            "not less than the dynamic friction",
-        )?;
-        if let Some(memory) = d.memory {
-            require(
-                memory >= R::Si::ZERO,
-                Parameter::Memory(i),
-                memory,
-                "0 or more",
-            )?;
-        }
         let memory = d
             .memory
             .map_or(default_memory(), |memory| units.length_from_si(memory));

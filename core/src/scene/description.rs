@@ -21,14 +21,51 @@ pub struct SurfaceDescription<F> {
 }
 
 /// A fixed obstacle with corners in SI units, world frame: a closed convex polygon, a thin wall or a pin. It does not move; several may
-/// touch or overlap and so make a world that is not convex.
+/// touch or overlap and so make a world that is not convex. Coplanar sides of equal friction that meet, their ends nearer than 1e-9 of the
+/// body's size (in `f32` 1e-6, in [`Fixed`](crate::Fixed) 1.9e-6; of coordinates of more than a body size 8 roundings), are one side.
+///
+/// A table of two pieces with a step on it, and a pin above its edge:
+///
+/// ```
+/// use stiction_core::{Description, Full, ObstacleDescription, Parameter, Scene, WithObstacles};
+///
+/// let wood = ObstacleDescription {
+///     vertices: &[[-0.5, -0.1], [-0.2, -0.1], [-0.2, 0.0], [-0.5, 0.0]],
+///     friction_static: 0.5,
+///     friction_dynamic: 0.3,
+///     memory: None,
+/// };
+/// let edge = [[-0.2, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.2, 0.0]];
+/// let step = [[-0.3, 0.0], [-0.2, 0.0], [-0.2, 0.02], [-0.3, 0.02]];
+/// let of_wood = |vertices| ObstacleDescription { vertices, ..wood };
+/// let pin = ObstacleDescription { friction_static: 0.3, ..of_wood(&[[0.0, 0.1]]) };
+/// let world = [wood, of_wood(&edge), of_wood(&step), pin];
+///
+/// // A box over the edge.
+/// let description = Description {
+///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+///     start: [-0.02, 0.03, 0.0],
+///     weight: 2.0,
+///     holding_point: Some([0.0, 0.02]),
+///     reach: 0.0,
+///     stiffness_translation: 500.0,
+///     stiffness_rotation: 0.5,
+///     surfaces: &[],
+/// };
+/// assert!(Scene::<f32, 4, 1, WithObstacles<4, 13, Full>>::among(&description, &world).is_ok());
+/// let full = Scene::<f32, 4, 1, WithObstacles<4, 12, Full>>::among(&description, &world);
+/// let error = full.expect_err("room for 12 corners");
+/// assert_eq!((error.parameter, error.value), (Parameter::CornerCount, 13.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObstacleDescription<'a, F> {
-    /// Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall with two sides, one for a pin.
+    /// Its corners (m), counter-clockwise: a strictly convex polygon, two for a thin wall with two sides, one for a pin. Each is farther
+    /// from every side that does not end at it than the body's vertices are from theirs ([`Description::vertices`]), and no side is
+    /// shorter than 2^-16 of the body's size. At most as many of all obstacles as the scene has room for, and 255 with the surfaces.
     pub vertices: &'a [[F; 2]],
     /// Coefficient of static friction mu_s >= mu_d, as [`SurfaceDescription::friction_static`].
     pub friction_static: F,
-    /// Coefficient of dynamic friction mu_d >= 0.
+    /// Coefficient of dynamic friction mu_d >= 0, as [`SurfaceDescription::friction_dynamic`].
     pub friction_dynamic: F,
     /// Memory length D_c (m) >= 0, as [`SurfaceDescription::memory`].
     pub memory: Option<F>,
@@ -74,10 +111,11 @@ pub struct ObstacleDescription<'a, F> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Description<'a, F> {
     /// Vertices (m), body frame: one point, a rod of two, or a strictly convex polygon, counter-clockwise, each farther than 3.1e-5
-    /// of the body's size (in `f64` 5.8e-6, in [`Fixed`](crate::Fixed) 1.6e-5) from every side that does not end at it. At most as many as the scene has room for, and 255.
+    /// of the body's size (in `f64` 5.8e-6, in [`Fixed`](crate::Fixed) 1.6e-5) from every side that does not end at it. At most as many as the scene has room for,
+    /// and 255, among obstacles 128.
     pub vertices: &'a [[F; 2]],
-    /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface than 1e-5 of the body's
-    /// size; those nearer to one than that touch it from the start.
+    /// Start pose: x, y (m), theta (rad) of the body frame in the world. No vertex is deeper in a surface, and the body no deeper in an
+    /// obstacle, than 1e-5 of its size; those nearer to one than that touch it from the start.
     pub start: [F; 3],
     /// Weight W (N) >= 0 at the centroid, along world -y; 0 in a model without weight.
     pub weight: F,
@@ -96,7 +134,8 @@ pub struct Description<'a, F> {
     pub surfaces: &'a [SurfaceDescription<F>],
 }
 
-/// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`]. As text it is the
+/// The parameter that a [`SceneError`] is about. Indices count from 0, in the lists of the [`Description`] and of
+/// the obstacles; the corners of an obstacle count from 0 in it. As text it is the
 /// parameter's name: `static friction of surface 0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parameter {
@@ -135,6 +174,34 @@ pub enum Parameter {
         /// Index of its deepest vertex.
         vertex: usize,
     },
+    /// The number of obstacles.
+    ObstacleCount,
+    /// The number of corners of all obstacles together.
+    CornerCount,
+    /// The number of corners of an obstacle.
+    Corners(usize),
+    /// A corner of an obstacle: where it is, or that it makes the polygon not strictly convex or not counter-clockwise.
+    Corner {
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of the corner in it.
+        corner: usize,
+    },
+    /// The length of a side of an obstacle.
+    Side {
+        /// Index of the obstacle.
+        obstacle: usize,
+        /// Index of the side in it, that of the corner where it begins.
+        side: usize,
+    },
+    /// The static friction mu_s of an obstacle.
+    ObstacleFrictionStatic(usize),
+    /// The dynamic friction mu_d of an obstacle.
+    ObstacleFrictionDynamic(usize),
+    /// The memory length of an obstacle.
+    ObstacleMemory(usize),
+    /// At the start the body is inside an obstacle; the value is its depth (m).
+    Overlap(usize),
 }
 
 impl fmt::Display for Parameter {
@@ -160,6 +227,19 @@ impl fmt::Display for Parameter {
                     "depth of vertex {vertex} in surface {surface} at the start"
                 )
             }
+            Self::ObstacleCount => write!(f, "number of obstacles"),
+            Self::CornerCount => write!(f, "number of corners of all obstacles"),
+            Self::Corners(i) => write!(f, "number of corners of obstacle {i}"),
+            Self::Corner { obstacle, corner } => {
+                write!(f, "corner {corner} of obstacle {obstacle}")
+            }
+            Self::Side { obstacle, side } => {
+                write!(f, "length of side {side} of obstacle {obstacle}")
+            }
+            Self::ObstacleFrictionStatic(i) => write!(f, "static friction of obstacle {i}"),
+            Self::ObstacleFrictionDynamic(i) => write!(f, "dynamic friction of obstacle {i}"),
+            Self::ObstacleMemory(i) => write!(f, "memory of obstacle {i}"),
+            Self::Overlap(i) => write!(f, "depth of the body in obstacle {i} at the start"),
         }
     }
 }
@@ -170,8 +250,9 @@ pub struct SceneError<F> {
     /// Which parameter.
     pub parameter: Parameter,
     /// Its value, SI units. Of a place or a pose the component that is not finite, or else the one of the larger size, with its
-    /// sign (theta where theta is at fault); of a vertex so, too, where it is its place among the others that is at fault. Of a
-    /// normal its length, or the component that is not finite; of a count the count; of a penetration the depth (m).
+    /// sign (theta where theta is at fault); of a vertex or corner so, too, where it is its place among the others that is at fault.
+    /// Of a normal its length, or the component that is not finite; of a side its length; of a count the count; of a penetration or
+    /// an overlap the depth (m).
     pub value: F,
     /// What is allowed, in words.
     pub allowed: &'static str,

@@ -1,7 +1,8 @@
 //! The obstacles of a scene: checked, made non-dimensional, with the sides that make one line and the corners that are covered.
 
-use super::check::default_memory;
-use super::{Description, ObstacleDescription, Scene, SceneError};
+use super::check::{Room, check_obstacles, default_memory, sides};
+use super::{Description, ObstacleDescription, Parameter, Scene, SceneError};
+use crate::detect::Placed;
 use crate::friction::Coulomb;
 use crate::geometry::{Vec2, normalized};
 use crate::list::gather;
@@ -9,11 +10,56 @@ use crate::model::{Model, WithObstacles};
 use crate::obstacle::Corner;
 use crate::real::Real;
 use crate::world::{Surface, World};
+use apart::separation;
+use heapless::Vec;
+use union::{Outline, Side, cover, join};
+
+mod apart;
+mod union;
 
 impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
     Scene<R, V, S, WithObstacles<O, C, M>>
 {
-    /// Checks a description and obstacles and makes them non-dimensional (STATICS 10, 12).
+    /// Checks a description and obstacles and makes them non-dimensional (STATICS 10, 12). Coplanar sides of obstacles that meet and have
+    /// the same friction become one side.
+    ///
+    /// A box over the edge of a table:
+    ///
+    /// ```
+    /// use stiction_core::{Description, Evolution, Full, ObstacleDescription, Parameter, Scene, Solver};
+    /// use stiction_core::WithObstacles;
+    ///
+    /// let table = ObstacleDescription {
+    ///     vertices: &[[-0.5, -0.1], [0.0, -0.1], [0.0, 0.0], [-0.5, 0.0]],
+    ///     friction_static: 0.5,
+    ///     friction_dynamic: 0.3,
+    ///     memory: None,
+    /// };
+    /// let description = Description {
+    ///     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
+    ///     start: [-0.02, 0.03, 0.0],
+    ///     weight: 2.0,
+    ///     holding_point: Some([0.0, 0.02]),
+    ///     reach: 0.0,
+    ///     stiffness_translation: 500.0,
+    ///     stiffness_rotation: 0.5,
+    ///     surfaces: &[],
+    /// };
+    /// // Room for 2 obstacles, with 6 corners together.
+    /// type Among = Scene<f32, 4, 1, WithObstacles<2, 6, Full>>;
+    /// let solver = Solver::new(Among::among(&description, &[table])?, Evolution::Path);
+    /// # let _ = solver;
+    ///
+    /// let sunk = Description { start: [-0.02, 0.02, 0.0], ..description };
+    /// let error = Among::among(&sunk, &[table]).expect_err("10 mm within the table");
+    /// assert_eq!(error.parameter, Parameter::Overlap(0));
+    ///
+    /// let clockwise = [[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]];
+    /// let step = ObstacleDescription { vertices: &clockwise, ..table };
+    /// let error = Among::among(&description, &[step]).expect_err("no polygon");
+    /// assert!(error.to_string().starts_with("corner 2 of obstacle 0 is 0.3, allowed: a corner"));
+    /// # Ok::<(), stiction_core::SceneError<f32>>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Scene::new`]; and the first parameter of an obstacle that is not finite, out of its range or inconsistent with the others.
@@ -22,45 +68,51 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
         obstacles: &[ObstacleDescription<'_, R::Si>],
     ) -> Result<Self, SceneError<R::Si>> {
         let mut scene = Self::new(description)?;
-        let ends = description.vertices.iter().skip(1);
-        let sides = (description.vertices.iter()).zip(ends.chain(description.vertices.first()));
-        if description.vertices.len() > 1 {
-            let normals = sides.map(|(from, to)| outward::<R>(*from, *to).0);
-            scene.obstacles.body_normals = gather(normals);
-        }
+        let room = Room {
+            half_planes: description.surfaces.len(),
+            obstacles: O,
+            corners: C,
+        };
+        check_obstacles::<R, M>(obstacles, &room, &scene.units)?;
         for (index, obstacle) in obstacles.iter().enumerate() {
             scene.add(index, obstacle);
         }
+        scene.unite(description, obstacles);
+        scene.check_apart()?;
         Ok(scene)
     }
 
+    /// Adds an obstacle as if there were no other.
     fn add(&mut self, index: usize, given: &ObstacleDescription<'_, R::Si>) {
-        let memory = given
-            .memory
-            .map_or(default_memory(), |memory| self.units.length_from_si(memory));
-        let (mu_s, mu_d) = (given.friction_static, given.friction_dynamic);
-        let friction = Coulomb::from_coefficients(mu_s, mu_d, memory);
+        let friction = if M::FRICTION {
+            let memory = given
+                .memory
+                .map_or(default_memory(), |memory| self.units.length_from_si(memory));
+            Coulomb::from_coefficients(given.friction_static, given.friction_dynamic, memory)
+        } else {
+            Coulomb::FRICTIONLESS
+        };
         let first = u8::try_from(self.obstacles.corners.len()).unwrap_or(u8::MAX);
+        // There is room for it, and for its corners.
         let _ = self.obstacles.firsts.push(first);
-        let ends = given.vertices.iter().skip(1);
-        let sides = (given.vertices.iter()).zip(ends.chain(given.vertices.first()));
-        for (from, to) in sides {
-            let place: Vec2<R> = self.units.point_from_si(*from);
-            let end: Vec2<R> = self.units.point_from_si(*to);
-            let (normal, offset) = outward::<R>(*from, *to);
+        for (from, to) in sides(given.vertices) {
+            let [place, end]: [Vec2<R>; 2] = [from, to].map(|at| self.units.point_from_si(at));
+            let [x, y] = outward(from, to);
+            let offset = R::Si::sum_of_products(x, from[0], y, from[1]);
             let offset = self.units.length_from_si(offset);
+            let [x, y] = [x, y].map(|x| R::from_si(x, R::Si::ONE));
+            let normal = Vec2::new(x, y);
             let tangent = Vec2::new(normal.y, -normal.x);
-            let side = Surface {
-                normal,
-                tangent,
-                offset,
-                origin: normal * offset,
-                friction,
-            };
             let line = u8::try_from(self.obstacles.corners.len()).unwrap_or(u8::MAX);
             let _ = self.obstacles.corners.push(Corner {
                 place,
-                side,
+                side: Surface {
+                    normal,
+                    tangent,
+                    offset,
+                    origin: normal * offset,
+                    friction,
+                },
                 reach: [tangent.dot(end), tangent.dot(place)],
                 line: self.surface_indices().end.saturating_add(line),
                 obstacle: u8::try_from(index).unwrap_or(u8::MAX),
@@ -68,17 +120,68 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
             });
         }
     }
+
+    /// Makes one world of the obstacles and the half-planes: in the outside float, where their places have not been rounded to the
+    /// number type.
+    fn unite(
+        &mut self,
+        description: &Description<'_, R::Si>,
+        given: &[ObstacleDescription<'_, R::Si>],
+    ) {
+        let nd = |at: [R::Si; 2]| self.units.point_from_si::<R::Si>(at);
+        let all = given.iter().flat_map(|obstacle| sides(obstacle.vertices));
+        let lines: Vec<Side<R::Si>, C> = gather(all.map(|(from, to)| Side::new(nd(from), nd(to))));
+        let corners = &mut self.obstacles.corners;
+        join(corners, &lines);
+        for (index, obstacle) in given.iter().enumerate() {
+            let outline = Outline::<_, C>::new(obstacle.vertices.iter().map(|&at| nd(at)));
+            for (corner, side) in corners.iter_mut().zip(&lines) {
+                corner.covered |= match usize::from(corner.obstacle) {
+                    own if own == index => false,
+                    own => outline.covers::<R>(side.from, index < own),
+                };
+            }
+        }
+        for surface in description.surfaces {
+            let (x, y) = normalized(surface.normal[0], surface.normal[1]);
+            let offset = self.units.length_from_si(surface.offset);
+            cover(corners, &lines, (Vec2::new(x, y), offset));
+        }
+    }
+
+    /// At the start the body is not deeper than 1e-5 of its size in an obstacle.
+    fn check_apart(&self) -> Result<(), SceneError<R::Si>> {
+        let placed = Placed::at(&self.start);
+        for obstacle in 0..self.firsts().len() {
+            let depth = -separation(self, &placed, obstacle);
+            if depth > Self::start_tolerance() {
+                return Err(SceneError {
+                    parameter: Parameter::Overlap(obstacle),
+                    value: self.units.length_to_si(depth),
+                    allowed: "at most 1e-5 of the body's largest vertex distance",
+                });
+            }
+        }
+        Ok(())
+    }
 }
 
-/// The outward normal of a side between two points, in SI units, and its offset; of a pin something.
-fn outward<R: Real>(from: [R::Si; 2], to: [R::Si; 2]) -> (Vec2<R>, R::Si) {
-    let (x, y) = (to[0] - from[0], to[1] - from[1]);
-    let (x, y) = if x == R::Si::ZERO && y == R::Si::ZERO {
-        (R::Si::ONE, R::Si::ZERO)
-    } else {
-        normalized(x, y)
-    };
-    let offset = R::Si::sum_of_products(y, from[0], -x, from[1]);
-    let normal = Vec2::new(R::from_si(y, R::Si::ONE), R::from_si(-x, R::Si::ONE));
-    (normal, offset)
+/// The outward normals of the sides of a body, body frame; a point has none.
+pub(super) fn normals<R: Real>(vertices: &[[R::Si; 2]]) -> impl Iterator<Item = [R; 2]> {
+    let is_point = vertices.len() < 2;
+    let sides = sides(vertices).filter(move |_| !is_point);
+    sides.map(|(from, to)| outward(from, to).map(|x| R::from_si(x, R::Si::ONE)))
 }
+
+/// The outward unit normal of the side between two corners, counter-clockwise; of a pin any.
+fn outward<F: Real>(from: [F; 2], to: [F; 2]) -> [F; 2] {
+    let (x, y) = (to[0] - from[0], to[1] - from[1]);
+    if x == F::ZERO && y == F::ZERO {
+        return [F::ZERO, -F::ONE];
+    }
+    let (x, y) = normalized(x, y);
+    [y, -x]
+}
+
+#[cfg(test)]
+mod tests;

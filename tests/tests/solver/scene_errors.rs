@@ -330,6 +330,21 @@ fn parameters_are_named() {
                 surface: i,
                 vertex: j,
             },
+            P::ObstacleCount,
+            P::CornerCount,
+            P::Corners(i),
+            P::Corner {
+                obstacle: i,
+                corner: j,
+            },
+            P::Side {
+                obstacle: i,
+                side: j,
+            },
+            P::ObstacleFrictionStatic(i),
+            P::ObstacleFrictionDynamic(i),
+            P::ObstacleMemory(i),
+            P::Overlap(i),
         ];
         each.map(|parameter| parameter.to_string())
     };
@@ -341,7 +356,7 @@ fn parameters_are_named() {
         assert_eq!(name.replace("17", "3").replace("23", "5"), other);
     }
     let with = |index: &str| all.iter().filter(|name| name.contains(index)).count();
-    assert_eq!((with("17"), with("23")), (6, 1));
+    assert_eq!((with("17"), with("23")), (13, 3));
 }
 
 /// What is farther from a surface than 1e-5 of the body's size does not touch it at the start, and is not moved there.
