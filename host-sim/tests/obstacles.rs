@@ -229,6 +229,25 @@ fn a_sweep_varies_the_keys_of_an_obstacle() {
 }
 
 #[test]
+fn pictures_show_obstacles_with_their_names_and_corners_in_contact() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    let output = folder.stiction(&["run", "scene.toml", "--quiet", "--plot", "plots"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    for (picture, shown) in [
+        ("trajectory", &["\ntable\n", "corners in contact"][..]),
+        ("strip", &["\ntable\n"]),
+        ("forces", &["table [N]"]),
+        ("motion", &["vertices and corners in contact"]),
+    ] {
+        let svg = folder.read(&format!("plots/{picture}.svg"));
+        for part in shown {
+            assert!(svg.contains(part), "{picture}: {part}");
+        }
+    }
+}
+
+#[test]
 fn commands_that_take_no_obstacles_say_so() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);

@@ -1,6 +1,6 @@
 //! Obstacles cut to what a number type can represent: a corner beyond its range is replaced by corners at the edge of the range. From the obstacles of a file to those of the solver, and from the solver's indices back to the file's.
 
-use stiction_core::{Real, SceneError, SiFloat, Touch};
+use stiction_core::{Parameter, Real, SceneError, SiFloat, Touch};
 
 use crate::obstacle::ObstacleInfo;
 use crate::written::WrittenScene;
@@ -63,7 +63,24 @@ impl Indices {
 
     /// A refusal, by the indices of the file.
     pub(crate) fn error<F>(&self, error: SceneError<F>) -> SceneError<F> {
-        error
+        let whole = |obstacle| self.original(obstacle, 0).0;
+        let parameter = match error.parameter {
+            Parameter::Corners(i) => Parameter::Corners(whole(i)),
+            Parameter::Corner { obstacle, corner } => {
+                let (obstacle, corner) = self.original(obstacle, corner);
+                Parameter::Corner { obstacle, corner }
+            }
+            Parameter::Side { obstacle, side } => {
+                let (obstacle, side) = self.original(obstacle, side);
+                Parameter::Side { obstacle, side }
+            }
+            Parameter::ObstacleFrictionStatic(i) => Parameter::ObstacleFrictionStatic(whole(i)),
+            Parameter::ObstacleFrictionDynamic(i) => Parameter::ObstacleFrictionDynamic(whole(i)),
+            Parameter::ObstacleMemory(i) => Parameter::ObstacleMemory(whole(i)),
+            Parameter::Overlap(i) => Parameter::Overlap(whole(i)),
+            other => other,
+        };
+        SceneError { parameter, ..error }
     }
 }
 
