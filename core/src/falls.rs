@@ -150,7 +150,7 @@ pub(crate) fn first_fall<R: Real, const M: usize>(
         }
         narrowed = narrowed.saturating_add(1);
         let margin = width / R::from_int(16);
-        to = if narrowed % 3 == 0 {
+        to = if narrowed.is_multiple_of(3) {
             x + width.halved()
         } else {
             x + at.max(margin).min(width - margin)

@@ -41,9 +41,37 @@ pub trait Obstacles<R: Real>: Clone + Debug + PartialEq {
     /// For each obstacle the first of its corners.
     #[doc(hidden)]
     fn firsts(&self) -> &[u8];
+    /// For each obstacle a circle that it is in.
+    #[doc(hidden)]
+    fn rounds(&self) -> &[Round<R>];
     /// m_j, the outward normal of the body's side from vertex j on, body frame.
     #[doc(hidden)]
     fn body_normal(&self, side: u8) -> [R; 2];
+}
+
+/// A circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Round<R> {
+    pub(crate) center: Vec2<R>,
+    pub(crate) radius: R,
+}
+
+impl<R: Real> Round<R> {
+    /// Around some places: about the middle of their ranges.
+    pub(crate) fn about(places: impl Iterator<Item = Vec2<R>> + Clone) -> Self {
+        let range = |along: fn(Vec2<R>) -> R| {
+            let (least, most) = (places.clone()).fold((R::HUGE, R::LEAST), |(least, most), at| {
+                (least.min(along(at)), most.max(along(at)))
+            });
+            least + (most - least).halved()
+        };
+        let center = Vec2::new(range(|at| at.x), range(|at| at.y));
+        let distances = places.map(|at| (at - center).length_bound());
+        Self {
+            center,
+            radius: distances.fold(R::ZERO, R::max),
+        }
+    }
 }
 
 /// No obstacles: nothing is stored.
@@ -61,6 +89,9 @@ impl<R: Real> Obstacles<R> for NoObstacles {
     fn firsts(&self) -> &[u8] {
         &[]
     }
+    fn rounds(&self) -> &[Round<R>] {
+        &[]
+    }
     fn body_normal(&self, _: u8) -> [R; 2] {
         [R::ZERO; 2]
     }
@@ -71,6 +102,7 @@ impl<R: Real> Obstacles<R> for NoObstacles {
 pub struct SomeObstacles<R: Real, const V: usize, const O: usize, const C: usize> {
     pub(crate) corners: Vec<Corner<R>, C>,
     pub(crate) firsts: Vec<u8, O>,
+    pub(crate) rounds: Vec<Round<R>, O>,
     pub(crate) body_normals: Vec<Vec2<R>, V>,
 }
 
@@ -82,6 +114,7 @@ impl<R: Real, const V: usize, const O: usize, const C: usize> Obstacles<R>
         Self {
             corners: Vec::new(),
             firsts: Vec::new(),
+            rounds: Vec::new(),
             body_normals: gather(normals.map(|[x, y]| Vec2::new(x, y))),
         }
     }
@@ -90,6 +123,9 @@ impl<R: Real, const V: usize, const O: usize, const C: usize> Obstacles<R>
     }
     fn firsts(&self) -> &[u8] {
         &self.firsts
+    }
+    fn rounds(&self) -> &[Round<R>] {
+        &self.rounds
     }
     fn body_normal(&self, side: u8) -> [R; 2] {
         let normal = self.body_normals.get(usize::from(side));

@@ -118,6 +118,10 @@ fn touches<R: Real, W: World<R>>(
             s.begin(scene, path);
         }
         (StateKind::SingleVertex, Regime::Slide(_), ContactState::Edge(s)) => s.regime = regime,
+        // It ends elsewhere in the same line.
+        (StateKind::Edge, Regime::Slide(_), ContactState::Edge(s)) if W::CORNERS => {
+            s.regime = regime;
+        }
         (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s)) => {
             s.slide_on(scene, path, (sign, work));
         }

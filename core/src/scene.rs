@@ -8,7 +8,7 @@ use crate::friction::Coulomb;
 use crate::geometry::{Angle, Orientation, Pose, Vec2};
 use crate::list::gather;
 use crate::model::{Full, Model};
-use crate::obstacle::{Corner, Obstacles};
+use crate::obstacle::{Corner, Obstacles, Round};
 use crate::real::Real;
 use crate::units::Units;
 use crate::world::{Surface, World};
@@ -68,6 +68,9 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     }
     fn firsts(&self) -> &[u8] {
         self.obstacles.firsts()
+    }
+    fn rounds(&self) -> &[Round<R>] {
+        self.obstacles.rounds()
     }
     fn body_normal(&self, side: u8) -> Vec2<R> {
         let [x, y] = self.obstacles.body_normal(side);

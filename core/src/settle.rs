@@ -290,9 +290,9 @@ pub(crate) fn apply<R: Real, W: World<R>>(
     }
 }
 
-/// A contact that slides has left its side. One of an edge ends elsewhere now; any other one is passed on to the contact at the
-/// same place whose normal comes next as the normal turns towards the slide, and what follows is a slip in the same direction. Where
-/// the new normal is not pressed the body is free, and of two contacts the new one opens (STATICS 12.4).
+/// A contact that slides has left its side. It is passed on to the contact at the same place whose normal comes next as the normal
+/// turns towards the slide, and what follows is a slip in the same direction. Where the new normal is not pressed the body is free, and
+/// of two contacts the new one opens (STATICS 12.4).
 fn pass_on<R: Real, W: World<R>>(
     scene: &W,
     state: &mut ContactState<R>,
@@ -304,15 +304,14 @@ fn pass_on<R: Real, W: World<R>>(
     let Some(&left) = contacts.get(index) else {
         return Next::Relax(None);
     };
+    if state.kind() == StateKind::Edge {
+        return pass_end_on(scene, state, (left, sign));
+    }
     let stiction = state.regime().has_stiction();
     let placed = state.placed(scene);
     let mut others = contacts.clone();
     others.retain(|&pair| pair != left);
-    let next = if state.kind() == StateKind::Edge {
-        placed.next_end(scene, (left, sign), &others)
-    } else {
-        placed.next_contact(scene, (left, sign), &contacts)
-    };
+    let next = placed.next_contact(scene, (left, sign), &contacts);
     let pose = state.pose(scene);
     let pressed = next.filter(|&next| {
         let load = state.load(scene, grip);
@@ -339,6 +338,44 @@ fn pass_on<R: Real, W: World<R>>(
         }
         StateKind::SingleVertex | StateKind::Edge => Next::Slip(sign),
         _ => Next::Relax(Some(sign)),
+    }
+}
+
+/// An edge that slides along sign·t has lost one of its contacts at the end of a side. Where another one takes its place in the same
+/// line, nothing has changed: what slides or slips goes on. Where its line ends elsewhere now, or the contact is passed on to another
+/// line or to none, the body comes to balance first.
+fn pass_end_on<R: Real, W: World<R>>(
+    scene: &W,
+    state: &mut ContactState<R>,
+    (left, sign): (Pair, R),
+) -> Next<R> {
+    let regime = state.regime();
+    let placed = state.placed(scene);
+    let contacts = state.contacts();
+    let mut lasting = contacts.clone();
+    lasting.retain(|&pair| pair != left);
+    let Some(&lasts) = lasting.first() else {
+        return Next::Relax(None);
+    };
+    let next = (placed.next_end(scene, (left, sign), &lasting))
+        .or_else(|| placed.next_contact(scene, (left, sign), &contacts));
+    // What goes on is placed as it was.
+    let pivot = pivot_of(scene, state, lasts);
+    let others: Pairs = next.into_iter().collect();
+    *state = ContactState::seated(scene, pivot, &others);
+    let is_there = |next: Pair| {
+        let apart = placed.arm_to(scene, next) - placed.arm_to(scene, left);
+        apart.length_bound() <= R::MICRO.doubled()
+    };
+    let goes_on = state.kind() == StateKind::Edge && next.is_some_and(is_there);
+    state.set_regime(match regime {
+        Regime::Slide(_) if !goes_on => Regime::LOOSE,
+        regime => regime,
+    });
+    match regime {
+        _ if !goes_on => Next::Relax(Some(sign)),
+        Regime::Slide(_) => Next::Rest,
+        Regime::Stick { .. } => Next::Slip(sign),
     }
 }
 
@@ -411,6 +448,10 @@ pub(crate) fn touch<R: Real, W: World<R>>(
     let stiction = state.regime().has_stiction();
     *state = ContactState::seated(scene, pivot, others);
     state.set_regime(Regime::Stick { stiction });
+    if W::CORNERS && before == StateKind::Edge && state.kind() == before {
+        // It ends elsewhere in the same line.
+        return;
+    }
     let (arm, event) = touch_arm(before, state.kind());
     log.transitions.add(arm);
     log.event(event);

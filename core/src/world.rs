@@ -6,7 +6,7 @@ use crate::detect::Placed;
 use crate::forces::Touch;
 use crate::friction::{Coulomb, SlidingEdge};
 use crate::geometry::{Rotation, Vec2};
-use crate::obstacle::Corner;
+use crate::obstacle::{Corner, Round};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use core::ops::Range;
@@ -76,6 +76,8 @@ pub(crate) trait World<R: Real>: Sized {
     fn corners(&self) -> &[Corner<R>];
     /// For each obstacle the first of its corners.
     fn firsts(&self) -> &[u8];
+    /// For each obstacle a circle that it is in.
+    fn rounds(&self) -> &[Round<R>];
     /// m_j: the outward normal of the body's side from vertex j on, body frame.
     fn body_normal(&self, side: u8) -> Vec2<R>;
     /// cg, body frame.

@@ -8,7 +8,7 @@ use crate::contact::{Pair, Pairs};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
-use crate::obstacle::corners_of;
+use crate::obstacle::{Round, corners_of};
 use crate::real::Real;
 use crate::search::Found;
 use crate::thresholds::Thresholds;
@@ -191,8 +191,57 @@ fn gap_along<R: Real, W: World<R>>(
     })
 }
 
-/// The axis along which the body is farthest from an obstacle, and the gap along it. Where both have no inside together, a point and a
-/// wall or a rod and a pin, that of two sides at one place which the body leaves.
+/// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
+/// turns with it, the gap of a corner that is far from the placed point closes faster.
+fn room_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let gap = off(scene, body, axis, feature).value;
+        let place = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
+            Axis::Side(_) | Axis::End(_) => None,
+        };
+        let far = place.map_or(R::ONE, |place| (place - body.placed.point).length_bound());
+        least.min(if gap > R::ZERO && far > R::ONE {
+            gap / far
+        } else {
+            gap
+        })
+    })
+}
+
+/// How fast the gap along an axis opens where it is the least, to what counts as a touch, but for contacts that last.
+fn opening_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    (lasting, gap): (&[Pair], R),
+) -> R {
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let off = off(scene, body, axis, feature);
+        if off.value <= gap + R::TOUCH {
+            least.min(off.slope)
+        } else {
+            least
+        }
+    })
+}
+
+/// The axis along which the body is farthest from an obstacle, and the gap along it. Of several along which it touches, as a body that
+/// turns out of a flat contact, or a point and a wall which have no inside together, the one that opens fastest.
 fn widest<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
@@ -201,21 +250,19 @@ fn widest<R: Real, W: World<R>>(
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
-    let is_thin = corners(scene, obstacle).len() + scene.vertices().len() == 3;
-    let rounding = if is_thin {
-        body.placed.rounding()
-    } else {
-        R::ZERO
-    };
+    if (corners(scene, obstacle).len(), scene.vertices().len()) == (1, 1) {
+        // A point and a pin have no axis: they do not touch.
+        return (None, R::HUGE);
+    }
     for axis in axes(scene, obstacle) {
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
-        let rate = if is_thin {
-            let feature = features(scene, (obstacle, axis)).start;
-            off(scene, body, axis, feature).slope
+        let touches = gap.abs() <= R::TOUCH;
+        let rate = if touches {
+            opening_along(scene, body, (obstacle, axis), (lasting, gap))
         } else {
             R::ZERO
         };
-        let is_wider = if is_thin && gap.abs() <= rounding && found.1.abs() <= rounding {
+        let is_wider = if touches && found.1.abs() <= R::TOUCH && rate != opens {
             rate > opens
         } else {
             gap > found.1
@@ -229,24 +276,44 @@ fn widest<R: Real, W: World<R>>(
 
 impl<R: Real> Placed<R> {
     /// The rounding of a gap to an obstacle near the body.
-    fn rounding(&self) -> R {
+    pub(super) fn rounding(&self) -> R {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
-    /// The least distance from any obstacle, but for contacts that last, less what counts as a touch and the rounding: a lower bound.
+    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
+    /// no more, together; less what counts as a touch and the rounding.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
         let body = Instant::at_rest(*self);
-        let gaps = (0..scene.firsts().len()).map(|obstacle| {
-            let (_, gap) = widest(scene, &body, obstacle, lasting);
-            gap - self.rounding().doubled() - R::TOUCH
-        });
-        gaps.fold(R::HUGE, R::min)
+        let radius = self.radius(scene, None);
+        let mut least = R::HUGE;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            let apart = self.apart(round) - radius;
+            if apart > R::ONE {
+                least = least.min(apart);
+                continue;
+            }
+            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            let room = axes(scene, obstacle).map(along).reduce(R::max);
+            let room = room.unwrap_or(R::HUGE);
+            least = least.min(room - self.rounding().doubled() - R::TOUCH);
+        }
+        least
+    }
+
+    /// A lower bound of the distance of the point from a circle.
+    fn apart(&self, round: &Round<R>) -> R {
+        let between = self.point - round.center;
+        between.x.abs().max(between.y.abs()) - round.radius
+    }
+
+    /// How far the body and an obstacle are apart, or minus how deep one is in the other.
+    pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
+        widest(scene, &Instant::at_rest(*self), obstacle, &[]).1
     }
 
     /// The body is deeper in an obstacle than this.
     pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
-        let body = Instant::at_rest(*self);
-        (0..scene.firsts().len()).any(|obstacle| widest(scene, &body, obstacle, &[]).1 < -depth)
+        (0..scene.firsts().len()).any(|obstacle| self.separation(scene, obstacle) < -depth)
     }
 
     /// How far a contact is beyond the end of its side; negative on it.
@@ -283,16 +350,17 @@ impl<R: Real> Placed<R> {
         tolerance: R,
         list: &mut Pairs,
     ) {
-        for obstacle in 0..scene.firsts().len() {
-            let (_, gap) = widest(scene, &Instant::at_rest(*self), obstacle, &[]);
-            if gap > tolerance {
+        let radius = self.radius(scene, None) + tolerance;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if self.apart(round) > radius || self.separation(scene, obstacle) > tolerance {
                 continue;
             }
             let own = corners(scene, obstacle);
-            let lines = sides(own.clone()).filter(|&side| line_of(scene, side) == side);
-            let vertices = lines.flat_map(|surface| {
-                let pair = move |vertex: u8| Pair { vertex, surface };
-                scene.vertex_indices().map(pair)
+            let vertices = sides(own.clone()).flat_map(|side| {
+                let surface = line_of(scene, side);
+                scene
+                    .vertex_indices()
+                    .map(move |vertex| Pair { vertex, surface })
             });
             let is_bare = |&corner: &u8| scene.corner(corner).is_some_and(|c| !c.covered);
             let corners = own.filter(is_bare).flat_map(|corner| {
@@ -304,8 +372,10 @@ impl<R: Real> Placed<R> {
                     && self.supports(scene, pair, tolerance)
             });
             for pair in pairs {
-                // More than there is room for is not counted.
-                let _ = list.push(pair);
+                if !list.contains(&pair) {
+                    // More than there is room for is not counted.
+                    let _ = list.push(pair);
+                }
             }
         }
     }
@@ -343,11 +413,12 @@ impl<R: Real> Placed<R> {
         found.map(|(_, pair)| pair)
     }
 
-    /// The contact at the other end of an edge that one end of has left its side: the farthest in line with those that last.
+    /// Where an edge that slides along sign·t ends once one of its contacts has left its side: at the farthest in line with what lasts
+    /// that does not leave its side as well.
     pub(crate) fn next_end<W: World<R>>(
         &self,
         scene: &W,
-        (left, _): (Pair, R),
+        (left, sign): (Pair, R),
         lasting: &[Pair],
     ) -> Option<Pair> {
         let &kept = lasting.first()?;
@@ -356,8 +427,17 @@ impl<R: Real> Placed<R> {
         let way = along(left).sign();
         let mut list = Pairs::new();
         self.touching_obstacles(scene, together(), &mut list);
-        let is_end =
-            |&pair: &Pair| pair != left && pair != kept && scene.lie_in_line([kept, pair], self);
+        let is_end = |&pair: &Pair| {
+            let [low, high] = scene.reach(pair);
+            let foot = self.foot(scene, pair);
+            let ahead = if sign < R::ZERO {
+                foot - low
+            } else {
+                high - foot
+            };
+            let differs = pair != left && pair != kept;
+            differs && ahead > together() && scene.lie_in_line([kept, pair], self)
+        };
         let ends = list.iter().copied().filter(is_end);
         let mut found: Option<(R, Pair)> = None;
         for pair in ends {
@@ -441,7 +521,14 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 }
             }
         }
-        for obstacle in 0..scene.firsts().len() {
+        let way = (there.placed.point - here.placed.point)
+            .length_bound()
+            .doubled();
+        let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if here.placed.apart(round) > reach {
+                continue;
+            }
             if let Some(end) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at) {
                 (to, there) = end;
                 let contact = touched(scene, lasting, obstacle, (&start.placed, &there.placed));

@@ -7,14 +7,12 @@ use crate::friction::Coulomb;
 use crate::geometry::{Vec2, normalized};
 use crate::list::gather;
 use crate::model::{Model, WithObstacles};
-use crate::obstacle::Corner;
+use crate::obstacle::{Corner, Round};
 use crate::real::Real;
 use crate::world::{Surface, World};
-use apart::separation;
 use heapless::Vec;
 use union::{Outline, Side, cover, join};
 
-mod apart;
 mod union;
 
 impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M: Model>
@@ -95,6 +93,11 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
         let first = u8::try_from(self.obstacles.corners.len()).unwrap_or(u8::MAX);
         // There is room for it, and for its corners.
         let _ = self.obstacles.firsts.push(first);
+        let places = given
+            .vertices
+            .iter()
+            .map(|&at| self.units.point_from_si(at));
+        let _ = self.obstacles.rounds.push(Round::about(places));
         for (from, to) in sides(given.vertices) {
             let [place, end]: [Vec2<R>; 2] = [from, to].map(|at| self.units.point_from_si(at));
             let [x, y] = outward(from, to);
@@ -153,7 +156,7 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
     fn check_apart(&self) -> Result<(), SceneError<R::Si>> {
         let placed = Placed::at(&self.start);
         for obstacle in 0..self.firsts().len() {
-            let depth = -separation(self, &placed, obstacle);
+            let depth = -placed.separation(self, obstacle);
             if depth > Self::start_tolerance() {
                 return Err(SceneError {
                     parameter: Parameter::Overlap(obstacle),

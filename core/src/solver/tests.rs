@@ -7,6 +7,10 @@ use crate::hand::Hand;
 use crate::world::World;
 use core::f64::consts::FRAC_PI_2;
 
+mod among;
+mod flat;
+mod stress;
+
 /// Boxes and rods that are dragged, turned and pushed into a corner, with searches that give up after one step, two steps and so on.
 #[test]
 fn frame_that_gives_up_says_so() {

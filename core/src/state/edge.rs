@@ -1,11 +1,11 @@
-//! Two vertices on one surface (STATICS 4): the angle is locked to the surface. Everything is linear in the hand's path
-//! and in the slip, so every event is closed form.
+//! Two vertices on one surface, or two contacts in one line (STATICS 4, 12.5): the angle is locked to the surface. Everything is linear
+//! in the hand's path and in the slip, so every event is closed form.
 
 use super::SingleVertex;
 use super::segment::Segment;
 use crate::balance_curve::Margin;
 use crate::contact::{Pair, Pairs, Reactions, Regime};
-use crate::detect::PointPath;
+use crate::detect::{Placed, PointPath};
 use crate::friction::{SlidingEdge, Verdict};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -17,7 +17,9 @@ use crate::real::Real;
 use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
-/// The memory: where the first vertex is held, the locked angle, the other contact, and whether they stick.
+mod ends;
+
+/// The memory: where the first contact is held, the locked angle, the other contact, and whether they stick.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Edge<R> {
     pub(crate) pivot: Pivot<R>,
@@ -38,7 +40,7 @@ struct Reaction<R> {
 }
 
 impl<R: Real> Reaction<R> {
-    /// A vertex is, or both are, pulled off.
+    /// A contact is, or both are, pulled off.
     fn opens(&self, sliding: Option<R>) -> Option<Trigger<R>> {
         let [first, second] = self.parts;
         match (
@@ -68,8 +70,8 @@ impl<R: Real> Edge<R> {
     }
 
     /// x_2 - x_1
-    fn span(&self, scene: &impl World<R>, load: &Load<R>) -> R {
-        let arm = load.placed.arm_to(scene, self.other);
+    fn span(&self, scene: &impl World<R>, placed: &Placed<R>) -> R {
+        let arm = placed.arm_to(scene, self.other);
         self.pivot.surface(scene).tangent.dot(arm)
     }
 
@@ -87,7 +89,7 @@ impl<R: Real> Edge<R> {
         let surface = self.pivot.surface(scene);
         // The edge does not turn.
         let normal = load.reaction(surface.normal, displacement);
-        let span = self.span(scene, load);
+        let span = self.span(scene, &load.placed);
         let turn = scene.stiffness() * displacement.turn + load.lever.cross(displacement.hand);
         let second = Margin {
             start: Self::second(load.moment(), span),
@@ -134,9 +136,16 @@ impl<R: Real> Edge<R> {
         }
         let load = after.pivot.load(scene, to);
         let (normal, friction) = surface.reaction(load.force);
-        let span = self.span(scene, &load);
+        let span = self.span(scene, &load.placed);
         let second = Self::second(load.moment(), span);
-        let slack = load.rounding() / span.abs();
+        let mut slack = load.rounding() / span.abs();
+        if W::CORNERS && slide.is_some() {
+            let Some(bend) = after.bend_of_ends(scene, &self.pivot, from.displacement_to(to))
+            else {
+                return false;
+            };
+            slack = slack + bend / span.abs();
+        }
         let stiction = self.regime.has_stiction();
         let coulomb = surface.friction;
         let holds = slide.is_some() || coulomb.is_within((normal, friction), stiction, slack);
@@ -153,13 +162,15 @@ impl<R: Real> Edge<R> {
         follows
     }
 
-    /// True if no vertex can reach another surface on a way of the edge that has ended here.
+    /// True if nothing else can be reached on a way of the edge that has ended here.
     fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
         self.room = self.room - way;
         if self.room <= R::ZERO {
             let placed = self.pivot.placed(scene);
-            self.room =
-                placed.room_of(scene, |pair| pair.surface != self.pivot.contact.surface) - way;
+            let counts = |pair: &Pair| {
+                pair.surface != self.pivot.contact.surface && (!W::CORNERS || *pair != self.other)
+            };
+            self.room = placed.room_of(scene, counts) - way;
             if W::CORNERS {
                 let among = placed.room_among(scene, &self.contacts()) - way;
                 self.room = self.room.min(among);
@@ -236,8 +247,13 @@ impl<R: Real> Edge<R> {
         if let Some(loosens) = surface.friction.loosens(reaction.normal) {
             segment.stop_at(&loosens, Trigger::Pressed);
         }
-        for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            segment.stop_at(part, keep(other, Some(sign)));
+        if W::CORNERS {
+            let along = (foot.along / edge.cos, sign);
+            self.stop_at_ends(scene, &mut segment, (&load, &relative), along);
+        } else {
+            for (part, other) in reaction.parts.iter().zip([1, 0]) {
+                segment.stop_at(part, keep(other, Some(sign)));
+            }
         }
         self.pivot
             .slide(scene, &from.lerp(to, segment.part()), &edge);
@@ -293,12 +309,13 @@ impl<R: Real> Edge<R> {
     /// Slips along sign·t to the first of |T| = mu_d N, touch, N_i = 0. Where |T| = mu_d N ends it, it sticks if it is pressed hard
     /// enough, else it slides on with the hand (rule 4).
     #[inline(never)]
-    pub(crate) fn slip(&mut self, scene: &impl World<R>, grip: &Grip<R>, sign: R) -> Moved<R> {
+    pub(crate) fn slip<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let surface: Surface<R> = self.pivot.surface(scene);
         let farthest = load.force.length_bound() + load.lever.length_bound().doubled();
         let shift = surface.tangent * sign;
-        let reaction = self.reaction(scene, &load, &Displacement::slide(shift));
+        let relative = Displacement::slide(shift);
+        let reaction = self.reaction(scene, &load, &relative);
         let mut segment: Segment<R> = Segment::straight(farthest, Trigger::Stopped);
         let drives = surface
             .friction
@@ -309,8 +326,12 @@ impl<R: Real> Edge<R> {
             &load.placed,
             (&PointPath::straight(shift), &self.contacts()),
         );
-        for (part, other) in reaction.parts.iter().zip([1, 0]) {
-            segment.stop_at(part, keep(other, Some(sign)));
+        if W::CORNERS {
+            self.stop_at_ends(scene, &mut segment, (&load, &relative), (sign, sign));
+        } else {
+            for (part, other) in reaction.parts.iter().zip([1, 0]) {
+                segment.stop_at(part, keep(other, Some(sign)));
+            }
         }
         let slip = sign * segment.part();
         self.pivot = self.pivot.moved(slip, R::ZERO);

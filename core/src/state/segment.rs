@@ -84,6 +84,16 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
+    /// Ends at a place, if that is earlier.
+    pub(super) fn stop_at_place(&mut self, x: R, trigger: Trigger<R>) {
+        if x < self.extent.end.x {
+            self.extent.end = self.curve.at(x);
+            (self.extent.folds, self.extent.unsure) = (false, false);
+            self.trigger = trigger;
+            self.goes_on = false;
+        }
+    }
+
     /// Ends where a foot turns back whose displacement is a margin, if that is earlier.
     pub(super) fn stop_at_reversal(&mut self, foot: &Margin<R>, slack: R, trigger: Trigger<R>) {
         if self.curve.stop_at_reversal(foot, slack, &mut self.extent) {

@@ -15,12 +15,14 @@ use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
 mod certified;
+mod course;
 mod kinematics;
 mod slide;
 
 use kinematics::Quantities;
 
 pub(crate) use certified::certified_slide;
+pub(crate) use course::Course;
 pub(crate) use slide::{MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
 /// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.
@@ -98,9 +100,14 @@ pub(crate) enum Ending<R> {
     Touches(Pair),
     /// A contact comes to the turning point of its motion.
     Reverses,
+    /// Contact number `contact`, which slides along sign·t, has left its side.
+    Off { contact: usize, sign: R },
     /// The end of the range in which the bounds hold.
     Window,
 }
+
+/// The velocities of both contacts along their tangents, and how they change.
+type Turning<R> = [Sloped<R>; 2];
 
 impl<R: Real> Sense<R> {
     /// Along a motion whose friction is not known yet.
@@ -129,8 +136,8 @@ impl<R: Real> Trammel<R> {
     }
 
     /// That of some directions that the hand drives most, if any.
-    pub(crate) fn driven_in(
-        scene: &impl World<R>,
+    pub(crate) fn driven_in<W: World<R>>(
+        scene: &W,
         contacts: (&Pivot<R>, Pair),
         grip: &Grip<R>,
         (directions, demand): (&[R], Demand),
@@ -140,7 +147,8 @@ impl<R: Real> Trammel<R> {
         for &direction in directions {
             trammel.sense = trammel.turned_to(direction);
             let excess = best.map_or(R::LEAST, |sense| sense.excess);
-            if trammel.meets_friction(demand) && trammel.sense.excess > excess {
+            let meets_friction = trammel.meets_friction((scene, contacts, grip), demand);
+            if meets_friction && trammel.sense.excess > excess {
                 best = Some(trammel.sense);
             }
         }
@@ -157,7 +165,7 @@ impl<R: Real> Trammel<R> {
     ) -> Self {
         let mut trammel = Self::at(scene, contacts, grip);
         trammel.sense = trammel.turned_to(direction);
-        trammel.meets_friction(Demand::AtTheEnd);
+        trammel.meets_friction((scene, contacts, grip), Demand::AtTheEnd);
         trammel
     }
 
@@ -183,6 +191,11 @@ impl<R: Real> Trammel<R> {
     fn turned_to(&self, direction: R) -> Sense<R> {
         let curve = Self::curve(&self.surfaces, self.arm, direction);
         Sense::along(curve, direction)
+    }
+
+    /// The sign of (E6) where the load drives the motion, and its rounding.
+    pub(crate) fn falls(&self) -> (R, R) {
+        (self.sense.resistance.sign(), self.sense.rounding)
     }
 
     /// The sign of the unit twist.
@@ -244,14 +257,22 @@ impl<R: Real> Trammel<R> {
 
     /// Directions of friction; true if the hand drives the motion: [w1 w2 -sum v_i w_ti] (N1, N2, delta) = -w_hand has
     /// a solution with delta > 0 and N_i >= 0.
-    fn meets_friction(&mut self, demand: Demand) -> bool {
+    fn meets_friction<W: World<R>>(
+        &mut self,
+        (scene, contacts, grip): (&W, (&Pivot<R>, Pair), &Grip<R>),
+        demand: Demand,
+    ) -> bool {
         let start = self.sense.curve.at(R::ZERO);
         let standstill = R::standstill();
         let velocities: [R; 2] = self.velocities(&start);
         let mut ahead = velocities;
         if velocities.iter().any(|v| v.abs() <= standstill) {
             // A contact at the turning point of its motion is about to go on the other way.
-            let turning: [Sloped<R>; 2] = self.velocities(&start);
+            let turning: Turning<R> = if W::CORNERS {
+                Course::of(scene, contacts, grip, self).turning()
+            } else {
+                self.velocities(&start)
+            };
             for (ahead, v) in ahead.iter_mut().zip(turning) {
                 if v.value.abs() <= standstill {
                     *ahead = v.slope;

@@ -5,7 +5,7 @@ mod slip;
 
 use super::fixed_pose::FixedPose;
 use super::trammel::{
-    Demand, SLIDE, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
+    Course, Demand, SLIDE, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::grip::Grip;
@@ -53,15 +53,21 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// A certified frame: it stays, as the loads that are borne are convex and the end of the way decides; or it slides on.
-    pub(crate) fn follow(
+    pub(crate) fn follow<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         path: (&Grip<R>, &Grip<R>),
         work: &mut Work,
     ) -> bool {
         if let Some(sense) = self.regime.slide() {
-            let slide = certified_slide(scene, (&self.pivot, self.other), path, sense);
-            let slide = slide.filter(|slide| self.has_room(scene, slide.travel_bound));
+            let slide = if W::CORNERS && self.contacts().iter().any(|pair| pair.is_corner()) {
+                None
+            } else {
+                certified_slide(scene, (&self.pivot, self.other), path, sense)
+            };
+            let slide = slide
+                .filter(|slide| !W::CORNERS || self.are_on_sides(scene, &slide.pivot))
+                .filter(|slide| self.has_room(scene, slide.travel_bound));
             self.pivot = slide.as_ref().map_or(self.pivot, |slide| slide.pivot);
             return slide.is_some();
         }
@@ -69,6 +75,15 @@ impl<R: Real> TwoVertex<R> {
         let bears = fixed_pose.bears(scene, path.1, &mut self.bearers);
         work.spend(fixed_pose.work());
         bears
+    }
+
+    /// Both contacts are on their sides at a place of the pivot.
+    fn are_on_sides(&self, scene: &impl World<R>, pivot: &Pivot<R>) -> bool {
+        let placed = pivot.placed(scene);
+        let contacts = self.contacts();
+        contacts
+            .iter()
+            .all(|&pair| placed.beyond(scene, pair) <= R::ZERO)
     }
 
     /// True if no further vertex can reach a surface on a way that begins here.
@@ -114,28 +129,52 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// The slide in a sense of the twist that follows a displacement of the hand.
-    fn sliding(
+    fn sliding<W: World<R>>(
         &self,
-        scene: &impl World<R>,
+        scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
         sense: R,
     ) -> Slides<R> {
         let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), from, sense);
-        Slides::new(trammel, &from.displacement_to(to))
+        self.follows(scene, trammel, (from, to))
+    }
+
+    /// That of a trammel whose load is that at the beginning.
+    fn follows<W: World<R>>(
+        &self,
+        scene: &W,
+        trammel: Trammel<R>,
+        (from, to): (&Grip<R>, &Grip<R>),
+    ) -> Slides<R> {
+        let displacement = from.displacement_to(to);
+        if W::CORNERS {
+            let course = Course::of(scene, (&self.pivot, self.other), from, &trammel);
+            return Slides::along(&course, trammel, &displacement);
+        }
+        Slides::new(trammel, &displacement)
     }
 
     /// Slides on both surfaces as the hand moves, to the first of halt, fold, touch, N_i = 0, stiction, or as far as the bounds hold.
     #[inline(never)]
-    fn advance_sliding(
+    fn advance_sliding<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
         sense: R,
     ) -> Moved<R> {
         self.room = R::ZERO;
         let slides = self.sliding(scene, (from, to), sense);
-        let (run, part, ending) = slides.run(scene, &self.contacts());
-        self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+        let (run, part, ending) = if W::CORNERS {
+            let contacts = (&self.pivot, self.other);
+            let course = Course::of(scene, contacts, from, slides.trammel());
+            let (pivot, run, part, ending) = slides.follow(&course);
+            self.pivot = pivot;
+            (run, part, ending)
+        } else {
+            let (run, part, ending) = slides.run(scene, &self.contacts());
+            self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
+            (run, part, ending)
+        };
         let trigger = match ending {
             SlideEnding::Window if !run.unsure => Trigger::GoesOn,
             SlideEnding::Window | SlideEnding::Arrives => Trigger::Balanced,
@@ -144,6 +183,7 @@ impl<R: Real> TwoVertex<R> {
             SlideEnding::Pressed => Trigger::Pressed,
             SlideEnding::Touches(pair) => Trigger::Touch(pair),
             SlideEnding::Opens { lasts, sliding } => keep(lasts, sliding),
+            SlideEnding::Off { contact, sign } => Trigger::Off { contact, sign },
         };
         Moved {
             part,
@@ -170,7 +210,7 @@ impl<R: Real> TwoVertex<R> {
                 return None;
             }
             work.spend(SLIDE);
-            let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
+            let slides = self.follows(scene, trammel, path);
             match slides.begins() {
                 Some(SlideEnding::Arrives) => Some(Regime::Slide(sense)),
                 Some(SlideEnding::Pressed) => Some(Regime::Stick { stiction: true }),
@@ -209,7 +249,7 @@ impl<R: Real> TwoVertex<R> {
                 continue;
             }
             work.spend(SLIDE);
-            let slides = Slides::new(trammel, &path.0.displacement_to(path.1));
+            let slides = self.follows(scene, trammel, path);
             if let Some((advances, [_, pressing])) = slides.rates()
                 && advances > R::ZERO
                 && pressing > R::ZERO

@@ -78,8 +78,7 @@ pub fn verdict<R: Number>(case: &Case, evolution: Evolution) -> Verdict {
         }
         let answer = answer(&run.frame, slips);
         for check in case.checks.iter().filter(|check| check.frame == i) {
-            let slack = slack(case, (check, slips), evolution);
-            compare::<R>(case, (check, &answer), slack, &mut verdict);
+            compare::<R>(case, (check, &answer), &mut verdict);
         }
     }
     verdict
@@ -107,32 +106,7 @@ fn bound<R: Number>(case: &Case) -> f64 {
     }
 }
 
-/// What a frame evolution adds to the bound after a slip: within the frame of a slip the hand has jumped to its end, so that the slip
-/// ends elsewhere by no more than the hand's way in a frame, and so do forces by what the springs make of it. In the check's scale.
-fn slack(case: &Case, (check, slips): (&Check, u32), evolution: Evolution) -> f64 {
-    if evolution == Evolution::Path || slips == 0 {
-        return 0.0;
-    }
-    let setup = &case.among.setup;
-    let size = setup.size();
-    let ways = case.hands.windows(2).map(|pair| {
-        let [dx, dy, turn] = [0, 1, 2].map(|k| pair[1][k] - pair[0][k]);
-        dx.hypot(dy) + turn.abs() * size
-    });
-    let way = ways.fold(0.0, f64::max);
-    if check.value.is_pose() {
-        return way / size.min(1.0) / check.scale;
-    }
-    let stiffest = setup.stiffness_translation + setup.stiffness_rotation / (size * size);
-    2.0 * stiffest * way / check.scale
-}
-
-fn compare<R: Number>(
-    case: &Case,
-    (check, answer): (&Check, &Answer),
-    slack: f64,
-    verdict: &mut Verdict,
-) {
+fn compare<R: Number>(case: &Case, (check, answer): (&Check, &Answer), verdict: &mut Verdict) {
     let error = check.error(answer);
     if check.value.is_pose() {
         verdict.pose = verdict.pose.max(error);
@@ -140,7 +114,7 @@ fn compare<R: Number>(
     if check.value.is_force() {
         verdict.force = verdict.force.max(error);
     }
-    let bound = bound::<R>(case) + slack;
+    let bound = bound::<R>(case);
     if error > bound {
         verdict.take(check.frame, || {
             let got = match check.value {

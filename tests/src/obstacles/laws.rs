@@ -6,13 +6,12 @@
 use super::rooms::beyond as beyond_cell;
 use super::run::{Contact, Frame};
 use super::scene::Among;
-use super::shape::{
-    Point, centroid, cross, dot, ends, length, neighbours, outward, placed, separation, sub,
-    tangent,
-};
+use super::shape::{Point, dot, length, placed, separation, sub};
 use crate::number::Number;
-use crate::reference::Touch;
 use stiction_core::Status;
+
+mod line;
+mod statics;
 
 /// Every number is finite, and there are as many touches as contacts.
 pub const FINITE: &str = "every number is finite";
@@ -28,6 +27,8 @@ pub const ON_SIDE: &str = "a contact is on its side";
 pub const SUPPORTS: &str = "the normal of a contact supports";
 /// `direction` and `point` are those of the pose.
 pub const PLACE: &str = "a contact is where it says";
+/// There is such a pair: a pin has no sides, nor has a point.
+pub const PAIR: &str = "a contact is a pair of features";
 /// No contact is there twice.
 pub const ONCE: &str = "a contact is there once";
 /// The state is named after the number of contacts.
@@ -80,18 +81,6 @@ pub struct Laws {
 struct Lengths {
     gap: f64,
     side: f64,
-}
-
-/// Line and ends of a contact in a pose.
-struct Line {
-    point: Point,
-    normal: Point,
-    /// From the contact's line to its point, along the normal (m).
-    gap: f64,
-    /// How far the point is beyond the nearer end of its side (m).
-    beyond: f64,
-    /// The deepest neighbour behind the line (m).
-    behind: f64,
 }
 
 impl Laws {
@@ -175,7 +164,7 @@ impl Laws {
         findings.add(OUTSIDE, deepest, allowed.gap);
         for contact in &frame.contacts {
             let Some(line) = self.line(body, contact.touch) else {
-                findings.add(PLACE, 1.0, 0.0);
+                findings.add(PAIR, 1.0, 0.0);
                 continue;
             };
             findings.add(ON_LINE, line.gap.abs(), allowed.gap);
@@ -205,156 +194,6 @@ impl Laws {
         });
         obstacles.chain(surfaces).fold(f64::NEG_INFINITY, f64::max)
     }
-
-    /// `None` where there is no such contact.
-    fn line(&self, body: &[Point], touch: Touch) -> Option<Line> {
-        let behind = |normal: Point, point: Point, others: &[Point], sign: f64| {
-            let depth = others.iter().map(|&p| -sign * dot(normal, sub(p, point)));
-            depth.fold(f64::NEG_INFINITY, f64::max)
-        };
-        match touch {
-            Touch::Surface { vertex, surface } => {
-                let surface = self.among.setup.surfaces.get(surface)?;
-                let point = *body.get(vertex)?;
-                let long = length(surface.normal);
-                let normal = surface.normal.map(|n| n / long);
-                Some(Line {
-                    point,
-                    normal,
-                    gap: dot(normal, point) - surface.offset / long,
-                    beyond: f64::NEG_INFINITY,
-                    behind: behind(normal, point, &neighbours(body, vertex), 1.0),
-                })
-            }
-            Touch::Side {
-                vertex,
-                obstacle,
-                side,
-            } => {
-                let shape = &self.among.obstacles.get(obstacle)?.vertices;
-                let point = *body.get(vertex)?;
-                let (normal, gap, _) = side_of(shape, side, point)?;
-                Some(Line {
-                    point,
-                    normal,
-                    gap,
-                    beyond: self.past(obstacle, side, point),
-                    behind: behind(normal, point, &neighbours(body, vertex), 1.0),
-                })
-            }
-            Touch::Corner {
-                obstacle,
-                corner,
-                body_side,
-            } => {
-                let shape = &self.among.obstacles.get(obstacle)?.vertices;
-                let point = *shape.get(corner)?;
-                let (normal, gap, beyond) = side_of(body, body_side, point)?;
-                let normal = normal.map(|x| -x);
-                Some(Line {
-                    point,
-                    normal,
-                    gap,
-                    beyond,
-                    behind: behind(normal, point, &neighbours(shape, corner), -1.0),
-                })
-            }
-        }
-    }
-
-    /// How far a point is beyond the end of a side, or of what makes one line with it: the first of several coplanar sides is told
-    /// for all of them, if they meet and have the same friction.
-    fn past(&self, obstacle: usize, side: usize, point: Point) -> f64 {
-        let all = &self.among.obstacles;
-        let normal = outward(&all[obstacle].vertices, side);
-        let seam = 1e-6 * self.size;
-        let is_coplanar = |[from, to]: &[Point; 2]| {
-            let [a, b] = ends(&all[obstacle].vertices, side);
-            let off = [from, to].map(|p| dot(normal, sub(*p, a)).abs());
-            let along = dot(sub(*to, *from), sub(b, a));
-            off[0].max(off[1]) <= seam && along > 0.0
-        };
-        let others = all.iter().filter(|o| o.friction == all[obstacle].friction);
-        let sides = others.flat_map(|o| {
-            let count = super::shape::sides(&o.vertices);
-            (0..count).map(|side| ends(&o.vertices, side))
-        });
-        let coplanar = sides.filter(is_coplanar);
-        let past = coplanar.map(|side| beyond(side, point));
-        past.fold(f64::INFINITY, f64::min)
-    }
-
-    fn mu(&self, touch: Touch) -> f64 {
-        match touch {
-            Touch::Surface { surface, .. } => self.among.setup.surfaces[surface].friction_static,
-            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => {
-                self.among.obstacles[obstacle].friction[0]
-            }
-        }
-    }
-
-    fn statics(&self, frame: &Frame, body: &[Point], findings: &mut Findings) {
-        let setup = &self.among.setup;
-        let grip = setup.world(frame.pose, setup.holding_point.unwrap_or_default());
-        let [hx, hy, phi] = frame.hand;
-        let spring = sub([hx, hy], grip).map(|x| setup.stiffness_translation * x);
-        let couple = setup.stiffness_rotation * (phi - frame.pose[2]);
-        let weight = [0.0, -setup.weight];
-        let lever = sub(centroid(body), grip);
-        let mut force = [spring[0], spring[1] + weight[1]];
-        let mut moment = couple + cross(lever, weight);
-        let scale = self.scale(frame, grip, (spring, couple));
-        for contact in &frame.contacts {
-            let reaction = reaction(contact);
-            force = [0, 1].map(|k| force[k] + reaction[k]);
-            moment += cross(sub(contact.point, grip), reaction);
-            let Some(_) = self.line(body, contact.touch) else {
-                continue;
-            };
-            let excess = contact.friction.abs() - self.mu(contact.touch) * contact.normal;
-            findings.add(PUSH, -contact.normal / scale.force, self.residual);
-            findings.add(CONE, excess / scale.force, self.residual);
-        }
-        if frame.contacts.len() < LISTED {
-            findings.add(FORCES, length(force) / scale.force, self.residual);
-            let off = moment.abs() / self.size / scale.moment;
-            findings.add(MOMENTS, off, self.residual);
-        }
-        let [fx, fy, m] = frame.wrench;
-        let off = length(sub([fx, fy], spring)) / scale.force;
-        findings.add(WRENCH, off, self.residual);
-        let off = (m - couple).abs() / self.size / scale.moment;
-        findings.add(WRENCH, off, self.residual);
-    }
-
-    /// What residuals are relative to, N: the largest force, and of moments over L the larger of it and the couple; none finer than
-    /// what a rounding of the coordinates makes.
-    fn scale(&self, frame: &Frame, grip: Point, (spring, couple): (Point, f64)) -> Scale {
-        let setup = &self.among.setup;
-        let reactions = frame.contacts.iter().map(|c| c.normal.hypot(c.friction));
-        let largest = reactions.fold(length(spring).max(setup.weight), f64::max);
-        let carried = CARRIED * self.rounding / self.residual;
-        let turns = frame.pose[2].abs().max(frame.hand[2].abs()).max(1.0);
-        let [hx, hy, _] = frame.hand;
-        let extent = self.reach(frame).max(hx.abs()).max(hy.abs());
-        let floor = carried * setup.stiffness_translation * extent;
-        let force = largest.max(floor).max(f64::MIN_POSITIVE);
-        let levers = frame.contacts.iter().map(|c| length(sub(c.point, grip)));
-        let lever = levers.fold(0.0, f64::max) / self.size;
-        let moment = (couple.abs() / self.size)
-            .max(carried * setup.stiffness_rotation * turns / self.size)
-            .max(floor * lever);
-        Scale {
-            force,
-            moment: force.max(moment),
-        }
-    }
-}
-
-/// Forces that residuals are relative to (N).
-struct Scale {
-    force: f64,
-    moment: f64,
 }
 
 /// What is wrong, each law once with its largest amount.
@@ -388,34 +227,6 @@ impl Findings {
 /// The pose of such a frame may be out of balance.
 pub fn excuses_balance(status: Status) -> bool {
     !matches!(status, Status::Ok | Status::EventLimit | Status::Twist)
-}
-
-/// Normal and gap of a point over a side of a shape, and how far it is beyond the side's ends; `None` where there is no such side.
-fn side_of(shape: &[Point], side: usize, point: Point) -> Option<(Point, f64, f64)> {
-    if side >= super::shape::sides(shape) {
-        return None;
-    }
-    let normal = outward(shape, side);
-    let both = ends(shape, side);
-    Some((
-        normal,
-        dot(normal, sub(point, both[0])),
-        beyond(both, point),
-    ))
-}
-
-/// How far a point is beyond the ends of a side, along it; negative between them.
-fn beyond([from, to]: [Point; 2], point: Point) -> f64 {
-    let along = sub(to, from);
-    let long = length(along);
-    let place = dot(along, sub(point, from)) / long;
-    (-place).max(place - long)
-}
-
-/// N n + T t
-fn reaction(contact: &Contact) -> Point {
-    let along = tangent(contact.direction);
-    [0, 1].map(|k| contact.normal * contact.direction[k] + contact.friction * along[k])
 }
 
 fn is_finite(frame: &Frame) -> bool {

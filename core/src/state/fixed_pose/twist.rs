@@ -57,9 +57,9 @@ impl<R: Real> FixedPose<R> {
     }
 
     /// The motion of a mode, if the load drives it.
-    pub(super) fn twist(
+    pub(super) fn twist<W: World<R>>(
         &self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         mode: &Mode<R>,
         demand: Demand,
@@ -84,7 +84,12 @@ impl<R: Real> FixedPose<R> {
                 if stability <= R::ZERO {
                     return None;
                 }
-                let turn = -about.lever.cross(along.velocity) / stability;
+                let mut drives = -about.lever.cross(along.velocity);
+                if W::CORNERS && a.is_corner() {
+                    // The contact stays, and the whole load goes past it.
+                    drives = drives + along.velocity.cross(about.force);
+                }
+                let turn = drives / stability;
                 let arm = load.placed.arm_to(scene, a);
                 Some(Twist {
                     velocity: along.velocity - arm.turned() * turn,

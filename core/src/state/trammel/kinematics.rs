@@ -37,6 +37,51 @@ pub(super) struct Kinematics<Q> {
     pub(super) velocities: [Q; 2],
 }
 
+/// Where both contacts are at a place, which way they face and go.
+pub(super) struct Frame<Q> {
+    /// r = c2 - c1
+    pub(super) arm: QuantityVec<Q>,
+    /// f_1, f_2
+    pub(super) reactions: [QuantityVec<Q>; 2],
+    /// t_1, t_2
+    pub(super) tangents: [QuantityVec<Q>; 2],
+    /// v_i·t_i
+    pub(super) velocities: [Q; 2],
+}
+
+impl<Q> Kinematics<Q> {
+    /// Of a frame, with bounds for no more than a window.
+    pub(super) fn of<R: Real>(frame: Frame<Q>, window: R) -> Self
+    where
+        Q: Quantity<R>,
+    {
+        let Frame {
+            arm,
+            reactions: [f1, f2],
+            tangents: [t1, t2],
+            velocities,
+        } = frame;
+        let second = arm.cross(f2).within(window);
+        let drag = (t1.scaled(velocities[0]) + t2.scaled(velocities[1])).within(window);
+        let tangent_moment = arm.cross(t2).within(window);
+        let drag_moment = tangent_moment * velocities[1];
+        let spread = f1.cross(f2);
+        Self {
+            frictions: [
+                -(second * f1.cross(t1)),
+                tangent_moment * spread - second * f1.cross(t2),
+            ],
+            reactions: [f1, f2],
+            second,
+            drag,
+            drag_moment,
+            spread,
+            resistance: drag_moment * spread - second * f1.cross(drag),
+            velocities,
+        }
+    }
+}
+
 impl<Q: Copy + Add<Output = Q> + Sub<Output = Q> + Mul<Output = Q>> Kinematics<Q> {
     /// (E6) of a load, delta times the resistance.
     pub(super) fn imbalance(&self, (force, moment): Wrench<Q>) -> Q {
@@ -99,27 +144,16 @@ impl<R: Real> Trammel<R> {
     /// What the place is whatever the load.
     pub(super) fn kinematics<Q: Quantity<R>>(&self, p: &Place<R>, window: R) -> Kinematics<Q> {
         let arm = self.rotated(p, self.arm).within(window);
-        let [f1, f2] = self.sense.reactions.map(QuantityVec::<Q>::constant);
-        let [t1, t2] = self.surfaces.map(|s| QuantityVec::<Q>::constant(s.tangent));
+        let reactions = self.sense.reactions.map(QuantityVec::<Q>::constant);
+        let tangents = (self.surfaces).map(|s| QuantityVec::<Q>::constant(s.tangent));
         let velocities = self.velocities(p).map(|v: Q| v.within(window));
-        let second = arm.cross(f2).within(window);
-        let drag = (t1.scaled(velocities[0]) + t2.scaled(velocities[1])).within(window);
-        let tangent_moment = arm.cross(t2).within(window);
-        let drag_moment = tangent_moment * velocities[1];
-        let spread = f1.cross(f2);
-        Kinematics {
-            frictions: [
-                -(second * f1.cross(t1)),
-                tangent_moment * spread - second * f1.cross(t2),
-            ],
-            reactions: [f1, f2],
-            second,
-            drag,
-            drag_moment,
-            spread,
-            resistance: drag_moment * spread - second * f1.cross(drag),
+        let frame = Frame {
+            arm,
+            reactions,
+            tangents,
             velocities,
-        }
+        };
+        Kinematics::of(frame, window)
     }
 
     /// The derivative of (E6) by x at the frozen hand.

@@ -1,7 +1,7 @@
 //! Two contacts that slide with the hand (STATICS 5): the trammel motion in balance at mu_d. (E6) is linear in the displacement of
 //! the hand, so that the part tau of it that is done is explicit, tau(x) = -E(x, 0) / [E(x, 1) - E(x, 0)].
 
-use super::kinematics::Kinematics;
+use super::kinematics::{Kinematics, Wrench};
 use super::{MOST_FOR_TOUCH, MOST_LOOKS, Run, Trammel};
 use crate::balance_curve::Extent;
 use crate::bounded::{Bounded, Quantity, QuantityVec, Sloped};
@@ -21,7 +21,7 @@ pub(crate) const SLIDE: u32 = 49;
 const LOOK: u32 = 13;
 
 /// Besides those of its search a run takes so many at most.
-const MOST_OF_OTHERS: u32 = 3;
+pub(super) const MOST_OF_OTHERS: u32 = 3;
 
 /// The most that a run takes but for the looks of its own, in units of work.
 pub(crate) const MOST_OF_SLIDE: u32 = SLIDE
@@ -46,50 +46,59 @@ pub(crate) enum SlideEnding<R> {
     Opens { lasts: usize, sliding: R },
     /// A further vertex reached a surface.
     Touches(Pair),
+    /// Contact number `contact`, which slides along sign·t, has left its side.
+    Off { contact: usize, sign: R },
 }
 
 /// A trammel motion that follows a displacement of the hand.
 pub(crate) struct Slides<R> {
-    trammel: Trammel<R>,
-    displaced: Displaced<R>,
+    pub(super) trammel: Trammel<R>,
+    pub(super) displaced: Displaced<R>,
     /// What is done of the displacement is counted in 1 over this.
     unit: R,
     /// The velocity of a contact, times the stability, below which it rests (rule 7).
     slack: R,
     /// Where nothing is done yet, with what bounds the slide within the longest window.
-    start: Progress<Bounded<R>>,
+    pub(super) start: Progress<Bounded<R>>,
 }
 
 /// What the displacement adds to the load.
 #[derive(Clone, Copy)]
-struct Displaced<R> {
+pub(super) struct Displaced<R> {
     /// dp and k dphi, counted as the load is and in units of the displacement.
-    force: Vec2<R>,
-    couple: R,
+    pub(super) force: Vec2<R>,
+    pub(super) couple: R,
     /// What they change E and N_i by is counted so many times: products of it with others lose fewer digits then. A power of two.
-    gain: R,
+    pub(super) gain: R,
 }
 
 /// The slide at a place x.
 #[derive(Clone, Copy)]
-struct Progress<Q> {
+pub(super) struct Progress<Q> {
     /// E(x, 0) and [E(x, 1) - E(x, 0)] / unit, in the sense in which E falls as the contacts slide.
     rest: Q,
-    drive: Q,
+    pub(super) drive: Q,
     /// Their derivatives by x.
     rest_slope: Q,
     drive_slope: Q,
     /// The same of N_1 and N_2 as of E, times the scale.
     normals: [[Q; 2]; 2],
-    velocities: [Q; 2],
+    pub(super) velocities: [Q; 2],
     /// How much of E a friction along the slide is worth at each contact.
     frictions: [Q; 2],
     /// The size of f_1×f_2 where that is large, so that the force alone says N_i; else that of the resistance.
     scale: Q,
 }
 
+/// The load at a place, what the displacement adds to it, and how fast (E6) of each changes along x at the frozen hand.
+pub(super) struct Loads<Q> {
+    pub(super) load: Wrench<Q>,
+    pub(super) added: Wrench<Q>,
+    pub(super) slopes: [Q; 2],
+}
+
 /// The stability -dE/dx at the frozen hand, and N_i times the scale; both times a common factor.
-struct Standing<Q> {
+pub(super) struct Standing<Q> {
     stability: Q,
     normals: [Q; 2],
 }
@@ -114,6 +123,29 @@ impl<Q> Progress<Q> {
         let added = (force, couple + of(lever));
         let added_slope = (QuantityVec::constant(Vec2::ZERO), of(lever.turned()) * rate);
         let change_slope = place.slope(swing, added, added_slope);
+        let loads = Loads {
+            load,
+            added,
+            slopes: [before_slope, change_slope],
+        };
+        Self::of(trammel, &place, &loads, (displaced.gain, window))
+    }
+
+    /// Of a place and the loads there.
+    pub(super) fn of<R: Real>(
+        trammel: &Trammel<R>,
+        place: &Kinematics<Q>,
+        loads: &Loads<Q>,
+        (gain, window): (R, R),
+    ) -> Self
+    where
+        Q: Quantity<R>,
+    {
+        let &Loads {
+            load,
+            added,
+            slopes: [before_slope, change_slope],
+        } = loads;
         let (scale, normals) = if place.spread.value().abs() > R::spread() {
             (
                 place.spread,
@@ -128,8 +160,8 @@ impl<Q> Progress<Q> {
         let presses = scale.value().sign();
         let sense = trammel.sense.resistance.sign();
         let falling = |quantity: Q| quantity.times(sense).within(window);
-        let falling_on = |change: Q| change.times(sense * displaced.gain).within(window);
-        let [rest, on] = [(normals[0], R::ONE), (normals[1], displaced.gain)]
+        let falling_on = |change: Q| change.times(sense * gain).within(window);
+        let [rest, on] = [(normals[0], R::ONE), (normals[1], gain)]
             .map(|(n, gain)| n.map(|n| n.times(presses * gain).within(window)));
         let ([f1, f2], [s1, s2]) = (place.frictions, trammel.sense.signs);
         Self {
@@ -163,8 +195,22 @@ impl<Q> Progress<Q> {
         -self.rest.value() / self.drive.value()
     }
 
+    /// The same in numbers of which more or less is known.
+    pub(super) fn map<P>(self, of: impl Fn(Q) -> P + Copy) -> Progress<P> {
+        Progress {
+            rest: of(self.rest),
+            drive: of(self.drive),
+            rest_slope: of(self.rest_slope),
+            drive_slope: of(self.drive_slope),
+            normals: self.normals.map(|normal| normal.map(of)),
+            velocities: self.velocities.map(of),
+            frictions: self.frictions.map(of),
+            scale: of(self.scale),
+        }
+    }
+
     /// Where nothing is done of the displacement yet.
-    fn begin<R: Real>(&self) -> Standing<Q>
+    pub(super) fn begin<R: Real>(&self) -> Standing<Q>
     where
         Q: Quantity<R>,
     {
@@ -203,6 +249,17 @@ impl<R: Real> Progress<Bounded<R>> {
 impl<R: Real> Slides<R> {
     /// Of a trammel whose load is that at the beginning of a displacement.
     pub(crate) fn new(trammel: Trammel<R>, displacement: &Displacement<R>) -> Self {
+        Self::from_start(trammel, displacement, |trammel, displaced| {
+            Progress::at(trammel, displaced, (R::ZERO, Self::longest_window()))
+        })
+    }
+
+    /// With what is known of the slide where nothing is done yet.
+    pub(super) fn from_start(
+        trammel: Trammel<R>,
+        displacement: &Displacement<R>,
+        start: impl FnOnce(&Trammel<R>, &Displaced<R>) -> Progress<Bounded<R>>,
+    ) -> Self {
         let per_load = trammel.per_load;
         let size = displacement.size();
         let unit = if size > R::ZERO { size.unit() } else { R::ONE };
@@ -216,7 +273,7 @@ impl<R: Real> Slides<R> {
             displaced,
             unit,
             slack: R::of_displacement(R::ONE) * per_load,
-            start: Progress::at(&trammel, &displaced, (R::ZERO, Self::longest_window())),
+            start: start(&trammel, &displaced),
             trammel,
         };
         let gain = slides.start.gain();
@@ -225,6 +282,10 @@ impl<R: Real> Slides<R> {
         slides.unit = unit / gain;
         slides.slack = slides.slack * gain;
         slides
+    }
+
+    pub(crate) fn trammel(&self) -> &Trammel<R> {
+        &self.trammel
     }
 
     /// In units of x the bounds hold so far.
@@ -251,13 +312,17 @@ impl<R: Real> Slides<R> {
     }
 
     /// mu_s > mu_d at one of the contacts.
-    fn has_stiction(&self) -> bool {
+    pub(super) fn has_stiction(&self) -> bool {
         let [f1, f2] = self.trammel.surfaces.map(|surface| surface.friction);
         f1.threshold() < R::HUGE || f2.threshold() < R::HUGE
     }
 
     /// A slip that began here would be as long as the memory of a contact.
-    fn is_pressed(&self, at: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> bool {
+    pub(super) fn is_pressed(
+        &self,
+        at: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> bool {
         let mut lacks = self.lacks(at, standing).into_iter();
         self.has_stiction() && lacks.any(|lacks| lacks.value <= R::ZERO)
     }
@@ -298,6 +363,20 @@ impl<R: Real> Slides<R> {
         is_stable.then_some((start.drive.value, normals))
     }
 
+    /// It is not stable where it begins, or would go back.
+    pub(super) fn ends_at_once(&self) -> Option<SlideEnding<R>> {
+        let standing = self.start.begin();
+        if standing.stability.value <= R::ZERO {
+            return Some(SlideEnding::Folds);
+        }
+        (self.recedes(&self.start, &standing)).then_some(SlideEnding::Halts)
+    }
+
+    /// The part of the displacement that is done.
+    pub(super) fn part_gone(&self, at: &Progress<Sloped<R>>) -> R {
+        at.gone().max(R::ZERO).min(self.unit) / self.unit
+    }
+
     /// Follows the hand to the first ending: how far, and the part of the displacement that is done.
     #[inline(never)]
     pub(crate) fn run(
@@ -307,17 +386,14 @@ impl<R: Real> Slides<R> {
     ) -> (Run<R>, R, SlideEnding<R>) {
         let start = &self.start;
         let standing = start.begin();
-        let nowhere = Run {
-            slide: R::ZERO,
-            turn: R::ZERO,
-            unsure: false,
-            work: SLIDE,
-        };
-        if standing.stability.value <= R::ZERO {
-            return (nowhere, R::ZERO, SlideEnding::Folds);
-        }
-        if self.recedes(start, &standing) {
-            return (nowhere, R::ZERO, SlideEnding::Halts);
+        if let Some(ending) = self.ends_at_once() {
+            let nowhere = Run {
+                slide: R::ZERO,
+                turn: R::ZERO,
+                unsure: false,
+                work: SLIDE,
+            };
+            return (nowhere, R::ZERO, ending);
         }
         let remembers = self.has_stiction() && !self.is_pressed(start, &standing);
         // What drives it back by a rounding leaves it where it is.
@@ -350,7 +426,7 @@ impl<R: Real> Slides<R> {
         }
         let mut part = R::ONE;
         if ending != SlideEnding::Arrives {
-            part = self.at(x).gone().max(R::ZERO).min(self.unit) / self.unit;
+            part = self.part_gone(&self.at(x));
         } else if let Some((opens, at)) = arrival.and_then(|last| self.opens_in_place(&last)) {
             (ending, part) = (opens, at);
         }
@@ -369,7 +445,7 @@ impl<R: Real> Slides<R> {
 
     /// A displacement that hardly drives the slide, as across a slot, may open a contact where the body stands: which, and after which
     /// part of it.
-    fn opens_in_place(&self, at: &Progress<Sloped<R>>) -> Option<(SlideEnding<R>, R)> {
+    pub(super) fn opens_in_place(&self, at: &Progress<Sloped<R>>) -> Option<(SlideEnding<R>, R)> {
         let [first, second] = at.normals.map(|[rest, drive]| {
             let end = rest.value + drive.value * self.unit;
             (end < -self.trammel.sense.rounding)
@@ -386,7 +462,11 @@ impl<R: Real> Slides<R> {
     }
 
     /// Four times as far as it would go at its first rate, but from 2^-19 to 1/8: over short ways the bounds of products are close.
-    fn window(&self, start: &Progress<Bounded<R>>, standing: &Standing<Bounded<R>>) -> R {
+    pub(super) fn window(
+        &self,
+        start: &Progress<Bounded<R>>,
+        standing: &Standing<Bounded<R>>,
+    ) -> R {
         let longest = Self::longest_window();
         let (goes, stability) = (start.drive.value * self.unit, standing.stability.value);
         let window = if goes.doubled().doubled() < stability * longest {
@@ -398,7 +478,7 @@ impl<R: Real> Slides<R> {
     }
 
     /// What is zero where the slide ends: at the end of the displacement, a fold, N_i = 0, a halt of a contact, stiction.
-    fn ends<Q: Quantity<R>>(&self, at: &Progress<Q>, remembers: bool) -> [Option<Q>; 8] {
+    pub(super) fn ends<Q: Quantity<R>>(&self, at: &Progress<Q>, remembers: bool) -> [Option<Q>; 8] {
         let standing = at.balanced();
         let ([n1, n2], [v1, v2]) = (standing.normals, at.velocities);
         let [s1, s2] = self.trammel.sense.signs.map(|sign| sign != R::ZERO);
@@ -444,34 +524,46 @@ impl<R: Real> Slides<R> {
         match found {
             Found::Nothing { .. } => (window, SlideEnding::Window, false),
             Found::Unsure { x, .. } => (x, SlideEnding::Window, true),
-            Found::Zero { x, which } => {
-                let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
-                let ending = match which {
-                    0 => SlideEnding::Arrives,
-                    1 => SlideEnding::Folds,
-                    2 => opens(1, s2),
-                    3 => opens(0, s1),
-                    4 | 5 => SlideEnding::Halts,
-                    _ => SlideEnding::Pressed,
-                };
-                (x, ending, false)
-            }
+            Found::Zero { x, which } => (x, self.ending(which), false),
+        }
+    }
+
+    pub(super) fn ending(&self, which: usize) -> SlideEnding<R> {
+        let [s1, s2] = self.trammel.sense.signs;
+        let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };
+        match which {
+            0 => SlideEnding::Arrives,
+            1 => SlideEnding::Folds,
+            2 => opens(1, s2),
+            3 => opens(0, s1),
+            4 | 5 => SlideEnding::Halts,
+            8 => SlideEnding::Off {
+                contact: 0,
+                sign: s1,
+            },
+            9 => SlideEnding::Off {
+                contact: 1,
+                sign: s2,
+            },
+            _ => SlideEnding::Pressed,
         }
     }
 
     /// A place at which the whole displacement is all but done, without the rounding of the search, and the slide next to it.
     fn polished(&self, x: R) -> (R, Progress<Sloped<R>>) {
-        let improved = |x: R, at: &Progress<Sloped<R>>| {
-            let left = at.rest + at.drive.times(self.unit);
-            if left.slope < R::ZERO {
-                (x - left.value / left.slope).max(R::ZERO)
-            } else {
-                x
-            }
-        };
-        let x = improved(x, &self.at(x));
+        let x = self.nearer(x, &self.at(x));
         let at = self.at(x);
-        (improved(x, &at), at)
+        (self.nearer(x, &at), at)
+    }
+
+    /// Nearer to where the whole displacement is done.
+    pub(super) fn nearer(&self, x: R, at: &Progress<Sloped<R>>) -> R {
+        let left = at.rest + at.drive.times(self.unit);
+        if left.slope < R::ZERO {
+            (x - left.value / left.slope).max(R::ZERO)
+        } else {
+            x
+        }
     }
 }
 

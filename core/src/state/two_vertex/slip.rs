@@ -8,7 +8,7 @@ use crate::grip::Grip;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::sign::Sign;
-use crate::state::trammel::{Demand, Ending, Run, Trammel};
+use crate::state::trammel::{Course, Demand, Ending, Run, Trammel};
 use crate::verb::{Moved, Trigger, seat_sliding};
 use crate::work::DRIVEN;
 use crate::world::{Surface, World};
@@ -107,26 +107,43 @@ impl<R: Real> TwoVertex<R> {
         };
         let any = |demand| Trammel::driven_in(scene, contacts, grip, (&senses, demand));
         let trammel = any(demand).or_else(|| any(Demand::AtTheEnd))?;
-        Some(self.slip_along(scene, (&trammel, R::ZERO), under_way.take()))
+        Some(self.slip_along(scene, grip, (&trammel, false), under_way.take()))
     }
 
     /// From a fold, where no balance ends it, likewise.
     #[inline(never)]
     fn slip_over_fold(&mut self, scene: &impl World<R>, grip: &Grip<R>, sense: R) -> Stretch<R> {
         let trammel = Trammel::in_sense(scene, (&self.pivot, self.other), grip, sense);
-        let clear = trammel.clear_of_fold();
-        self.slip_along(scene, (&trammel, clear), None)
+        self.slip_along(scene, grip, (&trammel, true), None)
     }
 
-    /// Along a motion as far as the bounds hold; balance does not end it before `clear`.
-    fn slip_along(
+    /// Along a motion as far as the bounds hold; from a fold, where it is in balance, to the next balance.
+    fn slip_along<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
-        (trammel, clear): (&Trammel<R>, R),
+        scene: &W,
+        grip: &Grip<R>,
+        (trammel, over_fold): (&Trammel<R>, bool),
         under_way: Option<Slip<R>>,
     ) -> Stretch<R> {
         self.room = R::ZERO;
         let slip = under_way.unwrap_or_else(|| Slip::from(&self.pivot, trammel.direction()));
+        if W::CORNERS {
+            let course = Course::of(scene, (&self.pivot, self.other), grip, trammel);
+            let falls = trammel.falls();
+            let clear = if over_fold {
+                course.clear_of_fold(falls)
+            } else {
+                R::ZERO
+            };
+            let (pivot, run, ending) = course.slip(falls, (clear, slip.demand));
+            self.pivot = pivot;
+            return Stretch { slip, run, ending };
+        }
+        let clear = if over_fold {
+            trammel.clear_of_fold()
+        } else {
+            R::ZERO
+        };
         let (run, ending) = trammel.run(scene, &self.contacts(), (clear, slip.demand));
         self.pivot = seat_sliding(scene, self.pivot.moved(run.slide, run.turn), self.other);
         Stretch { slip, run, ending }
@@ -150,6 +167,7 @@ impl<R: Real> TwoVertex<R> {
             Ending::Stopped => Some(Trigger::Stopped),
             Ending::Touches(pair) => Some(Trigger::Touch(pair)),
             Ending::Window | Ending::Reverses => None,
+            Ending::Off { contact, sign } => Some(Trigger::Off { contact, sign }),
             Ending::Opens { lasts, sliding } => {
                 slip.opens = Some((lasts == 0, Sign::of(sliding)));
                 let (opens, units) = self.can_open(scene, grip, lasts, sliding);

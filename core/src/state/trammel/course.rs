@@ -1,0 +1,327 @@
+//! The motion of a body that keeps two contacts among obstacles (STATICS 12): its surfaces may turn with it, so that it is no trammel.
+//! A piece of it is the graph over its twist at the beginning: the body is moved by x times that twist and then across it until the
+//! other gap is closed. Everything at a place comes with its slope. World frame, lengths / L, forces / (k_h L).
+
+use super::kinematics::{Frame, Kinematics, Wrench};
+use super::{Trammel, Turning};
+use crate::bounded::{QuantityVec, Sloped};
+use crate::contact::Pair;
+use crate::falls::Level;
+use crate::geometry::Vec2;
+use crate::grip::Grip;
+use crate::motion::Instant;
+use crate::pivot::Pivot;
+use crate::real::Real;
+use crate::state::on_corner::room_ahead;
+use crate::thresholds::Thresholds;
+use crate::world::{Surface, World};
+
+mod follow;
+mod slip;
+
+/// Corrections of a place across the motion, at most.
+const MAX_CORRECTIONS: usize = 6;
+/// A piece that bends too sharply is halved so often at most.
+const MAX_HALVINGS: usize = 20;
+
+/// A piece of the motion of two contacts, from the place of a pivot.
+pub(crate) struct Course<'a, R, W> {
+    scene: &'a W,
+    grip: &'a Grip<R>,
+    pivot: Pivot<R>,
+    other: Pair,
+    /// The unit twist at the beginning: slide along t_1 and turn.
+    twist: [R; 2],
+    /// The gap of the other contact changes across it.
+    is_held: bool,
+    /// Signs of v_i·t_i; 0 where a contact rests.
+    signs: [R; 2],
+    /// Forces and moments are counted in 1 over this.
+    per_load: R,
+}
+
+/// A place of the motion.
+#[derive(Clone, Copy)]
+struct Spot<R> {
+    pivot: Pivot<R>,
+    surfaces: [Surface<R>; 2],
+    /// r = c_2 - c_1
+    arm: Vec2<R>,
+    /// Of the body's material along t_1, and its turn, per x.
+    slide: Sloped<R>,
+    turn: Sloped<R>,
+    /// The cosine between the motion here and at the beginning is at least 1/2, and the other gap is closed.
+    is_sound: bool,
+}
+
+impl<R: Real> Spot<R> {
+    /// The change of the other gap with slide and turn of the pivot.
+    fn gradient(&self) -> [R; 2] {
+        let [first, second] = self.surfaces;
+        [
+            second.normal.dot(first.tangent),
+            second.normal.dot(self.arm.turned()),
+        ]
+    }
+
+    /// How fast the body's material goes at an arm from contact 1.
+    fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
+        self.surfaces[0].tangent * self.slide.value + arm.turned() * self.turn.value
+    }
+}
+
+/// A vector and how fast it changes.
+fn sloped<R: Real>(value: Vec2<R>, slope: Vec2<R>) -> QuantityVec<Sloped<R>> {
+    let part = |value, slope| Sloped { value, slope };
+    QuantityVec {
+        x: part(value.x, slope.x),
+        y: part(value.y, slope.y),
+    }
+}
+
+fn dot<R: Real>(a: QuantityVec<Sloped<R>>, b: QuantityVec<Sloped<R>>) -> Sloped<R> {
+    a.x * b.x + a.y * b.y
+}
+
+impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
+    /// In a direction of the unit twist, with the friction of a trammel.
+    pub(crate) fn of(
+        scene: &'a W,
+        (pivot, other): (&Pivot<R>, Pair),
+        grip: &'a Grip<R>,
+        trammel: &Trammel<R>,
+    ) -> Self {
+        let direction = trammel.sense.direction;
+        let mut course = Self {
+            scene,
+            grip,
+            pivot: *pivot,
+            other,
+            twist: [direction, R::ZERO],
+            is_held: false,
+            signs: trammel.sense.signs,
+            per_load: trammel.per_load,
+        };
+        let [by_slide, by_turn] = course.bare(*pivot).gradient();
+        let size = by_slide.hypot(by_turn);
+        if size > R::standstill() {
+            course.is_held = true;
+            course.twist = [-by_turn, by_slide].map(|part| direction * part / size);
+        }
+        course
+    }
+
+    fn contacts(&self) -> [Pair; 2] {
+        [self.pivot.contact, self.other]
+    }
+
+    /// A pivot at rest.
+    fn bare(&self, pivot: Pivot<R>) -> Spot<R> {
+        let rotation = pivot.orientation.rotation();
+        let none = Sloped {
+            value: R::ZERO,
+            slope: R::ZERO,
+        };
+        Spot {
+            pivot,
+            surfaces: self
+                .contacts()
+                .map(|contact| self.scene.face(contact, rotation)),
+            arm: pivot.placed(self.scene).arm_to(self.scene, self.other),
+            slide: none,
+            turn: none,
+            is_sound: true,
+        }
+    }
+
+    /// The pivot off the twist at x by y across it.
+    fn pivot_at(&self, x: R, y: R) -> Pivot<R> {
+        let [slide, turn] = self.twist;
+        self.pivot.moved(slide * x - turn * y, turn * x + slide * y)
+    }
+
+    /// The change of the other gap across the twist.
+    fn across(&self, [by_slide, by_turn]: [R; 2]) -> R {
+        let [slide, turn] = self.twist;
+        R::difference_of_products(by_turn, slide, by_slide, turn)
+    }
+
+    /// The place of x, with both gaps closed.
+    fn spot(&self, x: R) -> Spot<R> {
+        let [slide, turn] = self.twist;
+        let mut spot = self.bare(self.pivot_at(x, R::ZERO));
+        let mut closed = true;
+        if self.is_held {
+            let mut y = R::ZERO;
+            closed = false;
+            for _ in 0..MAX_CORRECTIONS {
+                let gap = spot.pivot.placed(self.scene).gap(self.scene, self.other);
+                let across = self.across(spot.gradient());
+                closed = gap.abs() <= R::TOUCH;
+                if gap.abs() <= R::EPSILON || across.abs() <= R::standstill() {
+                    break;
+                }
+                y = y - gap / across;
+                spot = self.bare(self.pivot_at(x, y));
+            }
+        }
+        let gradient = spot.gradient();
+        let [by_slide, by_turn] = gradient;
+        let across = self.across(gradient);
+        spot.is_sound = closed
+            && (!self.is_held || across.abs().doubled() >= by_slide.abs().max(by_turn.abs()));
+        if !self.is_held || across == R::ZERO {
+            (spot.slide.value, spot.turn.value) = (slide, turn);
+            return spot;
+        }
+        let bent = -R::sum_of_products(by_slide, slide, by_turn, turn) / across;
+        spot.slide.value = slide - turn * bent;
+        spot.turn.value = turn + slide * bent;
+        let [first, second] = spot.surfaces;
+        let [spin1, spin2] = self.spins(&spot);
+        let swing = self.swing(&spot);
+        let slide_changes = (second.normal.turned().dot(first.tangent)) * (spin2 - spin1);
+        let turn_changes = second.normal.dot(spot.arm) * spin2 + second.normal.dot(swing.turned());
+        let bends = -R::sum_of_products(
+            slide_changes,
+            spot.slide.value,
+            turn_changes,
+            spot.turn.value,
+        ) / across;
+        spot.slide.slope = -(turn * bends);
+        spot.turn.slope = slide * bends;
+        spot
+    }
+
+    /// How fast the normals turn: that of a corner does so with the body.
+    fn spins(&self, spot: &Spot<R>) -> [R; 2] {
+        self.contacts().map(|contact| {
+            if contact.is_corner() {
+                spot.turn.value
+            } else {
+                R::ZERO
+            }
+        })
+    }
+
+    /// How fast contact 1 goes: a corner stays.
+    fn foot_velocity(&self, spot: &Spot<R>) -> Vec2<R> {
+        if self.pivot.contact.is_corner() {
+            Vec2::ZERO
+        } else {
+            spot.velocity_at(Vec2::ZERO)
+        }
+    }
+
+    /// How fast r changes.
+    fn swing(&self, spot: &Spot<R>) -> Vec2<R> {
+        let other = if self.other.is_corner() {
+            Vec2::ZERO
+        } else {
+            spot.velocity_at(spot.arm)
+        };
+        other - self.foot_velocity(spot)
+    }
+
+    fn instant(&self, x: R) -> Instant<R> {
+        self.body(&self.spot(x))
+    }
+
+    /// The body at a place.
+    fn body(&self, spot: &Spot<R>) -> Instant<R> {
+        Instant {
+            placed: spot.pivot.placed(self.scene),
+            velocity: spot.velocity_at(Vec2::ZERO),
+            turn: spot.turn.value,
+        }
+    }
+
+    /// As far as a piece may go: an eighth of slide and turn, or what it bends little on.
+    fn longest(&self) -> R {
+        let mut longest = R::HALF.halved().halved();
+        for _ in 0..MAX_HALVINGS {
+            if self.spot(longest).is_sound {
+                break;
+            }
+            longest = longest.halved();
+        }
+        longest
+    }
+
+    /// Both contacts at a place, with the edges of their cones.
+    fn frame(&self, spot: &Spot<R>) -> Frame<Sloped<R>> {
+        let [first, second] = spot.surfaces;
+        let [spin1, spin2] = self.spins(spot);
+        let [s1, s2] = self.signs;
+        let turning = |direction: Vec2<R>, spin| sloped(direction, direction.turned() * spin);
+        let reaction = |surface: Surface<R>, sign: R, spin| {
+            let edge = surface.friction.sliding_edge(sign);
+            turning(surface.direction(edge), spin)
+        };
+        let tangents = [
+            turning(first.tangent, spin1),
+            turning(second.tangent, spin2),
+        ];
+        let arm = sloped(spot.arm, self.swing(spot));
+        let along = dot(tangents[0], tangents[1]);
+        // t_2·(i r)
+        let lever = tangents[1].y * arm.x - tangents[1].x * arm.y;
+        Frame {
+            arm,
+            reactions: [reaction(first, s1, spin1), reaction(second, s2, spin2)],
+            tangents,
+            velocities: [spot.slide, along * spot.slide + lever * spot.turn],
+        }
+    }
+
+    /// The velocities of both contacts at the beginning, and how they change.
+    pub(super) fn turning(&self) -> Turning<R> {
+        self.frame(&self.spot(R::ZERO)).velocities
+    }
+
+    /// What a place is whatever the load, and force and moment about contact 1 of the hand as it is and of what a displacement adds.
+    fn terms(
+        &self,
+        spot: &Spot<R>,
+        (force, couple): (Vec2<R>, R),
+    ) -> (Kinematics<Sloped<R>>, [Wrench<Sloped<R>>; 2]) {
+        let place = Kinematics::of(self.frame(spot), R::ZERO);
+        let load = spot.pivot.load(self.scene, self.grip);
+        let per = self.per_load;
+        let foot = self.foot_velocity(spot);
+        let held = spot.velocity_at(load.lever);
+        let lever_rate = held - foot;
+        let weight_rate = spot.velocity_at(load.centroid) - foot;
+        let hand = (load.spring + load.lever) * per;
+        let moment_rate = lever_rate.cross(hand) - load.lever.cross(foot) * per
+            + weight_rate.cross(self.scene.weight() * per)
+            - load.stiffness * per * spot.turn.value;
+        let moment = Sloped {
+            value: load.moment() * per,
+            slope: moment_rate,
+        };
+        let added = Sloped {
+            value: couple + load.lever.cross(force),
+            slope: lever_rate.cross(force),
+        };
+        (
+            place,
+            [
+                (sloped(load.force * per, -(held * per)), moment),
+                (QuantityVec::constant(force), added),
+            ],
+        )
+    }
+
+    /// How far a contact is from the end of its side that it goes to; nothing where that has no end.
+    fn ahead(&self, spot: &Spot<R>, index: usize) -> Option<Level<R>> {
+        let contact = *self.contacts().get(index)?;
+        let sign = *self.signs.get(index)?;
+        self.scene.corner(contact.surface)?;
+        let body = self.body(spot);
+        (sign != R::ZERO).then(|| room_ahead(self.scene, &body, (contact, sign)))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,173 @@
+//! The slip of two contacts among obstacles: along a piece of their motion, the hand frozen, to the first of (E6), N_i = 0, a contact
+//! that turns back or leaves its side, and touch.
+
+use super::super::{Demand, Ending, LOOK, RUN, Run};
+use super::{Course, Spot};
+use crate::bounded::Sloped;
+use crate::detect::{Among, Reached, first_reached};
+use crate::falls::{Level, first_fall};
+use crate::geometry::Vec2;
+use crate::pivot::Pivot;
+use crate::real::{Real, along};
+use crate::search::Found;
+use crate::thresholds::Thresholds;
+use crate::world::World;
+use core::cell::Cell;
+
+/// A function that falls, counted in a direction.
+pub(super) fn level<R: Real>(of: Sloped<R>, sign: R, rounding: R) -> Level<R> {
+    Level {
+        value: along(sign, of.value),
+        slope: along(sign, of.slope),
+        rounding,
+    }
+}
+
+/// Of a slip: the sign and the rounding of (E6), and who may turn back.
+#[derive(Clone, Copy)]
+struct Falls<R> {
+    sense: R,
+    rounding: R,
+    turns: [bool; 2],
+    demand: Demand,
+}
+
+impl<R: Real, W: World<R>> Course<'_, R, W> {
+    /// Slips to the first ending, of which the balance is not before `clear`; where the pivot comes to.
+    pub(crate) fn slip(
+        &self,
+        (sense, rounding): (R, R),
+        (clear, demand): (R, Demand),
+    ) -> (Pivot<R>, Run<R>, Ending<R>) {
+        let window = self.longest();
+        let [v1, v2] = self.turning();
+        let [s1, s2] = self.signs;
+        let falls = Falls {
+            sense,
+            rounding,
+            // Who has just turned does not turn again within a piece.
+            turns: [(v1, s1), (v2, s2)]
+                .map(|(v, sign)| sign != R::ZERO && v.value.abs() > R::standstill()),
+            demand,
+        };
+        let looks = Cell::new(0_u32);
+        let from = |begin: R, end: R| {
+            first_fall((end - begin, end - begin), |x| {
+                looks.set(looks.get().saturating_add(1));
+                let is_asked = begin >= clear;
+                self.falls(&self.spot(begin + x), &falls, is_asked)
+            })
+        };
+        let clear = clear.min(window);
+        let mut begin = R::ZERO;
+        let mut found = Found::Nothing { x: clear };
+        if clear > R::ZERO {
+            found = from(R::ZERO, clear);
+        }
+        if let Found::Nothing { .. } = found
+            && clear < window
+        {
+            begin = clear;
+            found = from(clear, window);
+        }
+        let (mut x, mut ending, mut unsure) = match found {
+            Found::Nothing { .. } => (window, Ending::Window, false),
+            Found::Zero { x, which } => (begin + x, self.ending(which), false),
+            Found::Unsure { x, .. } => (begin + x, Ending::Window, true),
+        };
+        if let Some(reached) = self.reached(x) {
+            x = reached.x;
+            unsure = reached.unsure;
+            ending = if unsure {
+                Ending::Window
+            } else {
+                Ending::Touches(reached.contact)
+            };
+        }
+        let work = RUN.saturating_add(looks.get().saturating_mul(LOOK));
+        let (pivot, run) = self.run_to(
+            x,
+            (unsure && (ending != Ending::Window || x == R::ZERO), work),
+        );
+        (pivot, run, ending)
+    }
+
+    /// What is touched up to a place.
+    pub(super) fn reached(&self, x: R) -> Option<Reached<R>> {
+        let contacts = self.contacts();
+        let reached =
+            || first_reached(self.scene, (&contacts, Among::All), x, &|x| self.instant(x));
+        (x > R::ZERO).then(reached)?
+    }
+
+    /// How far it has gone.
+    pub(super) fn run_to(&self, x: R, (unsure, work): (bool, u32)) -> (Pivot<R>, Run<R>) {
+        let pivot = self.spot(x).pivot;
+        let run = Run {
+            slide: pivot.foot - self.pivot.foot,
+            turn: (pivot.orientation.angle()).minus(self.pivot.orientation.angle()),
+            unsure,
+            work,
+        };
+        (pivot, run)
+    }
+
+    /// What is zero where the slip ends: (E6) where it is asked for, N_1, N_2, both velocities, the ends of both sides.
+    fn falls(&self, spot: &Spot<R>, falls: &Falls<R>, is_asked: bool) -> [Option<Level<R>>; 7] {
+        let (place, [load, _]) = self.terms(spot, (Vec2::ZERO, R::ZERO));
+        let [n1, n2] = place.normals(load);
+        let [v1, v2] = place.velocities;
+        let [s1, s2] = self.signs;
+        let [turns1, turns2] = falls.turns;
+        let presses = falls.demand == Demand::Pressed;
+        let drives = |of| level(of, falls.sense, falls.rounding);
+        let goes = |of, sign| level(of, sign, R::standstill());
+        [
+            is_asked.then(|| drives(place.imbalance(load))),
+            presses.then(|| drives(n1)),
+            presses.then(|| drives(n2)),
+            turns1.then(|| goes(v1, s1)),
+            turns2.then(|| goes(v2, s2)),
+            self.ahead(spot, 0),
+            self.ahead(spot, 1),
+        ]
+    }
+
+    fn ending(&self, which: usize) -> Ending<R> {
+        let [s1, s2] = self.signs;
+        match which {
+            0 => Ending::Stopped,
+            1 => Ending::Opens {
+                lasts: 1,
+                sliding: s2,
+            },
+            2 => Ending::Opens {
+                lasts: 0,
+                sliding: s1,
+            },
+            3 | 4 => Ending::Reverses,
+            5 => Ending::Off {
+                contact: 0,
+                sign: s1,
+            },
+            _ => Ending::Off {
+                contact: 1,
+                sign: s2,
+            },
+        }
+    }
+
+    /// At a fold of (E6), where it and its slope are zero: up to here it grows.
+    pub(crate) fn clear_of_fold(&self, (sense, rounding): (R, R)) -> R {
+        let mut clear = self.longest();
+        for _ in 0..super::MAX_HALVINGS {
+            let (place, [load, _]) = self.terms(&self.spot(clear), (Vec2::ZERO, R::ZERO));
+            let drive = level(place.imbalance(load), sense, rounding);
+            if drive.value > rounding && drive.slope > R::ZERO {
+                return clear;
+            }
+            clear = clear.halved();
+        }
+        R::ZERO
+    }
+}

@@ -1,0 +1,355 @@
+//! Two contacts among obstacles, each a vertex on a side or a corner on a side of the body, against geometry and statics written out.
+
+use super::*;
+use crate::fixtures::{Random, number, sampled};
+use crate::geometry::{Angle, Orientation, Pose};
+use crate::model::{Full, WithObstacles};
+use crate::scene::{Description, ObstacleDescription, Scene};
+use crate::state::TwoVertex;
+use crate::state::trammel::{Demand, Ending};
+use crate::verb::Trigger;
+use core::array::from_fn;
+
+mod closed;
+mod slides;
+
+type Room<R> = Scene<R, 3, 1, WithObstacles<2, 4, Full>>;
+
+const VERTICES: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.4, 0.3]];
+const MU_D: [f64; 2] = [0.3, 0.2];
+
+/// A contact written out: the point of the body, and the corner if it is one.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// A vertex, the normal of its wall and a point of it.
+    Vertex(usize, Vec2<f64>, Vec2<f64>),
+    /// A side of the body, a pin.
+    Corner(usize, Vec2<f64>),
+}
+
+struct Case<R: Real> {
+    scene: Room<R>,
+    state: TwoVertex<R>,
+    grip: Grip<R>,
+    kinds: [Kind; 2],
+    seed: u64,
+}
+
+fn normal_of(side: usize) -> Vec2<f64> {
+    let [a, b] = [side, (side + 1) % 3].map(|i| Vec2::new(VERTICES[i][0], VERTICES[i][1]));
+    let along = b - a;
+    (-along.turned()).over(along.length())
+}
+
+/// A triangle on which two contacts press, each on a wall or a pin; `corners`: which of them are pins.
+fn case<R: Real>(seed: u64, corners: [bool; 2]) -> Case<R>
+where
+    R::Si: From<f32>,
+{
+    // Numbers that all number types represent.
+    let mut random = Random(seed);
+    let mut next = || (random.next() * 4096.0).round() / 4096.0;
+    let si = |x: f64| R::Si::from(x as f32);
+    let pose = Pose {
+        position: Vec2::new(next(), next()),
+        orientation: Orientation::new(Angle::from_radians(3.0 * next())),
+    };
+    let rotation = pose.orientation.rotation();
+    let at = |v: Vec2<f64>| pose.position + rotation.apply(v);
+    let mut walls = [[[0.0; 2]; 2]; 2];
+    let kinds: [Kind; 2] = from_fn(|i| {
+        let part = 0.5 + 0.4 * next();
+        let [a, b] = [[0.0, 0.0], [1.0, 0.0]].map(|[x, y]| Vec2::new(x, y));
+        let c = Vec2::new(0.4, 0.3);
+        if corners[i] {
+            let (side, from, to) = [(2, c, a), (1, b, c)][i];
+            let place = at(from.lerp(to, part));
+            walls[i] = [[place.x, place.y]; 2];
+            return Kind::Corner(side, place);
+        }
+        let (vertex, place, [before, after]) = [(0, a, [2, 0]), (1, b, [0, 1])][i];
+        let mixed = normal_of(before) * part + normal_of(after) * (1.0 - part);
+        let normal = -rotation.apply(mixed.over(mixed.length()));
+        let [from, to] = [3.0, -3.0].map(|x| at(place) + normal.turned() * x);
+        walls[i] = [[from.x, from.y], [to.x, to.y]];
+        // Outward is to the right of the way from corner to corner.
+        Kind::Vertex(vertex, -(to - from).turned().over(6.0), at(place))
+    });
+    let walls = walls.map(|wall| wall.map(|p| p.map(si)));
+    let obstacles: [ObstacleDescription<'_, R::Si>; 2] = from_fn(|i| ObstacleDescription {
+        vertices: &walls[i][..if corners[i] { 1 } else { 2 }],
+        friction_static: si(MU_D[i] + 0.2),
+        friction_dynamic: si(MU_D[i]),
+        memory: None,
+    });
+    let p = pose.position;
+    let scene = Room::<R>::among(
+        &Description {
+            vertices: &VERTICES.map(|v| v.map(si)),
+            start: [p.x, p.y, pose.orientation.angle().radians()].map(si),
+            weight: si(0.3 * next().abs()),
+            holding_point: None,
+            reach: si(0.0),
+            stiffness_translation: si(1.0),
+            stiffness_rotation: si(next().abs()),
+            surfaces: &[],
+        },
+        &obstacles,
+    );
+    let scene = scene.expect("a sound scene");
+    let second = if corners[0] { 1 } else { 2 };
+    let [first, other] = [0, second].map(|index| scene.surface_indices().end + index);
+    let [first, other] = [(first, 0), (other, 1)].map(|(surface, i)| match kinds[i] {
+        Kind::Vertex(vertex, ..) => Pair {
+            vertex: vertex as u8,
+            surface,
+        },
+        Kind::Corner(side, _) => Pair::of_corner(surface, side as u8),
+    });
+    let pose = Pose {
+        position: Vec2::new(number(p.x), number(p.y)),
+        orientation: Orientation::new(Angle {
+            turns: 0,
+            rest: number(pose.orientation.angle().rest),
+        }),
+    };
+    let pivot = Pivot::at(&scene, &pose, first);
+    let state = TwoVertex::new(crate::verb::seat_sliding(&scene, pivot, other), other);
+    let mut vector = |by: f64| Vec2::new(number::<R>(by * next()), number(by * next()));
+    let grip = Grip {
+        holding_point: vector(0.5),
+        hand: pose.position + vector(1.0),
+        angle: Angle {
+            turns: 0,
+            rest: number(3.0 * next()),
+        },
+    };
+    Case {
+        scene,
+        state,
+        grip,
+        kinds,
+        seed,
+    }
+}
+
+const KINDS: [[bool; 2]; 4] = [[false, false], [false, true], [true, false], [true, true]];
+
+/// All that are driven, of many of all kinds.
+fn driven<R: Real>(
+    demand: Demand,
+    count: u64,
+    mut look: impl FnMut(&Case<R>, &Trammel<R>),
+) -> [usize; 4]
+where
+    R::Si: From<f32>,
+{
+    KINDS.map(|corners| {
+        let mut found = 0;
+        for seed in sampled(0..count, 97) {
+            let case = case::<R>(seed, corners);
+            let contacts = (&case.state.pivot, case.state.other);
+            if let Some(trammel) = Trammel::driven(&case.scene, contacts, &case.grip, demand) {
+                look(&case, &trammel);
+                found += 1;
+            }
+        }
+        found
+    })
+}
+
+fn course<'a, R: Real>(case: &'a Case<R>, trammel: &Trammel<R>) -> Course<'a, R, Room<R>> {
+    let contacts = (&case.state.pivot, case.state.other);
+    Course::of(&case.scene, contacts, &case.grip, trammel)
+}
+
+/// A contact at a pose: its point, its normal, the gap, and where the body's material there is in the body frame.
+fn contact(kind: Kind, pose: &Pose<f64>) -> (Vec2<f64>, Vec2<f64>, f64, Vec2<f64>) {
+    let rotation = pose.orientation.rotation();
+    match kind {
+        Kind::Vertex(vertex, normal, on) => {
+            let v = Vec2::new(VERTICES[vertex][0], VERTICES[vertex][1]);
+            let point = pose.position + rotation.apply(v);
+            (point, normal, normal.dot(point - on), v)
+        }
+        Kind::Corner(side, place) => {
+            let outward = normal_of(side);
+            let normal = -rotation.apply(outward);
+            let v = Vec2::new(VERTICES[side][0], VERTICES[side][1]);
+            let at = rotation.undo(place - pose.position);
+            (place, normal, outward.dot(at - v), at)
+        }
+    }
+}
+
+fn tangent(normal: Vec2<f64>) -> Vec2<f64> {
+    Vec2::new(normal.y, -normal.x)
+}
+
+/// Force and moment of hand and weight about the origin.
+fn wrench(case: &Case<f64>, grip: &Grip<f64>, pose: &Pose<f64>) -> (Vec2<f64>, f64) {
+    let rotation = pose.orientation.rotation();
+    let held = pose.position + rotation.apply(grip.holding_point);
+    let centre = pose.position + rotation.apply(case.scene.centroid());
+    let (pull, weight) = (grip.hand - held, case.scene.weight());
+    let couple = case.scene.stiffness() * grip.angle.minus(pose.orientation.angle());
+    let moment = couple + held.cross(pull) + centre.cross(weight);
+    (pull + weight, moment)
+}
+
+/// What two reactions on the edges of the dynamic cones, against velocities of some signs, leave of a load: N_1, N_2 by the forces, and the
+/// moment that is left.
+fn left(case: &Case<f64>, grip: &Grip<f64>, pose: &Pose<f64>, signs: [f64; 2]) -> ([f64; 2], f64) {
+    let (force, moment) = wrench(case, grip, pose);
+    let [(c1, f1), (c2, f2)] = from_fn(|i| {
+        let (point, normal, ..) = contact(case.kinds[i], pose);
+        (point, normal - tangent(normal) * (signs[i] * MU_D[i]))
+    });
+    let spread = f1.cross(f2);
+    let [n1, n2] = [-force.cross(f2) / spread, force.cross(f1) / spread];
+    let rest = moment + c1.cross(f1) * n1 + c2.cross(f2) * n2;
+    ([n1, n2], rest * spread)
+}
+
+fn pose_of(case: &Case<f64>, pivot: &Pivot<f64>) -> Pose<f64> {
+    pivot.placed(&case.scene).pose()
+}
+
+/// Conchoids, limaçons and the trammel: both gaps stay closed, the rates are those of the poses, and rates of rates.
+#[test]
+fn contacts_stay_and_rates_are_derivatives() {
+    let counts = driven::<f64>(Demand::AtTheEnd, 400, |case, trammel| {
+        let course = course(case, trammel);
+        let longest = course.longest();
+        for k in 0..=8 {
+            let x = longest * f64::from(k) / 8.0;
+            let spot = course.spot(x);
+            let pose = pose_of(case, &spot.pivot);
+            for kind in case.kinds {
+                let (_, _, gap, _) = contact(kind, &pose);
+                assert!(gap.abs() < 1e-13, "{} {x} {gap}", case.seed);
+            }
+            let h = 1e-5 * longest;
+            let [before, after] = [-h, h].map(|h| course.spot(x + h));
+            let frame = course.frame(&spot);
+            let [fb, fa] = [&before, &after].map(|spot| course.frame(spot));
+            let per = |after: f64, before: f64| (after - before) / (2.0 * h);
+            let turn = (after.pivot.orientation.angle()).minus(before.pivot.orientation.angle());
+            let mut pairs = [(spot.turn.value, turn / (2.0 * h)); 16];
+            let foot = per(after.pivot.foot, before.pivot.foot);
+            pairs[1] = (spot.slide.value, foot);
+            let mut i = 2;
+            let mut add = |is: Sloped<f64>, after: Sloped<f64>, before: Sloped<f64>| {
+                pairs[i] = (is.slope, per(after.value, before.value));
+                i += 1;
+            };
+            add(spot.slide, after.slide, before.slide);
+            add(spot.turn, after.turn, before.turn);
+            add(frame.arm.x, fa.arm.x, fb.arm.x);
+            add(frame.arm.y, fa.arm.y, fb.arm.y);
+            for k in 0..2 {
+                add(frame.velocities[k], fa.velocities[k], fb.velocities[k]);
+                let [is, a, b] = [&frame, &fa, &fb].map(|f| f.reactions[k].x);
+                add(is, a, b);
+                let [is, a, b] = [&frame, &fa, &fb].map(|f| f.reactions[k].y);
+                add(is, a, b);
+            }
+            let hand = (Vec2::new(0.3, -0.4), 0.1);
+            let [is, a, b] = [&spot, &after, &before].map(|spot| course.terms(spot, hand));
+            for k in 0..2 {
+                let of = |(place, loads): &(Kinematics<Sloped<f64>>, [Wrench<Sloped<f64>>; 2])| {
+                    (place.imbalance(loads[k]), place.normals(loads[k])[1])
+                };
+                let [is, a, b] = [&is, &a, &b].map(of);
+                add(is.0, a.0, b.0);
+                add(is.1, a.1, b.1);
+            }
+            for (i, (is, should)) in pairs.into_iter().enumerate() {
+                let size = 1.0 + is.abs();
+                let off = (is - should).abs();
+                assert!(
+                    off < 1e-4 / longest * size,
+                    "{} {x} {i} {is} {should}",
+                    case.seed
+                );
+            }
+        }
+    });
+    assert!(
+        cfg!(miri) || counts.iter().all(|&count| count > 100),
+        "{counts:?}"
+    );
+}
+
+/// A slip ends at the first place at which the statics written out say so, and not before.
+#[test]
+fn slip_ends_at_the_first_of_balance_and_opening() {
+    let mut stopped = 0;
+    let counts = driven::<f64>(Demand::Pressed, 600, |case, trammel| {
+        let course = course(case, trammel);
+        let falls = trammel.falls();
+        let (pivot, _, ending) = course.slip(falls, (0.0, Demand::Pressed));
+        let signs = course.signs;
+        let end = course.spot(0.0);
+        let sense = {
+            let (_, rest) = left(case, &case.grip, &pose_of(case, &end.pivot), signs);
+            rest.signum()
+        };
+        let length = |pivot: &Pivot<f64>| {
+            let turn = (pivot.orientation.angle()).minus(case.state.pivot.orientation.angle());
+            let [s, w] = course.twist;
+            s * (pivot.foot - case.state.pivot.foot) + w * turn
+        };
+        let x = length(&pivot);
+        if ending == Ending::Stopped {
+            stopped += 1;
+            let (_, rest) = left(case, &case.grip, &pose_of(case, &pivot), signs);
+            assert!(rest.abs() < 1e-12, "{} {rest}", case.seed);
+        }
+        for k in 1..200 {
+            let spot = course.spot(x * f64::from(k) / 200.0);
+            let (_, rest) = left(case, &case.grip, &pose_of(case, &spot.pivot), signs);
+            assert!(rest * sense > -1e-12, "{} {k} {rest} {ending:?}", case.seed);
+            let frame = course.frame(&spot);
+            for (v, sign) in frame.velocities.iter().zip(signs) {
+                assert!(v.value * sign > -1e-12, "{} {k}", case.seed);
+            }
+        }
+    });
+    assert!(
+        cfg!(miri) || counts.iter().all(|&count| count > 100),
+        "{counts:?}"
+    );
+    assert!(cfg!(miri) || stopped > 200, "{stopped}");
+}
+
+/// On whole slips, piece by piece, no gap opens or closes, and what ends in balance is so.
+#[test]
+fn whole_slips_end_in_balance_with_both_gaps_closed() {
+    let mut balanced = [0; 4];
+    for (corners, count) in KINDS.into_iter().zip(&mut balanced) {
+        for seed in sampled(0..600, 97) {
+            let case = case::<f64>(seed, corners);
+            let mut state = case.state.clone();
+            let moved = state.slip_to_the_end(&case.scene, &case.grip);
+            let pose = pose_of(&case, &state.pivot);
+            for kind in case.kinds {
+                let (_, _, gap, _) = contact(kind, &pose);
+                assert!(gap.abs() < 1e-13, "{seed} {gap}");
+            }
+            if moved.trigger == Trigger::Stopped && !moved.unbalanced {
+                let all = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
+                let rests = all.iter().any(|&signs| {
+                    let ([n1, n2], rest) = left(&case, &case.grip, &pose, signs);
+                    rest.abs() < 1e-12 && n1 > -1e-12 && n2 > -1e-12
+                });
+                assert!(rests, "{seed} {corners:?}");
+                *count += 1;
+            }
+        }
+    }
+    assert!(
+        cfg!(miri) || balanced.iter().all(|&count| count > 30),
+        "{balanced:?}"
+    );
+}

@@ -1,0 +1,80 @@
+//! Random scenes of ordinary use, and jumps in closed rooms: no frame breaks a law, nothing panics, every step ends.
+
+use std::sync::atomic::AtomicU64;
+use std::time::Duration;
+use stiction_core::{Evolution, Fixed};
+use stiction_tests::obstacles::guard::{Outcome, within};
+use stiction_tests::obstacles::survey::{Kind, look};
+use stiction_tests::{Number, budget};
+
+/// Scenes of 401 frames.
+const SCENES: u64 = budget(200, 10) as u64;
+/// Rooms of 100 jumps: over all number types and evolutions more than 10⁵ jumps.
+const ROOMS: u64 = budget(200, 10) as u64;
+/// More than any scene takes.
+const LIMIT: Duration = Duration::from_secs(30);
+/// Faults that are told before a test gives up: a step that does not end goes on beside what follows.
+const MOST: usize = 10;
+
+/// What is wrong in a scene.
+fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Option<String> {
+    let work = move || look::<R>((scenes, number), evolution, &AtomicU64::new(0));
+    match within(LIMIT, work) {
+        Outcome::Done(report) => {
+            let (frame, findings) = report.unlawful.first()?;
+            Some(format!("frame {frame}: {findings:?}"))
+        }
+        Outcome::Panic(words) => Some(words),
+        Outcome::Late => Some(format!("more than {LIMIT:?}")),
+    }
+}
+
+fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
+    let count = match scenes {
+        Kind::Worlds => SCENES,
+        Kind::Rooms => ROOMS,
+    };
+    let mut faults = 0;
+    for evolution in Evolution::ALL {
+        for number in 0..count {
+            if faults >= MOST {
+                break;
+            }
+            if let Some(fault) = fault::<R>((scenes, number), evolution) {
+                println!("{} {} scene {number}: {fault}", R::NAME, evolution.name());
+                faults += 1;
+            }
+        }
+    }
+    assert_eq!(faults, 0, "scenes with an unlawful frame in {}", R::NAME);
+}
+
+#[test]
+fn random_scenes_are_lawful_in_f64() {
+    no_frame_breaks_a_law::<f64>(Kind::Worlds);
+}
+
+#[test]
+fn random_scenes_are_lawful_in_f32() {
+    no_frame_breaks_a_law::<f32>(Kind::Worlds);
+}
+
+#[test]
+fn random_scenes_are_lawful_in_fixed_point() {
+    no_frame_breaks_a_law::<Fixed>(Kind::Worlds);
+}
+
+#[test]
+fn no_jump_leads_out_of_a_room_in_f64() {
+    no_frame_breaks_a_law::<f64>(Kind::Rooms);
+}
+
+#[test]
+fn no_jump_leads_out_of_a_room_in_f32() {
+    no_frame_breaks_a_law::<f32>(Kind::Rooms);
+}
+
+#[test]
+fn no_jump_leads_out_of_a_room_in_fixed_point() {
+    no_frame_breaks_a_law::<Fixed>(Kind::Rooms);
+}
