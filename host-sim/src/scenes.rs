@@ -37,8 +37,16 @@ pub const ALL: &[(&str, &str)] = bundled![
 
 /// Those of them without obstacles.
 pub fn without_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
-    ALL.iter()
-        .filter(|(_, text)| !text.contains("[[obstacle]]"))
+    ALL.iter().filter(|scene| !has_obstacles(scene))
+}
+
+/// The others.
+pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    ALL.iter().filter(|scene| has_obstacles(scene))
+}
+
+fn has_obstacles((_, text): &(&str, &str)) -> bool {
+    text.contains("\n[[obstacle]]")
 }
 
 /// The bundled scene of a name.
