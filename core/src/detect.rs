@@ -154,7 +154,7 @@ impl<R: Real> Placed<R> {
             let mut near = Pairs::new();
             self.touching_obstacles(scene, tolerance, &mut near);
             for pair in near {
-                let is_taken = |&other: &Pair| self.are_together(scene, [other, pair]);
+                let is_taken = |&other: &Pair| self.are_one(scene, [other, pair]);
                 if !list.iter().any(is_taken) {
                     // Of too many the first ones count.
                     let _ = list.push(pair);

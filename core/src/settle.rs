@@ -399,7 +399,7 @@ fn another<R: Real, W: World<R>>(scene: &W, state: &ContactState<R>) -> Option<P
     let placed = state.placed(scene);
     let touching = placed.touching(scene, R::TOUCH);
     let mut others = touching.iter().filter(|&&pair| {
-        let is_taken = |&other: &Pair| W::CORNERS && placed.are_together(scene, [other, pair]);
+        let is_taken = |&other: &Pair| W::CORNERS && placed.are_one(scene, [other, pair]);
         !contacts.contains(&pair) && !contacts.iter().any(is_taken)
     });
     others.next().copied()
@@ -430,10 +430,10 @@ pub(crate) fn touch<R: Real, W: World<R>>(
     let mut old = state.contacts();
     if W::CORNERS {
         // What turns on about an overlap that short goes on about its other end.
-        old.retain(|&contact| !placed.are_together(scene, [contact, pair]));
+        old.retain(|&contact| !placed.are_one(scene, [contact, pair]));
     }
     for &contact in old.iter().chain(&[pair]).chain(&touching) {
-        let is_taken = |&other: &Pair| W::CORNERS && placed.are_together(scene, [other, contact]);
+        let is_taken = |&other: &Pair| W::CORNERS && placed.are_one(scene, [other, contact]);
         if !all.contains(&contact) && !all.iter().any(is_taken) {
             // Of more than four surfaces the first ones count.
             let _ = all.push(contact);

@@ -456,6 +456,18 @@ impl<R: Real> Placed<R> {
         obstacle(a).is_some() && obstacle(a) == obstacle(b) && apart.length_bound() <= together()
     }
 
+    /// Of two contacts of one obstacle only one can be: they are at one place, or they face away from each other, while convex shapes touch
+    /// in one line at most.
+    pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+        if obstacle(a).is_none() || obstacle(a) != obstacle(b) {
+            return false;
+        }
+        let rotation = self.orientation.rotation();
+        let [first, second] = [a, b].map(|pair| scene.face(pair, rotation).normal);
+        self.are_together(scene, [a, b]) || first.dot(second) <= R::ZERO
+    }
+
     /// Of contacts in one line the outermost two.
     pub(crate) fn outermost<W: World<R>>(&self, scene: &W, contacts: &Pairs) -> Pairs {
         let is_inner = |&pair: &Pair| {
@@ -517,7 +529,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 let gap = |body: &Instant<R>| body.gap(scene, pair);
                 if let Some(end) = falls([(x, here), (to, there)], at, gap) {
                     (to, there) = end;
-                    first = Some((end.0, pair));
+                    first = Some((end.0, Some(pair)));
                 }
             }
         }
@@ -538,8 +550,9 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         if let Some((x, contact)) = first {
             return Some(Reached {
                 x,
-                contact,
-                unsure: false,
+                contact: contact.unwrap_or_default(),
+                // Nothing is reached yet, but what is watched there changes too often.
+                unsure: contact.is_none(),
             });
         }
         (x, here) = (to, there);
@@ -621,7 +634,7 @@ fn touched<R: Real, W: World<R>>(
     lasting: &[Pair],
     obstacle: usize,
     (before, now): (&Placed<R>, &Placed<R>),
-) -> Pair {
+) -> Option<Pair> {
     let mut near = R::TOUCH;
     for _ in 0..4 {
         let mut list = Pairs::new();
@@ -640,9 +653,9 @@ fn touched<R: Real, W: World<R>>(
             }
         });
         if let Some((_, pair)) = latest {
-            return pair;
+            return Some(pair);
         }
         near = near * R::from_int(8);
     }
-    Pair::default()
+    None
 }

@@ -16,7 +16,7 @@ use crate::verb::Trigger;
 use crate::world::World;
 
 /// How far a contact that slides along sign·t is from the end of its side, and how fast that changes.
-pub(super) fn room_ahead<R: Real>(
+pub(in crate::state) fn room_ahead<R: Real>(
     scene: &impl World<R>,
     body: &Instant<R>,
     (contact, sign): (Pair, R),
@@ -36,7 +36,7 @@ pub(super) fn room_ahead<R: Real>(
 }
 
 /// Ends a slip by `shift` along t where the contact leaves its side.
-pub(super) fn stop_at_end<R: Real>(
+pub(in crate::state) fn stop_at_end<R: Real>(
     scene: &impl World<R>,
     segment: &mut Segment<R>,
     (pivot, shift): (&Pivot<R>, R),
@@ -57,7 +57,7 @@ pub(super) fn stop_at_end<R: Real>(
 }
 
 /// Ends a slide along sign·t where the contact leaves its side; `foot`: its displacement, times `per`.
-pub(super) fn stop_at_end_of_slide<R: Real, H: SecondHarmonic<R>>(
+pub(in crate::state) fn stop_at_end_of_slide<R: Real, H: SecondHarmonic<R>>(
     scene: &impl World<R>,
     segment: &mut Segment<R, H>,
     (placed, contact): (&Placed<R>, Pair),

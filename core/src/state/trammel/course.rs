@@ -12,7 +12,7 @@ use crate::grip::Grip;
 use crate::motion::Instant;
 use crate::pivot::Pivot;
 use crate::real::Real;
-use crate::state::on_corner::room_ahead;
+use crate::state::side_end::room_ahead;
 use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
