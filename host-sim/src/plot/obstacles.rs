@@ -34,9 +34,8 @@ impl View<'_> {
                 [_] => {}
                 [a, b] => self.line(&self.visible(&[*a, *b]), INK, 3.0)?,
                 polygon => {
-                    for (i, &from) in polygon.iter().enumerate() {
-                        let to = polygon[(i + 1) % polygon.len()];
-                        for piece in self.free(solids, k, [from, to]) {
+                    for side in sides(polygon) {
+                        for piece in self.free(solids, k, side) {
                             self.side(polygon, piece)?;
                         }
                     }
@@ -49,26 +48,24 @@ impl View<'_> {
     /// The names of the obstacles, each in the middle of what is seen of it; of what is too small for it beside it, or not at all.
     pub(super) fn names(&self, obstacles: &[ObstacleInfo], beside: bool) -> Drawn {
         for obstacle in obstacles {
-            let Some(seen) = Bounds::around(self.visible(&corners(obstacle))) else {
+            let seen = self.visible(&corners(obstacle));
+            let Some(bounds) = Bounds::around(seen.iter().copied()) else {
                 continue;
             };
             let width = text_width(&obstacle.name, SMALL) * self.pixel;
-            let room = NAME * self.pixel;
-            let (x, y) = seen.centre();
+            let middle = middle(&seen).unwrap_or(bounds.centre());
             // Within its hatches, or else over them where names are wanted in any case.
-            let margin = if beside {
-                0.0
-            } else {
-                2.0 * HATCH * self.pixel
-            };
-            let is_wide = seen.width() >= width + margin && seen.height() >= room + margin;
-            if obstacle.vertices.len() > 2 && is_wide {
-                self.name(&obstacle.name, (x, y), true)?;
+            let margin = if beside { 0.0 } else { HATCH * self.pixel };
+            let room = Bounds::centred(middle, width, NAME * self.pixel);
+            let is_inside = |&place: &Point| sides(&seen).all(|side| above(side, place) <= -margin);
+            if seen.len() > 2 && room.corners().iter().all(is_inside) {
+                self.name(&obstacle.name, middle, true)?;
             } else if beside {
-                let right = seen.x.end + 6.0 * self.pixel;
+                let right = bounds.x.end + 6.0 * self.pixel;
                 let fits = right + width <= self.bounds.x.end;
-                let left = seen.x.start - 6.0 * self.pixel - width;
-                self.name(&obstacle.name, (if fits { right } else { left }, y), false)?;
+                let left = bounds.x.start - 6.0 * self.pixel - width;
+                let place = (if fits { right } else { left }, bounds.centre().1);
+                self.name(&obstacle.name, place, false)?;
             }
         }
         Ok(())
@@ -118,13 +115,8 @@ impl View<'_> {
             }
             let polygon = corners(other);
             let mut span = (begin, end);
-            for (i, &from) in polygon.iter().enumerate() {
-                let (nx, ny) = outward([from, polygon[(i + 1) % polygon.len()]]);
-                let height = |part: f64| {
-                    let (x, y) = beside(part);
-                    nx * (x - from.0) + ny * (y - from.1)
-                };
-                span = inside(&height, span.0, span.1)?;
+            for side in sides(&polygon) {
+                span = inside(&|part| above(side, beside(part)), span.0, span.1)?;
             }
             Some(span)
         };
@@ -173,15 +165,9 @@ impl View<'_> {
             let s = (count as f64 + 0.5) * step;
             let (x, y) = (from.0 + s * tx, from.1 + s * ty);
             let foot = (x + length * (tx - nx), y + length * (ty - ny));
-            let hatch = polygon
-                .iter()
-                .enumerate()
-                .fold(vec![(x, y), foot], |line, (i, &a)| {
-                    let (nx, ny) = outward([a, polygon[(i + 1) % polygon.len()]]);
-                    clip(&line, |(x, y)| {
-                        1e-9 * total - nx * (x - a.0) - ny * (y - a.1)
-                    })
-                });
+            let hatch = sides(polygon).fold(vec![(x, y), foot], |line, side| {
+                clip(&line, |place| 1e-9 * total - above(side, place))
+            });
             let hatch = self.visible(&hatch);
             if let [first, .., last] = hatch.as_slice() {
                 self.line(&[*first, *last], FAINT, 1.0)?;
@@ -204,6 +190,31 @@ impl View<'_> {
 /// The corners of an obstacle.
 pub(super) fn corners(obstacle: &ObstacleInfo) -> Vec<Point> {
     obstacle.vertices.iter().map(|&[x, y]| (x, y)).collect()
+}
+
+/// The sides of a polygon.
+fn sides(polygon: &[Point]) -> impl Iterator<Item = [Point; 2]> + '_ {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).map(|(&from, &to)| [from, to])
+}
+
+/// How far a point is outside a side's line.
+fn above(side: [Point; 2], (x, y): Point) -> f64 {
+    let (nx, ny) = outward(side);
+    nx * (x - side[0].0) + ny * (y - side[0].1)
+}
+
+/// The centroid of a polygon.
+fn middle(polygon: &[Point]) -> Option<Point> {
+    let [x, y, area] = sides(polygon).fold([0.0; 3], |[x, y, area], [a, b]| {
+        let cross = a.0 * b.1 - b.0 * a.1;
+        [
+            x + cross * (a.0 + b.0) / 3.0,
+            y + cross * (a.1 + b.1) / 3.0,
+            area + cross,
+        ]
+    });
+    (area > 0.0).then(|| (x / area, y / area))
 }
 
 /// The outward unit normal of a side.
