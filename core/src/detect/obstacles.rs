@@ -628,31 +628,36 @@ fn closes<R: Real, W: World<R>>(
     Some(from)
 }
 
-/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before.
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
+/// obstacle's own corner is covered, it is one of another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
     lasting: &[Pair],
     obstacle: usize,
     (before, now): (&Placed<R>, &Placed<R>),
 ) -> Option<Pair> {
+    let own = corners(scene, obstacle);
+    let is_own = |pair: Pair| {
+        let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
+        own.contains(&pair.surface) || own.clone().any(side)
+    };
+    let is_new = |pair: Pair| {
+        let closed = before.gap(scene, pair) > R::TOUCH;
+        let is_taken = |&other: &Pair| !closed && now.are_one(scene, [other, pair]);
+        !lasting.contains(&pair) && !lasting.iter().any(is_taken)
+    };
     let mut near = R::TOUCH;
     for _ in 0..4 {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
-        let own = corners(scene, obstacle);
-        let is_own = |pair: Pair| {
-            let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
-            own.contains(&pair.surface) || own.clone().any(side)
-        };
-        let new = (list.iter().copied()).filter(|&pair| is_own(pair) && !lasting.contains(&pair));
-        let latest = new.fold(None, |latest: Option<(R, Pair)>, pair| {
-            let gap = before.gap(scene, pair);
-            match latest {
-                Some((largest, _)) if gap <= largest => latest,
-                _ => Some((gap, pair)),
+        let mut latest: Option<(bool, R, Pair)> = None;
+        for pair in list.into_iter().filter(|&pair| is_new(pair)) {
+            let this = (is_own(pair), before.gap(scene, pair), pair);
+            if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
+                latest = Some(this);
             }
-        });
-        if let Some((_, pair)) = latest {
+        }
+        if let Some((.., pair)) = latest {
             return Some(pair);
         }
         near = near * R::from_int(8);
