@@ -196,11 +196,14 @@ fn cut(corners: &[Corner], depth: impl Fn([f64; 2]) -> f64) -> Vec<Corner> {
 /// L (m): the body's largest vertex distance; that of a point as the solver takes it, a power of two.
 fn length(scene: &WrittenScene) -> f64 {
     let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-    let others = scene.vertices.iter().flat_map(|a| {
-        let distances = scene.vertices.iter().map(move |b| apart(a, b));
-        distances
-    });
-    let largest = others.fold(0.0, f64::max);
+    let from = |a: &'_ [f64; 2]| {
+        scene
+            .vertices
+            .iter()
+            .map(|b| apart(a, b))
+            .fold(0.0, f64::max)
+    };
+    let largest = scene.vertices.iter().map(from).fold(0.0, f64::max);
     if largest > 0.0 {
         return largest;
     }
