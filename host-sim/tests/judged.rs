@@ -90,7 +90,7 @@ fn scene_file(folder: &Folder, scene: &str) -> PathBuf {
 
 #[test]
 fn bundled_scenes_are_lawful_in_every_frame() {
-    for (name, _) in scenes::without_obstacles() {
+    for (name, _) in scenes::ALL {
         for number in NUMBERS {
             for evolution in EVOLUTIONS {
                 judged(&Folder::new(), name, number, evolution);

@@ -61,14 +61,27 @@ impl View<'_> {
             if seen.len() > 2 && room.corners().iter().all(is_inside) {
                 self.name(&obstacle.name, middle, true)?;
             } else if beside {
-                let right = bounds.x.end + 6.0 * self.pixel;
-                let fits = right + width <= self.bounds.x.end;
-                let left = bounds.x.start - 6.0 * self.pixel - width;
-                let place = (if fits { right } else { left }, bounds.centre().1);
+                let place = self.beside(&bounds, obstacle.vertices.len() == 2, width);
                 self.name(&obstacle.name, place, false)?;
             }
         }
         Ok(())
+    }
+
+    /// Where a name of this width begins beside what is seen of an obstacle: of a wall above or beside its middle.
+    fn beside(&self, seen: &Bounds, is_wall: bool, width: f64) -> Point {
+        const GAP: f64 = 9.0;
+        let (x, y) = seen.centre();
+        let gap = GAP * self.pixel;
+        if is_wall && seen.width() > seen.height() {
+            return (x - 0.5 * width, y + gap);
+        }
+        let [right, left] = match is_wall {
+            true => [x + gap, x - gap - width],
+            false => [seen.x.end + gap, seen.x.start - gap - width],
+        };
+        let fits = right + width <= self.bounds.x.end;
+        (if fits { right } else { left }, y)
     }
 
     fn name(&self, name: &str, place: Point, middle: bool) -> Drawn {
