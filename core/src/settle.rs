@@ -311,6 +311,9 @@ fn pass_on<R: Real, W: World<R>>(
     let placed = state.placed(scene);
     let mut others = contacts.clone();
     others.retain(|&pair| pair != left);
+    if sign == R::ZERO {
+        return turn_on(scene, state, (left, &others));
+    }
     let next = placed.next_contact(scene, (left, sign), &contacts);
     let pose = state.pose(scene);
     let pressed = next.filter(|&next| {
@@ -339,6 +342,24 @@ fn pass_on<R: Real, W: World<R>>(
         StateKind::SingleVertex | StateKind::Edge => Next::Slip(sign),
         _ => Next::Relax(Some(sign)),
     }
+}
+
+/// A body that turns about a contact at the end of a side has turned to the end of what supports it: the contact at the same place whose
+/// normal comes next supports it from there on.
+fn turn_on<R: Real, W: World<R>>(
+    scene: &W,
+    state: &mut ContactState<R>,
+    (left, others): (Pair, &[Pair]),
+) -> Next<R> {
+    let (placed, regime) = (state.placed(scene), state.regime());
+    let Some(next) = placed.next_at_tip(scene, left) else {
+        return Next::Relax(None);
+    };
+    let is_beside = |&&other: &&Pair| !placed.are_one(scene, [next, other]);
+    let others: Pairs = others.iter().filter(is_beside).copied().collect();
+    *state = ContactState::seated(scene, pivot_of(scene, state, next), &others);
+    state.set_regime(regime);
+    Next::Relax(None)
 }
 
 /// An edge that slides along sign·t has lost one of its contacts at the end of a side. Where another one takes its place in the same

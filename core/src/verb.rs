@@ -32,7 +32,8 @@ pub(crate) enum Trigger<R> {
         contacts: [usize; 2],
         sliding: Option<R>,
     },
-    /// Contact number `contact`, which slides along sign·t, has left its side: it is passed on (STATICS 12.4).
+    /// Contact number `contact`, which slides along sign·t, has left its side; with the sign 0, the body has turned about it, at the end of a
+    /// side, to the end of what supports it: it is passed on (STATICS 12.4).
     Off { contact: usize, sign: R },
     /// All contacts open.
     Clear,

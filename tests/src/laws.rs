@@ -108,6 +108,7 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
         stiffness_translation: setup.stiffness_translation,
         stiffness_rotation: setup.stiffness_rotation,
         surfaces,
+        obstacles: Vec::new(),
     };
     let evolution = match evolution {
         Evolution::Path => stiction_judge::Evolution::Path,
@@ -119,9 +120,12 @@ pub fn judge_within<R: Number>(setup: &Setup, evolution: Evolution, bounds: Boun
 /// Frame `i` as the judge has it, a second after the one before.
 pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
     let contact = |c: &Contact<f64>| stiction_judge::Contact {
-        vertex: c.vertex,
-        surface: c.surface,
+        touch: stiction_judge::Touch::Surface {
+            vertex: c.vertex,
+            surface: c.surface,
+        },
         point: c.point,
+        direction: None,
         normal: c.normal,
         friction: c.friction,
         sliding: Some(c.sliding),

@@ -2,6 +2,7 @@
 //! known answers, a judge of single frames that knows nothing but geometry and statics, random scenes, and closed rooms.
 //! SI units, world frame, unless said otherwise.
 
+pub mod before_judge;
 pub mod cases;
 pub mod compare;
 pub mod guard;

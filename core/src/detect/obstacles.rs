@@ -8,7 +8,7 @@ use crate::contact::{Pair, Pairs};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
-use crate::obstacle::{Round, corners_of};
+use crate::obstacle::{Corner, Round, corners_of};
 use crate::real::Real;
 use crate::search::Found;
 use crate::thresholds::Thresholds;
@@ -173,6 +173,40 @@ fn is_flat_on<R: Real, W: World<R>>(
         })
 }
 
+/// The side of the body that lies in the line of two contacts.
+fn flat_side<R: Real, W: World<R>>(scene: &W, placed: &Placed<R>, lasting: &[Pair]) -> Option<u8> {
+    let (&first, others) = lasting.split_first()?;
+    let mut others = others.iter().copied();
+    let other = others.find(|&other| scene.lie_in_line([first, other], placed))?;
+    if let Some(corner) = [first, other].into_iter().find(|pair| pair.is_corner()) {
+        return Some(corner.body_side());
+    }
+    let rotation = placed.orientation.rotation();
+    let normal = rotation.undo(scene.face(first, rotation).normal);
+    let against = |side: u8| normal.dot(scene.body_normal(side));
+    let [one, two] = [first, other].map(|pair| pair.vertex);
+    Some(if against(one) < against(two) {
+        one
+    } else {
+        two
+    })
+}
+
+/// A body that lies flat on two contacts lies over this obstacle as well, and touches it in their line: sliding on in that line it does
+/// not reach it.
+fn lies_over<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    obstacle: usize,
+    lasting: &[Pair],
+) -> bool {
+    flat_side(scene, placed, lasting).is_some_and(|side| {
+        let body = Instant::at_rest(*placed);
+        let gap = gap_along(scene, &body, (obstacle, Axis::BodySide(side)), &[]);
+        gap.abs() <= R::TOUCH.doubled() && placed.separation(scene, obstacle) <= R::TOUCH.doubled()
+    })
+}
+
 /// The least gap along an axis, but for contacts that last.
 fn gap_along<R: Real, W: World<R>>(
     scene: &W,
@@ -292,7 +326,11 @@ impl<R: Real> Placed<R> {
                 least = least.min(apart);
                 continue;
             }
+            if lies_over(scene, self, obstacle, lasting) {
+                continue;
+            }
             let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            // A point and a pin have no axis.
             let room = axes(scene, obstacle).map(along).reduce(R::max);
             let room = room.unwrap_or(R::HUGE);
             least = least.min(room - self.rounding().doubled() - R::TOUCH);
@@ -343,6 +381,53 @@ impl<R: Real> Placed<R> {
         }
     }
 
+    /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and no other obstacle in between; and
+    /// a side of the body has all of them behind.
+    fn meets<W: World<R>>(&self, scene: &W, contact: Pair) -> bool {
+        let own = scene.corner(contact.surface).map(|corner| corner.obstacle);
+        let arm = self.arm_to(scene, contact);
+        let point = self.point + arm;
+        let surface = scene.face(contact, self.orientation.rotation());
+        let first = scene.surface_indices().end;
+        let others = (first..).zip(scene.corners()).filter(|(_, corner)| {
+            let is_here = (corner.place - point).length_bound() <= together();
+            is_here && Some(corner.obstacle) != own
+        });
+        // The directions in which the sides of other obstacles leave this place.
+        let mut leaving = others.flat_map(|(index, corner)| {
+            let own = corners(scene, usize::from(corner.obstacle));
+            let has_sides = own.len() > 1;
+            let before = scene.surface(beside(&own, index, false)).tangent;
+            let both = has_sides.then_some([-scene.surface(index).tangent, before]);
+            both.into_iter().flatten()
+        });
+        if contact.is_corner() {
+            return leaving.all(|side| surface.normal.dot(side) <= R::MICRO);
+        }
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let along = if foot - low < high - foot {
+            surface.tangent
+        } else {
+            -surface.tangent
+        };
+        let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
+        let body = scene.neighbours(contact.vertex).into_iter();
+        let body = body.filter(|&other| other != contact.vertex);
+        let body = body.map(|other| angle(self.arm(scene, other) - arm));
+        let nearest = body.reduce(R::min);
+        // What lies flat on a side in between is in front of that one; of a rod it is not known on which side of it.
+        let flat = if scene.vertices().len() > 2 {
+            R::MICRO
+        } else {
+            -R::MICRO
+        };
+        leaving.all(|side| {
+            let is_ahead = surface.normal.dot(side) > R::MICRO;
+            !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
+        })
+    }
+
     /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.
     pub(super) fn touching_obstacles<W: World<R>>(
         &self,
@@ -370,6 +455,7 @@ impl<R: Real> Placed<R> {
                 self.gap(scene, pair).abs() <= tolerance
                     && self.beyond(scene, pair) <= tolerance
                     && self.supports(scene, pair, tolerance)
+                    && self.meets(scene, pair)
             });
             for pair in pairs {
                 if !list.contains(&pair) {
@@ -378,6 +464,72 @@ impl<R: Real> Placed<R> {
                 }
             }
         }
+    }
+
+    /// Where a contact is at the end of its side, the body that turns about it lies flat beyond that end and touches nothing more: there
+    /// the normal begins to turn, with the body or with it no more (STATICS 12.4).
+    pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> [Option<Tip>; 2] {
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        if to_low > together() && to_high > together() {
+            return [None, None];
+        }
+        let surface = scene.face(contact, self.orientation.rotation());
+        let is_high = to_high < to_low;
+        let arm = self.arm_to(scene, contact);
+        // Beyond the end, as a vertex and as a corner see it.
+        let off = if is_high == contact.is_corner() {
+            -surface.tangent
+        } else {
+            surface.tangent
+        };
+        if contact.is_corner() {
+            let obstacle = scene.corner(contact.surface).map(|corner| corner.obstacle);
+            let own = corners(scene, usize::from(obstacle.unwrap_or_default()));
+            let side = contact.body_side();
+            let [after, _] = scene.neighbours(side);
+            let vertex = if is_high { side } else { after };
+            [true, false].map(|ahead| {
+                let other = beside(&own, contact.surface, ahead);
+                let neighbour = Pair::of_corner(other, side);
+                let line = if ahead { contact.surface } else { other };
+                let surface = line_of(scene, line);
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                (own.len() > 1 && is_off).then_some(Tip {
+                    neighbour,
+                    next: Pair { vertex, surface },
+                })
+            })
+        } else {
+            let is_here = |corner: &Corner<R>| {
+                let apart = corner.place - (self.point + arm);
+                !corner.covered && apart.length_bound() <= together()
+            };
+            let first = scene.surface_indices().end;
+            let mut here = (first..)
+                .zip(scene.corners())
+                .filter(|(_, corner)| is_here(corner));
+            let corner = here.next().map(|(corner, _)| corner);
+            let [after, before] = scene.neighbours(contact.vertex);
+            [(after, contact.vertex), (before, before)].map(|(other, side)| {
+                let neighbour = Pair {
+                    vertex: other,
+                    ..contact
+                };
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                let next = Pair::of_corner(corner?, side);
+                (other != contact.vertex && is_off).then_some(Tip { neighbour, next })
+            })
+        }
+    }
+
+    /// The contact that comes next where a body has turned to the end of what supports one.
+    pub(crate) fn next_at_tip<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Pair> {
+        let tips = self.tips(scene, contact).into_iter().flatten();
+        let gap = |tip: &Tip| self.gap(scene, tip.neighbour);
+        let next = tips.reduce(|least, tip| if gap(&tip) < gap(&least) { tip } else { least });
+        next.map(|tip| tip.next)
     }
 
     /// The contact at the place of one that has left its side along sign·t whose normal comes next as the normal turns towards the slide.
@@ -399,7 +551,8 @@ impl<R: Real> Placed<R> {
         let mut found: Option<(R, Pair)> = None;
         for pair in list {
             let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
-            let least = if self.are_together(scene, [pair, left]) {
+            let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+            let least = if obstacle(pair) == obstacle(left) {
                 R::in_plane()
             } else {
                 -R::in_plane()
@@ -449,23 +602,41 @@ impl<R: Real> Placed<R> {
         found.map(|(_, pair)| pair)
     }
 
-    /// Two contacts of one obstacle at one place are one.
-    pub(crate) fn are_together<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
-        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
-        let apart = self.arm_to(scene, a) - self.arm_to(scene, b);
-        obstacle(a).is_some() && obstacle(a) == obstacle(b) && apart.length_bound() <= together()
-    }
-
-    /// Of two contacts of one obstacle only one can be: they are at one place, or they face away from each other, while convex shapes touch
-    /// in one line at most.
+    /// Of two contacts with obstacles only one can be: of one obstacle, at one place or facing away from each other, as convex shapes touch
+    /// in one line at most; of two obstacles, where their corners meet in a tip.
     pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
         let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
-        if obstacle(a).is_none() || obstacle(a) != obstacle(b) {
+        let (Some(of_a), Some(of_b)) = (obstacle(a), obstacle(b)) else {
             return false;
+        };
+        let [first, second] = [a, b].map(|pair| scene.face(pair, self.orientation.rotation()));
+        let is_here = self.are_at_one_place(scene, [a, b]);
+        if of_a == of_b {
+            return is_here || first.normal.dot(second.normal) <= R::ZERO;
         }
-        let rotation = self.orientation.rotation();
-        let [first, second] = [a, b].map(|pair| scene.face(pair, rotation).normal);
-        self.are_together(scene, [a, b]) || first.dot(second) <= R::ZERO
+        // Beyond the end of the one the other one does not block the way.
+        let off_end = |pair: Pair, tangent: Vec2<R>| {
+            let [low, high] = scene.reach(pair);
+            let foot = self.foot(scene, pair);
+            let off = if foot - low < high - foot {
+                -tangent
+            } else {
+                tangent
+            };
+            (self.beyond(scene, pair) > -together::<R>()).then_some(off)
+        };
+        let is_tip = || match (off_end(a, first.tangent), off_end(b, second.tangent)) {
+            (Some(off_a), Some(off_b)) => {
+                off_a.dot(second.normal) > R::MICRO && off_b.dot(first.normal) > R::MICRO
+            }
+            _ => false,
+        };
+        is_here && (a.is_corner() || b.is_corner() || is_tip())
+    }
+
+    fn are_at_one_place<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let apart = self.arm_to(scene, a) - self.arm_to(scene, b);
+        apart.length_bound() <= together()
     }
 
     /// Of contacts in one line the outermost two.
@@ -493,6 +664,14 @@ pub(crate) enum Among {
     Obstacles,
     /// Half-planes, too.
     All,
+}
+
+/// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
+pub(crate) struct Tip {
+    /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
+    pub(crate) neighbour: Pair,
+    /// The contact at the same place whose normal comes next.
+    pub(crate) next: Pair,
 }
 
 /// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
@@ -538,12 +717,15 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             .doubled();
         let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
         for (obstacle, round) in scene.rounds().iter().enumerate() {
-            if here.placed.apart(round) > reach {
+            let is_over =
+                || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
+            if here.placed.apart(round) > reach || is_over() {
                 continue;
             }
-            if let Some(end) = closes(scene, obstacle, lasting, [(x, here), (to, there)], at) {
+            let piece = [(x, here), (to, there)];
+            let before = (&start.placed, lasting);
+            if let Some((end, contact)) = closes(scene, obstacle, before, piece, at) {
                 (to, there) = end;
-                let contact = touched(scene, lasting, obstacle, (&start.placed, &there.placed));
                 first = Some((to, contact));
             }
         }
@@ -590,14 +772,15 @@ fn falls<R: Real>(
     }
 }
 
-/// Where an obstacle is reached on a piece of a motion, and the body there.
+/// Where an obstacle is reached on a piece of a motion, the body there, and the contact; no contact where what is watched changes too
+/// often.
 fn closes<R: Real, W: World<R>>(
     scene: &W,
     obstacle: usize,
-    lasting: &[Pair],
+    (before, lasting): (&Placed<R>, &[Pair]),
     [mut from, to]: [(R, Instant<R>); 2],
     at: &dyn Fn(R) -> Instant<R>,
-) -> Option<(R, Instant<R>)> {
+) -> Option<((R, Instant<R>), Option<Pair>)> {
     for _ in 0..MOST_AXES {
         let (axis, _) = widest(scene, &from.1, obstacle, lasting);
         let axis = axis?;
@@ -620,12 +803,15 @@ fn closes<R: Real, W: World<R>>(
             return None;
         }
         let (_, gap) = widest(scene, &end.1, obstacle, lasting);
-        if gap <= R::TOUCH {
-            return Some(end);
+        if gap <= R::TOUCH
+            && let Some(contact) = touched(scene, lasting, obstacle, (before, &end.1.placed))
+        {
+            return Some((end, Some(contact)));
         }
+        // It is apart along another axis, or touches where it does already.
         from = end;
     }
-    Some(from)
+    Some((from, None))
 }
 
 /// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
@@ -641,9 +827,14 @@ fn touched<R: Real, W: World<R>>(
         let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
         own.contains(&pair.surface) || own.clone().any(side)
     };
+    let owner = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
     let is_new = |pair: Pair| {
+        // An overlap that short goes on as its other end.
         let closed = before.gap(scene, pair) > R::TOUCH;
-        let is_taken = |&other: &Pair| !closed && now.are_one(scene, [other, pair]);
+        let is_taken = |&other: &Pair| {
+            let replaces = closed && owner(other) == owner(pair);
+            !replaces && now.are_one(scene, [other, pair])
+        };
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)
     };
     let mut near = R::TOUCH;

@@ -11,7 +11,7 @@ use crate::obstacle::{Corner, Round};
 use crate::real::Real;
 use crate::world::{Surface, World};
 use heapless::Vec;
-use union::{Outline, Side, cover, join};
+use union::{Outline, Side, cover, cover_hollows, join};
 
 mod union;
 
@@ -145,6 +145,7 @@ impl<R: Real, const V: usize, const S: usize, const O: usize, const C: usize, M:
                 };
             }
         }
+        cover_hollows(corners, &lines);
         for surface in description.surfaces {
             let (x, y) = normalized(surface.normal[0], surface.normal[1]);
             let offset = self.units.length_from_si(surface.offset);

@@ -26,6 +26,9 @@ use crate::world::World;
 /// Corrections of a place of a slide.
 const MAX_CORRECTIONS: usize = 6;
 
+/// A piece of a slide is shortened so many times.
+const MAX_HALVINGS: usize = 12;
+
 /// How a slide of a corner begins to go on, per part of a displacement of the hand.
 pub(super) struct SlideRates<R> {
     /// -dM/dtheta, the foot in balance.
@@ -396,6 +399,15 @@ impl<R: Real> SingleVertex<R> {
         let mut end = (R::ONE + eighth) / part.max(R::MICRO);
         if turn.abs() * end > eighth {
             end = eighth / turn.abs();
+        }
+        // Not so far that its places are not found any more.
+        for _ in 0..MAX_HALVINGS {
+            let spot = slide.along(end);
+            let load = spot.pivot.load(scene, &path.0.lerp(path.1, spot.part));
+            if spot.rates.moment.abs() <= Self::found_to(&load) {
+                break;
+            }
+            end = end.halved();
         }
         let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
         let (mut x, which, mut unsure) = match found {

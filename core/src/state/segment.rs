@@ -3,7 +3,7 @@
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin, Place};
 use crate::contact::Pair;
-use crate::detect::{Among, Moving, Placed, PointPath, Reached, first_reached};
+use crate::detect::{Among, Moving, Placed, PointPath, Reached, Tip, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -13,6 +13,7 @@ use crate::motion::Instant;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::search::{Found, Looks};
+use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
@@ -246,9 +247,33 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         moved
     }
 
+    /// Ends where the body has turned to the end of what supports a contact at the end of a side.
+    fn stop_at_tip<W: World<R>>(&mut self, scene: &W, placed: &Placed<R>, contact: Pair) {
+        let tips = placed.tips(scene, contact);
+        if tips.iter().all(Option::is_none) {
+            return;
+        }
+        let path = PointPath::straight(Vec2::ZERO);
+        let gap = |body: &Instant<R>, tip: &Tip| {
+            let gap = body.gap(scene, tip.neighbour);
+            Level::new(gap, R::of_coordinates())
+        };
+        self.stop_at_first(
+            |curve, place| {
+                let body = curve.instant(place, placed, &path);
+                let [first, second] = &tips;
+                [first, second].map(|tip| tip.as_ref().map(|tip| gap(&body, tip)))
+            },
+            [Trigger::Off {
+                contact: 0,
+                sign: R::ZERO,
+            }; 2],
+        );
+    }
+
     /// Turns a pivot downhill at a frozen hand, to balance or to the first touch.
-    pub(super) fn turn_downhill(
-        scene: &impl World<R>,
+    pub(super) fn turn_downhill<W: World<R>>(
+        scene: &W,
         pivot: &mut Pivot<R>,
         lasting: &[Pair],
         downhill: &Downhill<R>,
@@ -259,6 +284,9 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
             &pivot.placed(scene),
             (&PointPath::straight(Vec2::ZERO), lasting),
         );
+        if W::CORNERS {
+            segment.stop_at_tip(scene, &pivot.placed(scene), pivot.contact);
+        }
         *pivot = pivot.moved(R::ZERO, segment.turn());
         let moved = segment.moved();
         Moved {
@@ -271,8 +299,8 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
 
 impl<R: Real> Segment<R> {
     /// Of a body that turns about a pinned vertex as the hand moves, to the first of fold and touch.
-    pub(super) fn pinned(
-        scene: &impl World<R>,
+    pub(super) fn pinned<W: World<R>>(
+        scene: &W,
         load: &Load<R>,
         displacement: &Displacement<R>,
         lasting: &[Pair],
@@ -281,6 +309,11 @@ impl<R: Real> Segment<R> {
         let mut segment = Self::balanced(&moment, &drive, Trigger::Balanced);
         let path = PointPath::straight(Vec2::ZERO);
         segment.stop_at_touch(scene, &load.placed, (&path, lasting));
+        if W::CORNERS
+            && let Some(&contact) = lasting.first()
+        {
+            segment.stop_at_tip(scene, &load.placed, contact);
+        }
         segment
     }
 }

@@ -205,7 +205,8 @@ impl<R: Real> SingleVertex<R> {
         grip: &Grip<R>,
         (direction, sign): (R, R),
     ) -> Moved<R> {
-        if self.is_corner(scene) {
+        if W::CORNERS {
+            // On a side with ends the foot does not go to its balance at once: it turns and slips there.
             self.regime = Regime::LOOSE;
             return self.relax(scene, grip, Some(sign));
         }
@@ -287,7 +288,7 @@ impl<R: Real> SingleVertex<R> {
         } else {
             self.rest(scene, grip, &edge)
         };
-        if self.is_inside(scene) {
+        if self.is_inside(scene) || !self.pivot.is_on_side(scene) {
             self.pivot = begin;
             let load = self.pivot.load(scene, grip);
             let found_to = Self::found_to(&load);

@@ -7,9 +7,9 @@
 //!   an edge of its cone takes.
 
 use crate::finding::Bounds;
-use crate::frame::Frame;
+use crate::frame::{Contact, Frame};
 use crate::model::{Grip, LIMIT, Model};
-use crate::scene::Surface;
+use crate::touch::Face;
 use crate::vector::{Vec2, Vec3, add, cross, cross3, dot3, length3, scaled, sub};
 
 /// The contacts of a body in a pose, and the friction that is counted on.
@@ -32,24 +32,24 @@ struct Cone {
 }
 
 impl<'a> Bearing<'a> {
-    /// Of all contacts of a frame, with the friction `mu` of their surfaces.
+    /// Of all contacts of a frame, with the friction `mu` of each.
     pub(crate) fn new(
         model: &'a Model,
         bounds: &Bounds,
         grip: &'a Grip,
         frame: &Frame,
-        mu: impl Fn(&Surface) -> f64,
+        mu: impl Fn(&Face) -> f64,
     ) -> Self {
         let holding = model.holding_point(frame.pose, grip);
-        let cone = |contact| {
-            let surface = model.surface(contact);
-            let lever = sub(model.vertex(frame.pose, contact), holding);
+        let cone = |contact: &Contact| {
+            let face = model.face(frame.pose, contact.touch);
+            let lever = sub(model.foot(frame.pose, contact.touch), holding);
             let wrench = |force: Vec2| [force[0], force[1], cross(lever, force) / model.size];
-            let mu = mu(surface);
+            let mu = mu(&face);
             Cone {
                 edges: [1.0, -1.0]
-                    .map(|side| wrench(add(surface.normal, scaled(surface.tangent(), side * mu)))),
-                tangent: wrench(surface.tangent()),
+                    .map(|side| wrench(add(face.normal, scaled(face.tangent(), side * mu)))),
+                tangent: wrench(face.tangent()),
                 slant: mu.hypot(1.0),
             }
         };

@@ -1,9 +1,10 @@
-//! Two vertices on two surfaces (STATICS 5): by how much static friction falls short of holding them, and the drive of a
+//! Two contacts that are not in one line (STATICS 5): by how much static friction falls short of holding them, and the drive of a
 //! slip on which both frictions oppose the motion.
 
 use crate::frame::Contact;
 use crate::model::{Grip, Model, Wrench};
 use crate::slip::Onset;
+use crate::touch::Face;
 use crate::vector::{Vec2, Vec3, add, cross, cross3, dot, dot3, length, length3, scaled, sub};
 
 /// A body with two contacts, in a pose.
@@ -18,7 +19,11 @@ pub(crate) struct Brace<'a> {
 impl Brace<'_> {
     fn feet(&self) -> [Vec2; 2] {
         self.contacts
-            .map(|contact| self.model.vertex(self.pose, contact))
+            .map(|contact| self.model.foot(self.pose, contact.touch))
+    }
+
+    fn face(&self, contact: &Contact) -> Face {
+        self.model.face(self.pose, contact.touch)
     }
 
     /// The levers of both feet about the holding point.
@@ -51,10 +56,10 @@ impl Brace<'_> {
         // Each cone edge as p + q lambda.
         let mut lines = Vec::with_capacity(4);
         for ((contact, rest), sign) in self.contacts.iter().zip(rest).zip([1.0, -1.0]) {
-            let surface = self.model.surface(contact);
-            let mu = friction(surface);
+            let face = self.face(contact);
+            let mu = friction(&face);
             for side in [1.0, -1.0] {
-                let edge = sub(scaled(surface.tangent(), side), scaled(surface.normal, mu));
+                let edge = sub(scaled(face.tangent(), side), scaled(face.normal, mu));
                 let edge = scaled(edge, 1.0 / mu.hypot(1.0));
                 lines.push((dot(rest, edge), sign * dot(along, edge)));
             }
@@ -70,20 +75,17 @@ impl Brace<'_> {
         let levers = self.levers();
         let wrench =
             |force: Vec2, lever: Vec2| -> Vec3 { [force[0], force[1], cross(lever, force) / size] };
-        let [first, second] = [0, 1].map(|i| {
-            let normal = self.model.surface(self.contacts[i]).normal;
-            wrench(normal, levers[i])
-        });
-        // The twist that keeps both feet on their surfaces: velocity of the holding point, turn × L.
+        let [first, second] = [0, 1].map(|i| wrench(self.face(self.contacts[i]).normal, levers[i]));
+        // The twist that keeps both contacts closed: velocity of the holding point, turn × L.
         let twist = cross3(first, second);
         let (way, turn) = motion;
         let forth = dot3(twist, [way[0], way[1], turn * size]).signum();
         let edges = [0, 1].map(|i| {
-            let surface = self.model.surface(self.contacts[i]);
-            let velocity = wrench(surface.tangent(), levers[i]);
+            let face = self.face(self.contacts[i]);
+            let velocity = wrench(face.tangent(), levers[i]);
             let sign = (forth * dot3(twist, velocity)).signum();
-            let mu = surface.friction_dynamic;
-            let edge = sub(surface.normal, scaled(surface.tangent(), sign * mu));
+            let mu = face.friction_dynamic;
+            let edge = sub(face.normal, scaled(face.tangent(), sign * mu));
             wrench(edge, levers[i])
         });
         let normal = cross3(edges[0], edges[1]);

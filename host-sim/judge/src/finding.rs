@@ -4,18 +4,33 @@
 pub mod law {
     /// No number is infinite or missing; what else is wrong with such a frame is not looked for.
     pub const FINITE: &str = "every number is finite";
+    /// No contact is of a vertex, side or corner that the scene does not have; what else is wrong with such a frame is not looked for.
+    pub const EXISTS: &str = "a contact is of what there is";
     /// A frame is later than the one before.
     pub const TIME: &str = "times increase";
-    /// `state` says how many vertices are on how many surfaces.
+    /// `state` says how many vertices are on how many surfaces; of contacts with obstacles, how many there are, and whether two are in
+    /// one line.
     pub const NAME: &str = "the state is named after its contacts";
-    /// No contact is there twice.
+    /// No contact is there twice, and no two with one obstacle at one place.
     pub const ONCE: &str = "a vertex touches a surface once";
-    /// n·x >= b for every vertex.
+    /// n·x >= b for every vertex, and some axis along which the body and an obstacle do not overlap.
     pub const OUTSIDE: &str = "no vertex is inside a surface";
-    /// n·x = b for the vertex of a contact.
+    /// n·x = b for the vertex of a contact, or the corner of an obstacle on a side of the body.
     pub const ON_SURFACE: &str = "a contact is on its surface";
-    /// `point` is where the pose puts the vertex.
+    /// `point` is where the pose puts the vertex, or where the corner of the obstacle is.
     pub const AT_VERTEX: &str = "a contact is at its vertex";
+    /// The contact with an obstacle is between the ends of its side.
+    pub const ON_SIDE: &str = "a contact is between the ends of its side";
+    /// The sides next to the vertex or corner are not behind the line that it touches: n lies between their normals.
+    pub const FACES: &str = "a contact faces what it touches";
+    /// `direction`, where it is told, is n.
+    pub const DIRECTION: &str = "a contact's direction is its normal";
+    /// What touches an obstacle in two frames running is a contact.
+    pub const REPORTED: &str = "what touches an obstacle is a contact";
+    /// Without an event, contacts with obstacles stay, or a slide passes them on at an end of a side.
+    pub const PASSED_ON: &str = "contacts change as is told, or at an end";
+    /// A body whose way between two frames is known does not cross a side on it.
+    pub const PASSES: &str = "nothing passes through an obstacle";
     /// Hand, weight and reactions add up to no force.
     pub const FORCES: &str = "forces balance";
     /// Hand, weight and reactions add up to no moment.

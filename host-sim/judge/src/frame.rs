@@ -1,5 +1,7 @@
 //! A record of a trace: SI units, world frame, angles unwrapped; and how the hand goes from one to the next.
 
+use crate::touch::Touch;
+
 macro_rules! named {
     ($(#[$doc:meta])* $kind:ident { $($(#[$text:meta])* $variant:ident = $name:literal,)* }) => {
         $(#[$doc])*
@@ -36,13 +38,13 @@ named! {
     State {
         /// No contact.
         NonContact = "non-contact",
-        /// One vertex on one surface.
+        /// One contact.
         SingleVertex = "single-vertex",
-        /// Two vertices on one surface.
+        /// Two contacts in one line, of one normal.
         Edge = "edge",
-        /// Two vertices on two surfaces.
+        /// Two contacts that are not in one line.
         TwoVertex = "two-vertex",
-        /// One vertex on two surfaces.
+        /// One vertex on two surfaces or sides.
         Corner = "corner",
         /// Three or more contacts.
         Locked = "locked",
@@ -101,16 +103,16 @@ named! {
     }
 }
 
-/// A vertex of the body on a surface.
+/// A contact of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// Index into [`Scene::vertices`](crate::Scene::vertices).
-    pub vertex: usize,
-    /// Index into [`Scene::surfaces`](crate::Scene::surfaces).
-    pub surface: usize,
+    /// What touches what.
+    pub touch: Touch,
     /// Where they touch (m).
     pub point: [f64; 2],
-    /// N (N), on the body along the surface's normal.
+    /// The unit normal n towards the body, where the trace tells it.
+    pub direction: Option<[f64; 2]>,
+    /// N (N), on the body along n.
     pub normal: f64,
     /// T (N), on the body along the tangent (n_y, -n_x).
     pub friction: f64,
@@ -120,11 +122,6 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// Which vertex on which surface.
-    pub(crate) const fn pair(&self) -> (usize, usize) {
-        (self.vertex, self.surface)
-    }
-
     /// It sticks, or the trace knows nothing else.
     pub(crate) fn rests(&self) -> bool {
         self.sliding.unwrap_or(0) == 0
@@ -161,10 +158,10 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The same vertices are on the same surfaces as in another frame.
+    /// The same touch as in another frame.
     pub(crate) fn has_contacts_of(&self, other: &Self) -> bool {
         self.contacts.len() == other.contacts.len()
-            && (self.contacts.iter()).all(|contact| other.contact(contact.pair()).is_some())
+            && (self.contacts.iter()).all(|contact| other.contact(contact.touch).is_some())
     }
 
     /// It has contacts, and tells of each whether it slides.
@@ -177,8 +174,14 @@ impl Frame {
         !self.contacts.iter().all(Contact::rests)
     }
 
-    /// The contact of a vertex and a surface.
-    pub(crate) fn contact(&self, pair: (usize, usize)) -> Option<&Contact> {
-        self.contacts.iter().find(|contact| contact.pair() == pair)
+    /// The contact of a pair.
+    pub(crate) fn contact(&self, touch: Touch) -> Option<&Contact> {
+        (self.contacts.iter()).find(|contact| contact.touch == touch)
+    }
+
+    /// It has a contact with an obstacle.
+    pub(crate) fn meets_obstacles(&self) -> bool {
+        let mut touches = self.contacts.iter().map(|contact| contact.touch);
+        touches.any(|touch| touch.obstacle().is_some())
     }
 }

@@ -9,8 +9,8 @@ use crate::bearing::Bearing;
 use crate::finding::{Finding, law};
 use crate::frame::{Event, Frame, State, Status};
 use crate::model::LIMIT;
-use crate::scene::Surface;
 use crate::slip::Step;
+use crate::touch::Face;
 use crate::vector::{cross, distance, dot, length, sub};
 
 /// Reactions that are certainly within the limit, whether N is meant or the whole, and those that are certainly beyond, in units
@@ -28,13 +28,14 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     let_go.into_iter().chain(jammed).collect()
 }
 
-/// Two vertices at least keep the body from turning, and all contacts are known and stick.
+/// Two contacts at least keep the body from turning, and all contacts are known and stick.
 fn is_fixed(frame: &Frame) -> bool {
     frame.held
         && frame.complete
         && !frame.slides()
         && matches!(frame.state, State::Edge | State::TwoVertex | State::Locked)
-        && (frame.contacts.iter()).any(|contact| contact.vertex != frame.contacts[0].vertex)
+        && (frame.contacts.iter())
+            .any(|contact| !contact.touch.shares_vertex(frame.contacts[0].touch))
 }
 
 /// The body went elsewhere although its contacts bear the load all along the hand's way.
@@ -62,10 +63,9 @@ fn let_go(step: &Step<'_>) -> Option<bool> {
 
 fn bears_all_along(step: &Step<'_>) -> bool {
     let (last, next) = (step.last, step.next);
-    let bearing =
-        |mu: fn(&Surface) -> f64| Bearing::new(step.model, step.bounds, step.grip, last, mu);
-    let of_static = bearing(|surface| surface.friction_static);
-    let of_dynamic = bearing(|surface| surface.friction_dynamic);
+    let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, last, mu);
+    let of_static = bearing(|face| face.friction_static);
+    let of_dynamic = bearing(|face| face.friction_dynamic);
     let limit = LIMIT * step.model.unit_force();
     // Beyond the limit a body is jammed, and stays no less.
     let bears = |contacts: &Bearing<'_>| {
@@ -93,12 +93,12 @@ fn opens(step: &Step<'_>) -> bool {
     };
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for contact in &last.contacts {
-        let surface = model.surface(contact);
-        let lever = sub(model.vertex(last.pose, contact), holding);
+        let face = model.face(last.pose, contact.touch);
+        let lever = sub(model.foot(last.pose, contact.touch), holding);
         let [at_begin, at_end] = [last.hand, step.next.hand].map(|hand| {
             let load = model.load(last.pose, hand, step.grip);
-            let turn = load.moment / stiffness * cross(lever, surface.normal);
-            dot(load.force, surface.normal) / k + turn
+            let turn = load.moment / stiffness * cross(lever, face.normal);
+            dot(load.force, face.normal) / k + turn
         });
         let least = model.carried(last, step.bounds);
         let zero = (at_begin - least) / (at_begin - at_end);
@@ -117,11 +117,10 @@ fn opens(step: &Step<'_>) -> bool {
 fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
     let limit = LIMIT * step.model.unit_force();
-    let bearing =
-        |mu: fn(&Surface) -> f64| Bearing::new(step.model, step.bounds, step.grip, next, mu);
+    let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, next, mu);
     if next.status == Status::Jammed {
         let keeps = !next.events.is_empty() || next.has_contacts_of(step.last);
-        let of_dynamic = bearing(|surface| surface.friction_dynamic);
+        let of_dynamic = bearing(|face| face.friction_dynamic);
         let needless =
             is_fixed(next) && of_dynamic.bears(next.hand, step.bounds.slip, WITHIN * limit);
         return Some(keeps && !needless);
@@ -131,6 +130,6 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     if next.status != Status::Ok || !next.tells_slides() || !is_fixed(next) || is_large {
         return None;
     }
-    let of_static = bearing(|surface| surface.friction_static);
+    let of_static = bearing(|face| face.friction_static);
     Some(of_static.least(next.hand) <= BEYOND * limit)
 }

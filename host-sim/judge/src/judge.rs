@@ -4,10 +4,13 @@ use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
 use crate::model::{Grip, Model};
+use crate::obstacles::Unreported;
+use crate::passage;
 use crate::scene::Scene;
 use crate::slide;
 use crate::slip::{self, Step};
 use crate::still;
+use crate::touch::Touch;
 use crate::vector::{Vec2, distance, dot, length, sub};
 
 /// Judges the frames of one trace, in their order.
@@ -21,15 +24,15 @@ pub struct Judge {
     unbalanced: bool,
     hold: Hold,
     anchors: Vec<Anchor>,
+    unreported: Unreported,
 }
 
 /// A contact, and the place that it may not leave, or not fall behind.
 #[derive(Clone, Copy, Debug)]
 struct Anchor {
-    /// Vertex and surface.
-    pair: (usize, usize),
+    touch: Touch,
     sliding: Option<i8>,
-    /// Where it came to (m); of one that slides, the farthest place.
+    /// Where it came to (m), as [`Model::mark`] has it; of one that slides, the farthest place.
     place: Vec2,
 }
 
@@ -52,11 +55,15 @@ impl Judge {
             unbalanced: false,
             hold: Hold::default(),
             anchors: Vec::new(),
+            unreported: Unreported::default(),
         }
     }
 
     /// The laws of a frame alone, of a body that is held at the scene's holding point for the first time, or not at all.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
+        if let Some(unknown) = still::unknown(&self.model, frame) {
+            return vec![unknown];
+        }
         let grip = (self.model.scene.holding_point).map(|point| Grip { point, offset: 0.0 });
         self.still(frame, grip.filter(|_| frame.held).as_ref())
     }
@@ -67,6 +74,9 @@ impl Judge {
         if !finite.holds() {
             // Neither it nor what follows from it can be judged; the frame before stays the last one.
             return vec![finite];
+        }
+        if let Some(unknown) = still::unknown(&self.model, &frame) {
+            return vec![finite, unknown];
         }
         let told = self.take_hold(&frame);
         let grip = self.hold.grip;
@@ -90,7 +100,10 @@ impl Judge {
             }
             findings.extend(slide::findings(&step));
             findings.extend(hold::findings(&step));
+            findings.extend(passage::findings(&step));
         }
+        let frames = (self.last.as_ref(), &frame);
+        findings.extend(self.unreported.next(&self.model, &self.bounds, frames));
         self.unbalanced = self.leaves_unbalanced(&frame);
         self.last = Some(frame);
         findings
@@ -98,7 +111,7 @@ impl Judge {
 
     fn still(&self, frame: &Frame, grip: Option<&Grip>) -> Vec<Finding> {
         let mut findings = vec![still::finite(frame)];
-        findings.extend(still::names(frame));
+        findings.extend(still::names(&self.model, &self.bounds, frame));
         findings.extend(still::geometry(&self.model, &self.bounds, frame));
         match grip {
             _ if self.leaves_unbalanced(frame) => {}
@@ -197,7 +210,8 @@ impl Judge {
         let moved = match frame.contacts.first() {
             // About a jammed corner the body is free to turn.
             Some(corner) if frame.status == Status::Jammed && frame.state == State::Corner => {
-                let [was, is] = [before, frame.pose].map(|pose| self.model.vertex(pose, corner));
+                let [was, is] =
+                    [before, frame.pose].map(|pose| self.model.foot(pose, corner.touch));
                 distance(was, is)
             }
             _ => distance([before[0], before[1]], [frame.pose[0], frame.pose[1]])
@@ -217,17 +231,17 @@ impl Judge {
         let mut anchors = Vec::with_capacity(frame.contacts.len());
         for contact in &frame.contacts {
             let mut anchor = Anchor {
-                pair: contact.pair(),
+                touch: contact.touch,
                 sliding: contact.sliding,
-                place: contact.point,
+                place: self.model.mark(frame.pose, contact),
             };
             let known = (self.anchors.iter())
-                .find(|known| known.pair == anchor.pair && known.sliding == anchor.sliding);
+                .find(|known| known.touch == anchor.touch && known.sliding == anchor.sliding);
             if let (Some(known), true) = (known, is_quiet && self.grips(frame, contact)) {
-                let way = sub(contact.point, known.place);
+                let way = sub(anchor.place, known.place);
                 match contact.sliding {
                     Some(sign @ (-1 | 1)) if frame.events.is_empty() => {
-                        let along = dot(way, self.model.surface(contact).tangent());
+                        let along = dot(way, self.model.along(contact.touch));
                         let back = -f64::from(sign) * along;
                         receded = Some(receded.unwrap_or(0.0).max(back));
                         if back > 0.0 {
@@ -254,17 +268,17 @@ impl Judge {
     /// A contact that sticks stays, and one that slides goes one way: not without friction, nor without force, where the body
     /// turns out of the way; nor, in an older trace, where it slides without saying so.
     fn grips(&self, frame: &Frame, contact: &Contact) -> bool {
-        let surface = self.model.surface(contact);
+        let face = self.model.face(frame.pose, contact.touch);
         if contact.sliding.is_none() {
-            return surface.jumps();
+            return face.jumps();
         }
         let idle = |frame: &Frame| {
-            let known = frame.contact(contact.pair()).zip(self.hold.grip);
+            let known = frame.contact(contact.touch).zip(self.hold.grip);
             known.is_some_and(|(contact, grip)| {
                 slide::is_idle(&self.model, &self.bounds, &grip, frame, contact)
             })
         };
-        surface.friction_static > 0.0 && !idle(frame) && !self.last.as_ref().is_some_and(idle)
+        face.friction_static > 0.0 && !idle(frame) && !self.last.as_ref().is_some_and(idle)
     }
 }
 

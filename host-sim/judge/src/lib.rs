@@ -3,11 +3,12 @@
 //!
 //! ```text
 //! scene.toml ── scene ─────────────────┐
-//! trace.jsonl ─ trace ─ frame by frame ┴───────┬ still (geometry, balance) ────────────┐
-//! trace.csv                                     ├ judge (hold, rest, stick)             ├ findings ─ survey
-//!                                               ├ slip ─ onset, pin, brace (STATICS 3-5)┤
-//!                                               ├ slide (contacts that slide)           │
-//!                                               └ hold ─ bearing (what could hold, jams)┘
+//! trace.jsonl ─ trace ─ frame by frame ┴───────┬ still (geometry, balance) ── obstacles (sides, corners) ┐
+//! trace.csv                                     ├ judge (hold, rest, stick)                               ├ findings ─ survey
+//!                                               ├ slip ─ onset, pin, brace (STATICS 3-5) ─────────────────┤
+//!                                               ├ slide (contacts that slide)                             │
+//!                                               ├ passage (ends of sides, what is passed through)         │
+//!                                               └ hold ─ bearing (what could hold, jams) ─────────────────┘
 //! ```
 //!
 //! [`law`] has the name and the statement of every law, [`Bounds`] what is allowed. STATICS is `core/STATICS.md`.
@@ -46,12 +47,36 @@
 //! A body is `jammed` if the load asks for N beyond 64 k_h L: it is not if reactions of half of that within mu_d bear the load. In a
 //! trace that tells slides it is not `ok` if every sum within mu_s asks for more than 17/16 of it, which a twist proves.
 //!
+//! # Obstacles (STATICS 12)
+//!
+//! A contact is a vertex of the body on a half-plane, or on a side of an obstacle, or a corner of an obstacle on a side of the body,
+//! whose normal turns with it ([`Touch`]). Its point, normal and friction are all that balance, slips, slides and what holds
+//! know of it, so they are judged as among half-planes: a corner that sticks keeps its place on the body, one that slides goes
+//! forward along it, and a slip of it ends where |T| = mu_d N in balance. Two contacts in one line are an edge, whatever their
+//! kinds; of two frictions that differ each bears by its share of N. Besides, among obstacles alone:
+//!
+//! * Body and obstacle are apart along some axis, to what holds for half-planes.
+//! * A contact is between the ends of its side (coplanar sides of equal friction that join are one), its side faces what is next to the
+//!   vertex or corner, and two contacts with one obstacle are not at one place. A told direction is the normal.
+//! * What touches to 8 roundings in two frames running is a contact, unless it has opened meanwhile; but for what is at the end of a
+//!   side, between two contacts in one line, at the place of a contact with the same obstacle, or at a corner that something covers.
+//! * Without an event contacts stay, or slide and are passed on: what comes is next to what went, on the body and on the obstacle, no
+//!   farther than the body has gone.
+//! * Nothing goes through a side where its way is known: of a body in the air, with nothing told, it is that of the hand; of
+//!   one that sticks on a single contact, a turn about it. A single contact that dynamic friction holds all along the hand's way is
+//!   not left, whatever slips, slides and lifts are told.
+//!
 //! # What is not judged
 //!
 //! * Where a frame goes between two balances: a wrong branch of the angle in balance passes, but for a single slip of a vertex,
 //!   which must continue the branch of the frame before.
+//! * Among obstacles, which way a body went in a frame with a touch, or with a slip or slide that may have led past the end of a side:
+//!   it may be on the other side of a wall. Nor where a body that slides or is held by two contacts went. What is passed through and
+//!   back within a 64th of a way. Between the pose at the start and the first record.
+//! * Which of the pairs at one place is told, and which one a slide is passed on to, of those that are next to it; whether a vertex
+//!   exactly at a corner is a contact. Slips of a flat contact whose ends changed.
 //! * When a contact should have given way or come to be: that a contact is in its cone, and no vertex inside a surface, is all that
-//!   is asked. When it should have opened, of a single vertex, a corner, or contacts that slide; nor where a slip would explain it.
+//!   is asked of half-planes. When it should have opened, of a single vertex, a corner, or contacts that slide; nor where a slip would explain it.
 //! * Where slips of contacts with mu_s = mu_d are, in a trace that does not tell slides: they slide continuously, and nothing marks
 //!   their ends.
 //! * Of a frame with a single slip and nothing else: a slip of more than two contacts, one that is no longer than rounding, and
@@ -70,6 +95,7 @@
 //! * Rows of CSV that say that there were more than four contacts: springs, geometry and the contacts that are there.
 
 mod bearing;
+mod body;
 mod brace;
 mod error;
 mod finding;
@@ -77,20 +103,28 @@ mod frame;
 mod hold;
 mod judge;
 mod model;
+mod obstacles;
 mod onset;
+mod pairs;
+mod passage;
 mod pin;
 mod scene;
+mod shape;
+mod sides;
 mod slide;
 mod slip;
 mod still;
 mod survey;
+mod touch;
 mod trace;
 mod vector;
 
+pub use body::{centroid, size};
 pub use error::InputError;
 pub use finding::{Bounds, Finding, law};
 pub use frame::{Contact, Event, Evolution, Frame, State, Status};
 pub use judge::Judge;
-pub use scene::{Scene, Surface, centroid, size};
+pub use scene::{Obstacle, Scene, Surface};
 pub use survey::{LawSurvey, Survey, Violation};
+pub use touch::Touch;
 pub use trace::Trace;

@@ -1,9 +1,12 @@
 //! The scene with what follows from it, the hand's hold, and the forces on the body: hand, weight and reactions
 //! (N, N·m, world frame).
 
+use crate::body::{centroid, size};
 use crate::finding::Bounds;
 use crate::frame::{Contact, Frame};
-use crate::scene::{Scene, Surface, centroid, size};
+use crate::scene::Scene;
+use crate::sides::Sides;
+use crate::touch::Face;
 use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
 /// A scene with its size and centroid.
@@ -15,6 +18,8 @@ pub(crate) struct Model {
     centroid: Vec2,
     /// The surface farthest from the origin (m).
     farthest: f64,
+    /// Of the obstacles.
+    pub(crate) sides: Sides,
 }
 
 /// Where the hand holds the body.
@@ -67,17 +72,9 @@ impl Model {
             size: size(&scene.vertices),
             centroid: centroid(&scene.vertices),
             farthest: offsets.fold(0.0, f64::max),
+            sides: Sides::new(&scene),
             scene,
         }
-    }
-
-    pub(crate) fn surface(&self, contact: &Contact) -> &Surface {
-        &self.scene.surfaces[contact.surface]
-    }
-
-    /// Where the vertex of a contact is.
-    pub(crate) fn vertex(&self, pose: [f64; 3], contact: &Contact) -> Vec2 {
-        Scene::place(pose, self.scene.vertices[contact.vertex])
     }
 
     /// G
@@ -100,9 +97,9 @@ impl Model {
         self.scene.stiffness_translation * self.size
     }
 
-    /// D_c (m) of a surface; of a point, whose size says nothing, only where the scene gives one that is not too short for the size
+    /// D_c (m) of a contact; of a point, whose size says nothing, only where the scene gives one that is not too short for the size
     /// that a solver may count it in (STATICS 10): up to 1 m, or half the radius from the lever of the holding point and the springs.
-    fn memory(&self, surface: &Surface) -> Option<f64> {
+    fn memory(&self, face: &Face) -> Option<f64> {
         let is_point = self.scene.vertices.len() == 1;
         let largest = || {
             let grasp = self.scene.holding_point.iter();
@@ -110,7 +107,7 @@ impl Model {
             let springs = self.scene.stiffness_rotation / self.scene.stiffness_translation;
             levers.fold(springs.sqrt(), f64::hypot) / 2.0
         };
-        match surface.memory {
+        match face.memory {
             Some(given) if is_point && given >= SHORTEST * largest().max(1.0) => Some(given),
             _ if is_point => None,
             Some(given) => Some(given.max(SHORTEST * self.size)),
@@ -120,9 +117,9 @@ impl Model {
 
     /// N* = k_h D_c / (mu_s - mu_d): a contact that is pressed less has no stiction of its own; infinite for mu_s = mu_d,
     /// `None` where it is not known.
-    pub(crate) fn threshold(&self, surface: &Surface) -> Option<f64> {
-        let memory = self.memory(surface)?;
-        let drop = surface.friction_static - surface.friction_dynamic;
+    pub(crate) fn threshold(&self, face: &Face) -> Option<f64> {
+        let memory = self.memory(face)?;
+        let drop = face.friction_static - face.friction_dynamic;
         Some(self.scene.stiffness_translation * memory / drop.max(0.0))
     }
 
@@ -149,11 +146,11 @@ impl Model {
     }
 
     /// N n + T t (N)
-    pub(crate) fn reaction(&self, contact: &Contact) -> Vec2 {
-        let surface = self.surface(contact);
+    pub(crate) fn reaction(&self, pose: [f64; 3], contact: &Contact) -> Vec2 {
+        let face = self.face(pose, contact.touch);
         add(
-            scaled(surface.normal, contact.normal),
-            scaled(surface.tangent(), contact.friction),
+            scaled(face.normal, contact.normal),
+            scaled(face.tangent(), contact.friction),
         )
     }
 
@@ -199,7 +196,7 @@ impl Model {
         // A force that is known to a rounding has a moment that is known to its lever times that.
         let holding = self.holding_point(frame.pose, grip);
         let levers = (frame.contacts.iter())
-            .map(|contact| distance(self.vertex(frame.pose, contact), holding));
+            .map(|contact| distance(self.foot(frame.pose, contact.touch), holding));
         let lever = levers.fold(0.0, f64::max) / self.size;
         let moment = (springs.moment.abs() / self.size)
             .max(carried * self.scene.stiffness_rotation * turns / self.size)
@@ -211,7 +208,8 @@ impl Model {
     }
 }
 
-/// The normal and the tangential part of the reaction that bears a force, on a surface.
-pub(crate) fn borne(force: Vec2, surface: &Surface) -> (f64, f64) {
-    (-dot(force, surface.normal), -dot(force, surface.tangent()))
+/// The normal and the tangential part of the reaction that bears a force, with a unit normal.
+pub(crate) fn borne(force: Vec2, normal: Vec2) -> (f64, f64) {
+    let tangent = [normal[1], -normal[0]];
+    (-dot(force, normal), -dot(force, tangent))
 }

@@ -1,8 +1,8 @@
-//! A vertex that is pinned at a place while the body turns about it in balance of moments (STATICS 3.1): the balance that
+//! A point of the body that is pinned at a place while the body turns about it in balance of moments (STATICS 3.1): the balance that
 //! continues the one before, and the friction in it.
 
 use crate::model::{Grip, Model, borne};
-use crate::scene::Surface;
+use crate::pairs::Facing;
 use crate::vector::{Vec2, add, cross, dot, length, scaled, sub, turned};
 
 /// The largest turn (rad) that is taken in one step.
@@ -10,30 +10,48 @@ const STEP: f64 = 0.05;
 /// The finest part of a way that is looked at.
 const FINEST: u32 = 24;
 
-/// A vertex that touches a surface, and who holds the body.
+/// A contact, and who holds the body.
 #[derive(Clone, Copy)]
 pub(crate) struct Foot<'a> {
     pub(crate) model: &'a Model,
     pub(crate) grip: &'a Grip,
-    pub(crate) vertex: usize,
-    pub(crate) surface: &'a Surface,
+    /// The normal of what it touches.
+    pub(crate) facing: Facing,
     /// Levers up to this length are not told from none (m).
     pub(crate) shortest: f64,
 }
 
-/// A foot at a place, with the hand at a pose.
+/// A point of the body (body frame) at a place of the world: where a contact is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spot {
+    pub(crate) held: Vec2,
+    pub(crate) at: Vec2,
+}
+
+impl Spot {
+    /// A part of the straight way to another one: of a vertex that goes along a side, or a corner along which the body goes.
+    pub(crate) fn towards(self, other: Self, part: f64) -> Self {
+        let between = |a: Vec2, b: Vec2| add(a, scaled(sub(b, a), part));
+        Self {
+            held: between(self.held, other.held),
+            at: between(self.at, other.at),
+        }
+    }
+}
+
+/// A contact at a spot, with the hand at a pose.
 #[derive(Clone, Copy)]
 pub(crate) struct Pin<'a> {
     foot: Foot<'a>,
-    at: Vec2,
+    spot: Spot,
     hand: [f64; 3],
 }
 
 impl<'a> Foot<'a> {
-    pub(crate) const fn pinned(self, at: Vec2, hand: [f64; 3]) -> Pin<'a> {
+    pub(crate) const fn pinned(self, spot: Spot, hand: [f64; 3]) -> Pin<'a> {
         Pin {
             foot: self,
-            at,
+            spot,
             hand,
         }
     }
@@ -43,8 +61,7 @@ impl Pin<'_> {
     /// Rd and the lever of the weight.
     fn levers(&self, theta: f64) -> (Vec2, Vec2) {
         let model = self.foot.model;
-        let vertex = model.scene.vertices[self.foot.vertex];
-        let lever = |to: Vec2| turned(sub(to, vertex), theta);
+        let lever = |to: Vec2| turned(sub(to, self.spot.held), theta);
         (lever(self.foot.grip.point), lever(model.centroid()))
     }
 
@@ -53,7 +70,7 @@ impl Pin<'_> {
         let (scene, weight) = (&self.foot.model.scene, self.foot.model.weight());
         let (lever, heavy) = self.levers(theta);
         let pull = scaled(
-            sub([self.hand[0], self.hand[1]], self.at),
+            sub([self.hand[0], self.hand[1]], self.spot.at),
             scene.stiffness_translation,
         );
         let k = scene.stiffness_rotation;
@@ -64,13 +81,13 @@ impl Pin<'_> {
         )
     }
 
-    /// N and T of the surface on the foot (N).
+    /// N and T on the body (N).
     pub(crate) fn reaction(&self, theta: f64) -> (f64, f64) {
         let (lever, _) = self.levers(theta);
         let model = self.foot.model;
-        let way = sub(sub([self.hand[0], self.hand[1]], self.at), lever);
+        let way = sub(sub([self.hand[0], self.hand[1]], self.spot.at), lever);
         let spring = scaled(way, model.scene.stiffness_translation);
-        borne(add(spring, model.weight()), self.foot.surface)
+        borne(add(spring, model.weight()), self.foot.facing.at(theta))
     }
 
     /// Nothing holds the angle or turns it.

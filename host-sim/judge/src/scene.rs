@@ -1,4 +1,4 @@
-//! What a judge needs of a scene file: body, springs, surfaces, the initial holding point. SI units; keys of which it needs
+//! What a judge needs of a scene file: body, springs, surfaces, obstacles, the initial holding point. SI units; keys of which it needs
 //! nothing are for the program that runs the scene to check.
 
 use std::ops::Range;
@@ -8,7 +8,11 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use crate::error::InputError;
-use crate::vector::{Vec2, add, cross, distance, length, scaled, sub, turned};
+use crate::touch::Face;
+use crate::vector::{Vec2, add, length, turned};
+pub use obstacle::Obstacle;
+
+mod obstacle;
 
 /// A scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +31,8 @@ pub struct Scene {
     pub stiffness_rotation: f64,
     /// The surfaces.
     pub surfaces: Vec<Surface>,
+    /// The obstacles.
+    pub obstacles: Vec<Obstacle>,
 }
 
 /// A fixed half-plane: the free side is `normal`·p >= `offset`.
@@ -47,14 +53,14 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// t = (n_y, -n_x)
-    pub(crate) fn tangent(&self) -> Vec2 {
-        [self.normal[1], -self.normal[0]]
-    }
-
-    /// Sticking and sliding are told apart.
-    pub(crate) fn jumps(&self) -> bool {
-        self.friction_static > self.friction_dynamic
+    /// What a contact with it is of.
+    pub(crate) const fn face(&self) -> Face {
+        Face {
+            normal: self.normal,
+            friction_static: self.friction_static,
+            friction_dynamic: self.friction_dynamic,
+            memory: self.memory,
+        }
     }
 }
 
@@ -68,6 +74,8 @@ struct Document {
     friction: Friction,
     #[serde(default)]
     surface: Vec<Spanned<SurfaceEntry>>,
+    #[serde(default)]
+    obstacle: Vec<Spanned<obstacle::Entry>>,
 }
 
 #[derive(Deserialize)]
@@ -190,23 +198,14 @@ impl Text<'_> {
             return Err(self.error(Some(surface.normal.span()), &problem));
         }
         let friction = |name: &str, own: Option<f64>, default: &Option<Spanned<f64>>| {
-            let value = own.or(default.as_ref().map(|value| *value.get_ref()));
-            match value {
-                Some(mu) if mu >= 0.0 && mu.is_finite() => Ok(mu),
-                _ => {
-                    let problem = format!(
-                        "surface {i} has no usable `{name}` friction, allowed: a finite number of at least 0, here or in \
-                         [friction]"
-                    );
-                    Err(self.error(Some(given.span()), &problem))
-                }
-            }
+            let default = default.as_ref().map(|value| *value.get_ref());
+            self.friction(
+                (&format!("surface {i}"), name),
+                own.or(default),
+                given.span(),
+            )
         };
-        let memory = match (&surface.memory, &default.memory) {
-            (Some(own), _) => Some(self.number(&key("memory"), own, 0.0)?),
-            (None, Some(given)) => Some(self.number("friction.memory", given, 0.0)?),
-            (None, None) => None,
-        };
+        let memory = self.memory(&key("memory"), surface.memory.as_ref(), default)?;
         Ok(Surface {
             name: surface.name.clone().unwrap_or_else(|| i.to_string()),
             normal: normal.map(|x| x / size),
@@ -215,6 +214,38 @@ impl Text<'_> {
             friction_dynamic: friction("dynamic", surface.dynamic, &default.dynamic)?,
             memory,
         })
+    }
+
+    /// A coefficient of friction, and what it is of.
+    fn friction(
+        &self,
+        (what, name): (&str, &str),
+        value: Option<f64>,
+        place: Range<usize>,
+    ) -> Result<f64, InputError> {
+        match value {
+            Some(mu) if mu >= 0.0 && mu.is_finite() => Ok(mu),
+            _ => {
+                let problem = format!(
+                    "{what} has no usable `{name}` friction, allowed: a finite number of at least 0, here or in [friction]"
+                );
+                Err(self.error(Some(place), &problem))
+            }
+        }
+    }
+
+    /// A memory length, of its own or of all.
+    fn memory(
+        &self,
+        key: &str,
+        own: Option<&Spanned<f64>>,
+        default: &Friction,
+    ) -> Result<Option<f64>, InputError> {
+        match (own, &default.memory) {
+            (Some(own), _) => self.number(key, own, 0.0).map(Some),
+            (None, Some(given)) => self.number("friction.memory", given, 0.0).map(Some),
+            (None, None) => Ok(None),
+        }
     }
 }
 
@@ -240,6 +271,7 @@ impl Scene {
         let Document { body, spring, .. } = &document;
         let weight = body.weight.as_ref();
         let surfaces = document.surface.iter().enumerate();
+        let obstacles = document.obstacle.iter().enumerate();
         let scene = Self {
             vertices: source.vertices(body)?,
             start: source.numbers("body.start", &body.start)?,
@@ -256,13 +288,21 @@ impl Scene {
             surfaces: surfaces
                 .map(|(i, given)| source.surface(i, given, &document.friction))
                 .collect::<Result<_, _>>()?,
+            obstacles: obstacles
+                .map(|(i, given)| source.obstacle(i, given, &document.friction))
+                .collect::<Result<_, _>>()?,
         };
-        for (i, surface) in scene.surfaces.iter().enumerate() {
-            if scene.surfaces[..i].iter().any(|s| s.name == surface.name) {
-                let place = document.surface.get(i).map(Spanned::span);
-                let problem = format!("a second surface is named {:?}", surface.name);
-                return Err(source.error(place, &problem));
-            }
+        let surfaces: Vec<&str> = scene.surfaces.iter().map(|s| s.name.as_str()).collect();
+        if let Some(i) = second(&surfaces) {
+            let place = document.surface.get(i).map(Spanned::span);
+            let problem = format!("a second surface is named {:?}", surfaces[i]);
+            return Err(source.error(place, &problem));
+        }
+        let obstacles: Vec<&str> = scene.obstacles.iter().map(|s| s.name.as_str()).collect();
+        if let Some(i) = second(&obstacles) {
+            let place = document.obstacle.get(i).map(Spanned::span);
+            let problem = format!("a second obstacle is named {:?}", obstacles[i]);
+            return Err(source.error(place, &problem));
         }
         Ok(scene)
     }
@@ -273,40 +313,7 @@ impl Scene {
     }
 }
 
-/// L (m) of a body: the largest distance of two vertices; 1 for a point.
-pub fn size(vertices: &[[f64; 2]]) -> f64 {
-    let pairs = (vertices.iter()).flat_map(|&a| vertices.iter().map(move |&b| distance(a, b)));
-    let largest = pairs.fold(0.0, f64::max);
-    if largest > 0.0 { largest } else { 1.0 }
-}
-
-/// The centroid of a body (m), body frame: of the polygon's area; of a point or a rod, the mean of the vertices.
-pub fn centroid(vertices: &[[f64; 2]]) -> [f64; 2] {
-    let first = vertices.first().copied().unwrap_or_default();
-    let (mut twice_area, mut sum) = (0.0, [0.0; 2]);
-    for pair in vertices.windows(2) {
-        let [a, b] = [pair[0], pair[1]].map(|vertex| sub(vertex, first));
-        let twice = cross(a, b);
-        twice_area += twice;
-        sum = add(sum, scaled(add(a, b), twice));
-    }
-    if vertices.len() < 3 || twice_area == 0.0 {
-        let all = vertices
-            .iter()
-            .fold([0.0; 2], |all, &vertex| add(all, vertex));
-        return scaled(all, 1.0 / vertices.len().max(1) as f64);
-    }
-    add(first, scaled(sum, 1.0 / (3.0 * twice_area)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::centroid;
-
-    #[test]
-    fn centroid_of_an_area_and_of_a_rod() {
-        let [x, y] = centroid(&[[0.0, 0.0], [3.0, 0.0], [0.0, 3.0]]);
-        assert!((x - 1.0).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
-        assert_eq!(centroid(&[[0.0, 0.0], [2.0, 4.0]]), [1.0, 2.0]);
-    }
+/// The first name that was there before.
+fn second(names: &[&str]) -> Option<usize> {
+    (0..names.len()).find(|&i| names[..i].contains(&names[i]))
 }

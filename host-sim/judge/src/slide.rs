@@ -27,7 +27,7 @@ pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) 
     let mut off = 0.0_f64;
     for contact in &frame.contacts {
         if let Some(sign @ (-1 | 1)) = contact.sliding {
-            let mu = model.surface(contact).friction_dynamic;
+            let mu = model.face(frame.pose, contact.touch).friction_dynamic;
             let reaction = (contact.normal, contact.friction);
             off = off.max(drive(reaction, mu, f64::from(sign)).abs());
         }
@@ -40,23 +40,21 @@ pub(crate) fn alone(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) 
     findings
 }
 
-/// The signs of all slides are those of a motion that keeps every vertex on its surface. `None` where the normals do not tell
+/// The signs of all slides are those of a motion that keeps every contact closed. `None` where the normals do not tell
 /// which motion that is.
 fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> {
-    let vertex = frame.contacts.first()?.vertex;
-    let is_corner = frame
-        .contacts
-        .iter()
-        .all(|contact| contact.vertex == vertex);
+    let first = frame.contacts.first()?.touch;
+    let is_corner = (frame.contacts.iter()).all(|contact| contact.touch.shares_vertex(first));
     let centre = [frame.pose[0], frame.pose[1]];
+    let face = |contact: &Contact| model.face(frame.pose, contact.touch);
     let wrench = |contact: &Contact, direction| -> Vec3 {
-        let lever = sub(model.vertex(frame.pose, contact), centre);
+        let lever = sub(model.foot(frame.pose, contact.touch), centre);
         let moment = cross(lever, direction) / model.size;
         [direction[0], direction[1], moment]
     };
     let unit = |a: Vec3| a.map(|x| x / length3(a));
     let normals: Vec<Vec3> = (frame.contacts.iter())
-        .map(|contact| unit(wrench(contact, model.surface(contact).normal)))
+        .map(|contact| unit(wrench(contact, face(contact).normal)))
         .collect();
     let pairs = (normals.iter().enumerate())
         .flat_map(|(i, &a)| normals[..i].iter().map(move |&b| cross3(a, b)));
@@ -74,7 +72,7 @@ fn is_one_motion(model: &Model, bounds: &Bounds, frame: &Frame) -> Option<bool> 
     let unknown = (4.0 * model.carried(frame, bounds) / model.size + volume) / apart;
     let fits = |forth: f64| {
         frame.contacts.iter().all(|contact| {
-            let along = forth * dot3(twist, wrench(contact, model.surface(contact).tangent()));
+            let along = forth * dot3(twist, wrench(contact, face(contact).tangent()));
             match contact.sliding {
                 Some(0) => along.abs() <= unknown,
                 Some(sign) => f64::from(sign) * along >= -unknown,
@@ -98,8 +96,8 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
 fn told(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
     let usable = |frame: &Frame| {
-        let grips = |contact| {
-            step.model.surface(contact).friction_static > 0.0
+        let grips = |contact: &Contact| {
+            step.model.face(frame.pose, contact.touch).friction_static > 0.0
                 && !is_idle(step.model, step.bounds, step.grip, frame, contact)
         };
         frame.held
@@ -146,19 +144,18 @@ pub(crate) fn is_idle(
 /// A slide on one surface goes on as long as N does not rise to N*, where it sticks.
 fn stops(step: &Step<'_>) -> Option<Finding> {
     let (last, next) = (step.last, step.next);
-    let contact = next.contacts.first()?;
-    let surface = step.model.surface(contact);
+    let face = step.one_friction(next)?;
     let is_one =
         matches!(next.state, State::SingleVertex | State::Edge) && last.state == next.state;
     let goes_on =
         next.events.is_empty() && next.has_contacts_of(last) && last.slides() && next.slides();
-    if !is_one || !goes_on || step.evolution == Evolution::Frame || !surface.jumps() {
+    if !is_one || !goes_on || step.evolution == Evolution::Frame || !face.jumps() {
         return None;
     }
     if [last, next].map(|frame| frame.status) != [Status::Ok; 2] {
         return None;
     }
-    let threshold = step.model.threshold(surface)?;
+    let threshold = step.model.threshold(&face)?;
     let normal = |frame: &Frame| -> f64 { frame.contacts.iter().map(|c| c.normal).sum() };
     let beyond = (threshold - normal(last)).min(normal(next) - threshold);
     Some(step.finding(law::SLIDE_STOPS, beyond.max(0.0), true))

@@ -10,23 +10,23 @@
 //! that far beyond it. A slip is lawful if its end is one for some tau between. Where the limit is met steeply, as mostly,
 //! that is a point; where it is met at a grazing angle, what is not known about tau is not held against the trace.
 
-use crate::brace::Brace;
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
-use crate::pin::{Foot, follow};
-use crate::scene::Surface;
-use crate::vector::{Vec2, between, dot, sub};
+use crate::pin::{Foot, Spot, follow};
+use crate::touch::{Face, Touch};
+use crate::vector::{between, dot, sub};
 use vertex::Slide;
 
+mod pair;
 mod vertex;
 
 /// A solver that lists no more events than this may have left out what came after the last one.
 pub(crate) const EVENTS: usize = 16;
 
-/// The friction of a surface at which a slip begins.
-pub(crate) type Onset = fn(&Surface) -> f64;
+/// The friction at which a slip begins.
+pub(crate) type Onset = fn(&Face) -> f64;
 
 /// A frame and the one before.
 #[derive(Clone, Copy)]
@@ -76,7 +76,21 @@ impl<'a> Step<'a> {
             && next.held
             && !last.slides()
             && next.has_contacts_of(last)
-            && (next.contacts.iter()).all(|contact| self.model.surface(contact).jumps())
+            && (next.contacts.iter()).all(|contact| self.face(contact.touch).jumps())
+    }
+
+    /// Line and friction of a contact of the next frame.
+    fn face(&self, touch: Touch) -> Face {
+        self.model.face(self.next.pose, touch)
+    }
+
+    /// The same of all contacts of a frame, if their frictions are one.
+    pub(crate) fn one_friction(&self, frame: &Frame) -> Option<Face> {
+        let of = |contact: &Contact| self.model.face(frame.pose, contact.touch);
+        let first = of(frame.contacts.first()?);
+        (frame.contacts.iter())
+            .all(|contact| of(contact).rubs_as(&first))
+            .then_some(first)
     }
 
     fn hand(&self, part: f64) -> [f64; 3] {
@@ -100,14 +114,14 @@ impl<'a> Step<'a> {
         let from = |onset: Onset| {
             let mut findings = match (self.next.state, self.next.contacts.as_slice()) {
                 (State::SingleVertex, [contact]) => self.vertex(contact, onset),
-                (State::Edge, [contact, _]) => self.edge(contact, onset),
+                (State::Edge, [first, second]) => self.edge([first, second], onset),
                 (State::TwoVertex, [first, second]) => self.two_vertex([first, second], onset),
                 _ => Vec::new(),
             };
             findings.retain(&counts);
             findings
         };
-        let findings = from(|surface| surface.friction_static);
+        let findings = from(|face| face.friction_static);
         let holds = |findings: &[Finding]| findings.iter().all(Finding::holds);
         let may_lack = match self.next.state {
             State::TwoVertex => true,
@@ -117,31 +131,33 @@ impl<'a> Step<'a> {
         if !may_lack || !self.last.tells_slides() || holds(&findings) {
             return findings;
         }
-        let without = from(|surface| surface.friction_dynamic);
+        let without = from(|face| face.friction_dynamic);
         if holds(&without) { without } else { findings }
     }
 
     /// The direction along t in which a contact has gone, if it has: farther than rounding.
     fn direction(&self, contact: &Contact) -> Option<f64> {
-        let before = self.last.contact(contact.pair())?;
-        let way = sub(contact.point, before.point);
-        let along = dot(way, self.model.surface(contact).tangent());
+        let (model, touch) = (self.model, contact.touch);
+        let before = model.mark(self.last.pose, self.last.contact(touch)?);
+        let way = sub(model.mark(self.next.pose, contact), before);
+        let along = dot(way, model.along(touch));
         (along.abs() > self.model.carried(self.next, self.bounds)).then(|| along.signum())
     }
 
     /// A vertex that turns in balance of moments (E1) while it sticks and while it slips.
     fn vertex(&self, contact: &Contact, onset: Onset) -> Vec<Finding> {
-        let before = self.last.contact(contact.pair());
+        let before = self.last.contact(contact.touch);
         let (Some(before), Some(sign)) = (before, self.direction(contact)) else {
             return Vec::new();
         };
         let slide = Slide {
             step: self,
             foot: self.foot(contact),
-            from: before.point,
-            to: contact.point,
+            from: self.spot(self.last, before),
+            to: self.spot(self.next, contact),
             sign,
-            onset: onset(self.model.surface(contact)),
+            onset: onset(&self.face(contact.touch)),
+            dynamic: self.face(contact.touch).friction_dynamic,
         };
         let (fixed, sliding) = (|part| slide.fixed(part), |part| slide.sliding(part));
         let (mut findings, tau) = self.ends(Way(&fixed), Way(&sliding), false);
@@ -156,54 +172,17 @@ impl<'a> Step<'a> {
         Foot {
             model: self.model,
             grip: self.grip,
-            vertex: contact.vertex,
-            surface: self.model.surface(contact),
+            facing: self.model.facing(contact.touch),
             shortest: self.model.carried(self.next, self.bounds),
         }
     }
 
-    /// An edge, whose frictions act along one line: the sums of both count (E4).
-    fn edge(&self, contact: &Contact, onset: Onset) -> Vec<Finding> {
-        let Some(sign) = self.direction(contact) else {
-            return Vec::new();
-        };
-        let surface = self.model.surface(contact);
-        let reaction = |pose, part| {
-            let load = self.model.load(pose, self.hand(part), self.grip);
-            borne(load.force, surface)
-        };
-        let fixed = |part| {
-            let reaction = reaction(self.last.pose, part);
-            Some(static_excess(reaction, onset(surface)))
-        };
-        let sliding = |part| {
-            let reaction = reaction(self.next.pose, part);
-            Some(drive(reaction, surface.friction_dynamic, sign))
-        };
-        self.ends(Way(&fixed), Way(&sliding), false).0
-    }
-
-    /// Two vertices on two surfaces: the interval of (E5), and (E6).
-    fn two_vertex(&self, contacts: [&'a Contact; 2], onset: Onset) -> Vec<Finding> {
-        if contacts
-            .iter()
-            .all(|contact| self.direction(contact).is_none())
-        {
-            return Vec::new();
+    /// Where a contact of a frame is.
+    fn spot(&self, frame: &Frame, contact: &Contact) -> Spot {
+        Spot {
+            held: self.model.held(frame.pose, contact.touch),
+            at: contact.point,
         }
-        let brace = |frame: &Frame| Brace {
-            model: self.model,
-            grip: self.grip,
-            pose: frame.pose,
-            contacts,
-        };
-        let (old, new) = (brace(self.last), brace(self.next));
-        let holding = |frame: &Frame| self.model.holding_point(frame.pose, self.grip);
-        let way: Vec2 = sub(holding(self.next), holding(self.last));
-        let motion = (way, self.next.pose[2] - self.last.pose[2]);
-        let fixed = |part| Some(old.excess(self.hand(part), onset));
-        let sliding = |part| Some(new.drive(self.hand(part), motion));
-        self.ends(Way(&fixed), Way(&sliding), true).0
     }
 
     /// Begin and end of a slip, and the part of the hand's way at which it happened. `fixed`: by how much static friction
@@ -273,7 +252,7 @@ impl<'a> Step<'a> {
     }
 
     /// The force (N) that the bound on slips allows.
-    fn allowed(&self, is_braced: bool) -> f64 {
+    pub(crate) fn allowed(&self, is_braced: bool) -> f64 {
         let unit = self.finding(law::SLIP_ENDS, 1.0, is_braced);
         unit.bound / unit.residual
     }
@@ -283,13 +262,13 @@ impl<'a> Step<'a> {
     fn last_of_several(&self) -> Option<Finding> {
         let (last, next) = (self.last, self.next);
         let contact = next.contacts.first()?;
-        let surface = self.model.surface(contact);
+        let face = self.one_friction(next)?;
         let is_last = next.events.last() == Some(&Event::Slip) && next.events.len() < EVENTS;
         let opens = |event: &Event| matches!(event, Event::Lift | Event::Tip);
         if !is_last || next.events.iter().any(opens) {
             return None;
         }
-        if next.status != Status::Ok || !next.held || next.slides() || !surface.jumps() {
+        if next.status != Status::Ok || !next.held || next.slides() || !face.jumps() {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {
@@ -299,14 +278,15 @@ impl<'a> Step<'a> {
         let reaction = |back: f64| -> Option<(f64, f64)> {
             if next.state == State::Edge {
                 let load = self.model.load(next.pose, self.hand(1.0 - back), self.grip);
-                return Some(borne(load.force, surface));
+                return Some(borne(load.force, face.normal));
             }
-            let pin = |back: f64| foot.pinned(contact.point, self.hand(1.0 - back));
+            let spot = self.spot(next, contact);
+            let pin = |back: f64| foot.pinned(spot, self.hand(1.0 - back));
             Some(pin(back).reaction(follow(pin, next.pose[2], back)?))
         };
         // A hand that takes hold does all of it at its end.
         let left = [1.0, -1.0].map(|sign| {
-            let excess = |back| Some(drive(reaction(back)?, surface.friction_dynamic, sign));
+            let excess = |back| Some(drive(reaction(back)?, face.friction_dynamic, sign));
             let end = Way(&excess).at(0.0);
             if !last.held {
                 return end.abs();
@@ -320,7 +300,7 @@ impl<'a> Step<'a> {
 }
 
 /// By how much (N) a reaction (N, T) lies outside a cone.
-fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
+pub(crate) fn static_excess((normal, friction): (f64, f64), mu: f64) -> f64 {
     (friction.abs() - mu * normal) / mu.hypot(1.0)
 }
 

@@ -5,12 +5,18 @@ use std::collections::BTreeSet;
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Frame, State};
 use crate::model::{Grip, Model};
+use crate::obstacles;
+use crate::pairs::Lined;
 use crate::scene::Scene;
+use crate::touch::Touch;
 use crate::vector::{add, cross, distance, dot, length, sub};
 
 /// Every number is finite.
 pub(crate) fn finite(frame: &Frame) -> Finding {
-    let contact = |c: &Contact| [c.point[0], c.point[1], c.normal, c.friction];
+    let contact = |c: &Contact| {
+        let [x, y] = c.direction.unwrap_or_default();
+        [c.point[0], c.point[1], x, y, c.normal, c.friction]
+    };
     let holds = [frame.t, frame.depth]
         .into_iter()
         .chain(frame.hand)
@@ -21,28 +27,44 @@ pub(crate) fn finite(frame: &Frame) -> Finding {
     Finding::whether(law::FINITE, holds)
 }
 
+/// A contact is of what the scene does not have.
+pub(crate) fn unknown(model: &Model, frame: &Frame) -> Option<Finding> {
+    let is_known = |contact: &Contact| model.has(contact.touch);
+    let all = frame.contacts.iter().all(is_known);
+    (!all).then(|| Finding::whether(law::EXISTS, false))
+}
+
 /// The state's name, and contacts that are there twice.
-pub(crate) fn names(frame: &Frame) -> [Finding; 2] {
+pub(crate) fn names(model: &Model, bounds: &Bounds, frame: &Frame) -> [Finding; 2] {
     let contacts = &frame.contacts;
-    let pairs: BTreeSet<_> = contacts.iter().map(Contact::pair).collect();
-    let vertices: BTreeSet<_> = contacts.iter().map(|c| c.vertex).collect();
-    let surfaces: BTreeSet<_> = contacts.iter().map(|c| c.surface).collect();
-    let expected = match (contacts.len(), vertices.len(), surfaces.len()) {
-        _ if !frame.complete => State::Locked,
-        (0, ..) => State::NonContact,
-        (1, ..) => State::SingleVertex,
-        (2, 1, _) => State::Corner,
-        (2, _, 1) => State::Edge,
-        (2, ..) => State::TwoVertex,
-        _ => State::Locked,
+    let named = match contacts.as_slice() {
+        _ if !frame.complete => frame.state == State::Locked,
+        [] => frame.state == State::NonContact,
+        [_] => frame.state == State::SingleVertex,
+        [a, b] => is_named(model, bounds, frame, [a.touch, b.touch]),
+        _ => frame.state == State::Locked,
     };
+    let touches: BTreeSet<_> = contacts.iter().map(|contact| contact.touch).collect();
+    let twice = touches.len() < contacts.len() || obstacles::share_a_place(model, frame);
     [
-        Finding::whether(law::NAME, frame.state == expected),
-        Finding::whether(law::ONCE, pairs.len() == contacts.len()),
+        Finding::whether(law::NAME, named),
+        Finding::whether(law::ONCE, !twice),
     ]
 }
 
-/// Vertices, surfaces and contacts.
+/// Two contacts, by what they have in common.
+fn is_named(model: &Model, bounds: &Bounds, frame: &Frame, pair: [Touch; 2]) -> bool {
+    if pair[0].shares_vertex(pair[1]) {
+        return frame.state == State::Corner;
+    }
+    match model.lined(frame.pose, pair, model.carried(frame, bounds)) {
+        Lined::Yes => frame.state == State::Edge,
+        Lined::No => frame.state == State::TwoVertex,
+        Lined::Maybe => matches!(frame.state, State::Edge | State::TwoVertex),
+    }
+}
+
+/// Vertices, surfaces, obstacles and contacts.
 pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut inside, mut off, mut apart) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -53,17 +75,22 @@ pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
         }
     }
     for contact in &frame.contacts {
-        let place = model.vertex(frame.pose, contact);
-        let surface = model.surface(contact);
-        off = off.max((dot(surface.normal, place) - surface.offset).abs());
-        apart = apart.max(distance(place, contact.point));
+        off = off.max(model.gap(frame.pose, contact.touch).abs());
+        apart = apart.max(distance(
+            model.foot(frame.pose, contact.touch),
+            contact.point,
+        ));
     }
+    inside = inside.max(obstacles::depth(model, frame));
     let mut findings = vec![(law::OUTSIDE, inside)];
     if !frame.contacts.is_empty() {
         findings.extend([(law::ON_SURFACE, off), (law::AT_VERTEX, apart)]);
     }
     let finding = |(law, length)| Finding::new(law, length / size, bounds.gap);
-    findings.into_iter().map(finding).collect()
+    let of_obstacles = obstacles::contacts(model, bounds, frame);
+    (findings.into_iter().map(finding))
+        .chain(of_obstacles)
+        .collect()
 }
 
 /// Springs, balance, friction. Without all contacts: the springs alone, and the contacts that are known.
@@ -75,10 +102,11 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
     let (mut force, mut moment) = (load.force, load.moment);
     let (mut outside, mut pulling) = (0.0_f64, 0.0_f64);
     for contact in &frame.contacts {
-        let reaction = model.reaction(contact);
+        let reaction = model.reaction(frame.pose, contact);
+        let foot = model.foot(frame.pose, contact.touch);
         force = add(force, reaction);
-        moment += cross(sub(model.vertex(frame.pose, contact), holding), reaction);
-        let mu = model.surface(contact).friction_static;
+        moment += cross(sub(foot, holding), reaction);
+        let mu = model.face(frame.pose, contact.touch).friction_static;
         outside = outside.max((contact.friction.abs() - mu * contact.normal) / mu.hypot(1.0));
         pulling = pulling.max(-contact.normal);
     }

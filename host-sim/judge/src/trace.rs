@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use crate::error::InputError;
 use crate::frame::{Event, Frame, State, Status};
 use crate::scene::Scene;
+use crate::touch::Touch;
 
 /// A trace that is being read: an iterator over its frames, each with its line, counted from 1.
 pub struct Trace {
@@ -55,6 +56,8 @@ impl Trace {
             file: file.to_owned(),
             names: Names {
                 surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
+                obstacles: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
+                corners: scene.obstacles.iter().map(|o| o.vertices.len()).collect(),
                 vertices: scene.vertices.len(),
             },
             lines,
@@ -81,10 +84,22 @@ impl Iterator for Trace {
     }
 }
 
-/// What a scene calls its surfaces, and how many vertices its body has.
+/// What a scene calls its surfaces and obstacles, and how many vertices they and the body have.
 struct Names {
     surfaces: Vec<String>,
+    obstacles: Vec<String>,
+    corners: Vec<usize>,
     vertices: usize,
+}
+
+/// What a trace says of what touches what: keys that are absent are `None`.
+struct Told<'a> {
+    vertex: Option<usize>,
+    surface: Option<&'a str>,
+    obstacle: Option<&'a str>,
+    side: Option<usize>,
+    corner: Option<usize>,
+    body_side: Option<usize>,
 }
 
 impl Names {
@@ -99,15 +114,73 @@ impl Names {
         })
     }
 
-    /// The index of the vertex of a contact.
-    fn vertex(&self, contact: usize, vertex: usize) -> Result<usize, String> {
-        if vertex < self.vertices {
-            return Ok(vertex);
+    /// What touches what in a contact.
+    fn touch(&self, contact: usize, told: &Told<'_>) -> Result<Touch, String> {
+        let obstacle = |name: &str| {
+            let place = self.obstacles.iter().position(|known| known == name);
+            place.ok_or_else(|| {
+                let what = format!("the `obstacle` of contact {contact}");
+                unknown(&what, name, &self.obstacles)
+            })
+        };
+        let index = |key: &str, index: usize, count: usize| match count {
+            _ if index < count => Ok(index),
+            0 => Err(format!(
+                "the `{key}` of contact {contact} is {index}, but there is none"
+            )),
+            _ => Err(format!(
+                "the `{key}` of contact {contact} is {index}, allowed: 0 to {}",
+                count - 1
+            )),
+        };
+        let sides = |vertices: usize| if vertices < 2 { 0 } else { vertices };
+        match *told {
+            Told {
+                vertex: Some(vertex),
+                surface: Some(surface),
+                obstacle: None,
+                side: None,
+                corner: None,
+                body_side: None,
+            } => Ok(Touch::Surface {
+                vertex: index("vertex", vertex, self.vertices)?,
+                surface: self.surface(contact, surface)?,
+            }),
+            Told {
+                vertex: Some(vertex),
+                surface: None,
+                obstacle: Some(name),
+                side: Some(side),
+                corner: None,
+                body_side: None,
+            } => {
+                let obstacle = obstacle(name)?;
+                Ok(Touch::Side {
+                    vertex: index("vertex", vertex, self.vertices)?,
+                    obstacle,
+                    side: index("side", side, sides(self.corners[obstacle]))?,
+                })
+            }
+            Told {
+                vertex: None,
+                surface: None,
+                obstacle: Some(name),
+                side: None,
+                corner: Some(corner),
+                body_side: Some(body_side),
+            } => {
+                let obstacle = obstacle(name)?;
+                Ok(Touch::Corner {
+                    obstacle,
+                    corner: index("corner", corner, self.corners[obstacle])?,
+                    body_side: index("body_side", body_side, sides(self.vertices))?,
+                })
+            }
+            _ => Err(format!(
+                "contact {contact}: allowed: `vertex` and `surface`, `vertex`, `obstacle` and `side`, or `corner`, `obstacle` and \
+                 `body_side`"
+            )),
         }
-        let most = self.vertices.saturating_sub(1);
-        Err(format!(
-            "the `vertex` of contact {contact} is {vertex}, allowed: 0 to {most}"
-        ))
     }
 }
 

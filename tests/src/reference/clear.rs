@@ -150,15 +150,35 @@ impl Reference {
             .unwrap_or((Axis::Side(0), f64::INFINITY))
     }
 
-    /// Whether this is the side of a thin wall from which a point does not see it, or that of a rod on which a pin is not.
+    /// Whether this is the side of a thin wall from which a point does not see it, or that of a rod on which a pin is not. So is, for a
+    /// rod and a wall, the other side of that on which they touch: turned about an end of the rod they would be apart along it.
     fn far_side(&self, obstacle: usize, axis: Axis) -> bool {
         let shape = &self.scene.obstacles[obstacle].vertices;
         let thin = shape.len() + self.scene.vertices.len() == 3;
-        thin && match (self.seen[obstacle], axis) {
+        let both = shape.len() == 2 && self.scene.vertices.len() == 2;
+        let unseen = match (self.seen[obstacle], axis) {
             (Some(Axis::Side(one)), Axis::Side(other))
             | (Some(Axis::BodySide(one)), Axis::BodySide(other)) => one != other,
             _ => false,
-        }
+        };
+        let touched = |touch: &Touch| match (*touch, axis) {
+            (
+                Touch::Side {
+                    obstacle: on, side, ..
+                },
+                Axis::Side(other),
+            ) => on == obstacle && side != other,
+            (
+                Touch::Corner {
+                    obstacle: of,
+                    body_side,
+                    ..
+                },
+                Axis::BodySide(other),
+            ) => of == obstacle && body_side != other,
+            _ => false,
+        };
+        (thin && unseen) || (both && self.contacts.iter().any(touched))
     }
 
     /// Whether a pair is on that side.

@@ -37,7 +37,11 @@ fn answer(among: &Among, body: &Reference, (hand, slips): ([f64; 3], u32)) -> An
 }
 
 /// Poses, forces and contacts of a run, each frame given to `look`.
-fn run(among: &Among, case: &Case, mut look: impl FnMut(usize, &Reference, ([f64; 3], u32))) {
+pub(crate) fn run(
+    among: &Among,
+    case: &Case,
+    mut look: impl FnMut(usize, &Reference, ([f64; 3], u32)),
+) {
     let mut body = Reference::new(among.reference(), among.setup.start, case.hands[0]);
     let mut slips = 0;
     for (frame, &hand) in case.hands.iter().enumerate() {
@@ -50,7 +54,7 @@ fn run(among: &Among, case: &Case, mut look: impl FnMut(usize, &Reference, ([f64
     }
 }
 
-fn cases() -> Vec<Case> {
+pub(crate) fn cases() -> Vec<Case> {
     all().into_iter().filter(|case| !case.refused).collect()
 }
 

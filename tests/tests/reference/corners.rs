@@ -147,3 +147,40 @@ fn a_point_goes_round_a_thin_wall_but_not_through_it() {
         }
     );
 }
+
+/// One end of a rod stands on a thin wall that ends below its middle: turned down, it comes to lie on the wall's end. It does not go on
+/// through it to the other side, on which its end touches the wall as well.
+#[test]
+fn a_rod_does_not_turn_through_the_end_of_a_wall() {
+    let scene = Scene {
+        vertices: vec![[-0.5, 0.0], [0.5, 0.0]],
+        holding_point: [-0.35, 0.0],
+        k_h: K_H,
+        k_theta: 1.0,
+        weight: 0.0,
+        surfaces: Vec::new(),
+        obstacles: vec![obstacle(&[[-1.0, 0.0], [0.0, 0.0]], 0.5)],
+    };
+    let (sin, cos) = 0.2_f64.sin_cos();
+    let start = [0.5 * cos - 0.3, 0.5 * sin, 0.2];
+    let held = [start[0] - 0.35 * cos, start[1] - 0.35 * sin, 0.2];
+    let mut rod = Reference::new(scene, start, held);
+    assert_eq!(rod.state(), "single-vertex");
+    for i in 1..=20 {
+        let part = f64::from(i) / 20.0;
+        rod.step([held[0], held[1] - 0.1 * part, 0.2 - 0.4 * part], SUBSTEPS);
+    }
+    close("angle", rod.pose()[2], 0.0, PLACE);
+    let touches: Vec<_> = rod.contacts().iter().map(|contact| contact.touch).collect();
+    let end = Touch::Side {
+        vertex: 0,
+        obstacle: 0,
+        side: 1,
+    };
+    let corner = Touch::Corner {
+        obstacle: 0,
+        corner: 1,
+        body_side: 0,
+    };
+    assert_eq!(touches, [end, corner]);
+}

@@ -16,7 +16,7 @@ const APART: f64 = 1e-9;
 const FORCE: f64 = 1e-7;
 
 /// Point and normal of a contact.
-fn place(scene: &Scene, pose: [f64; 3], touch: Touch) -> ([f64; 2], [f64; 2]) {
+pub(crate) fn place(scene: &Scene, pose: [f64; 3], touch: Touch) -> ([f64; 2], [f64; 2]) {
     let body = placed(&scene.vertices, pose);
     match touch {
         Touch::Surface { vertex, surface } => (body[vertex], scene.surfaces[surface].normal),

@@ -1,8 +1,10 @@
-//! The slow reference among obstacles: against cases with known answers, against the laws on random scenes, and against itself where
-//! physics says that two scenes are one. No solver takes part.
+//! The slow reference among obstacles: against cases with known answers, against the laws on random scenes, before the judge of
+//! traces, and against itself where physics says that two scenes are one. No solver takes part.
 
 mod cases;
 mod corners;
+mod judged;
 mod lawful;
 mod symmetry;
+mod traced;
 mod worlds;

@@ -1,7 +1,7 @@
 //! Random scenes of a body among convex obstacles, and paths of a hand that pushes it against them; body sizes of 1 m.
 
 use stiction_tests::draw::{Draw, polygon};
-use stiction_tests::reference::{Obstacle, Scene};
+use stiction_tests::reference::{Obstacle, Scene, Surface};
 
 /// The body is at least this far from every obstacle in the beginning, m.
 const CLEAR: f64 = 0.05;
@@ -117,6 +117,31 @@ pub(crate) fn world(draw: &mut Draw) -> World {
         start,
         hands,
     }
+}
+
+/// The same among up to four obstacles, half of them above a floor.
+pub(crate) fn crowded(draw: &mut Draw) -> World {
+    let [mut among, more] = [world(draw), world(draw)];
+    let body = placed(&among.scene.vertices, among.start);
+    let lowest = body.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min);
+    let clear = |o: &Obstacle| {
+        let points = body.len() + o.vertices.len() == 2;
+        !points && separation(&o.vertices, &body) >= CLEAR
+    };
+    let more = more.scene.obstacles.into_iter().filter(clear);
+    among.scene.obstacles.extend(more);
+    among.scene.obstacles.truncate(4);
+    if draw.below(2) == 0 {
+        let [mu_s, mu_d] = friction(draw);
+        among.scene.surfaces.push(Surface {
+            normal: [0.0, 1.0],
+            offset: lowest - draw.between(CLEAR, 1.0),
+            mu_s,
+            mu_d,
+            memory: 1.0 / 1024.0,
+        });
+    }
+    among
 }
 
 /// Five straight parts: most of them towards a corner of an obstacle, up to it or beyond; some turn the hand, some go anywhere.

@@ -127,6 +127,30 @@ fn whole_line<R: Real>(
     Some((longest.side, reach))
 }
 
+/// Covers the corners in which several obstacles meet and leave less than a half-plane free: there a side of the body touches nothing.
+pub(super) fn cover_hollows<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R::Si>]) {
+    for (corner, side) in corners.iter_mut().zip(sides) {
+        let at = side.from;
+        let is_here = |end: Vec2<R::Si>| {
+            (end - at).length() <= near::<R>(end.length_bound().max(at.length_bound()))
+        };
+        let leaves = || {
+            sides.iter().flat_map(|side| {
+                let begins = is_here(side.from).then_some(side.along);
+                let ends = is_here(side.to).then_some(-side.along);
+                [begins, ends].into_iter().flatten()
+            })
+        };
+        // In a tip all sides that leave it are on one side of one of them.
+        let level = R::MICRO.to_si(R::Si::ONE);
+        let is_tip = leaves().any(|one| {
+            leaves().all(|other| one.cross(other) >= -level)
+                || leaves().all(|other| one.cross(other) <= level)
+        });
+        corner.covered |= !is_tip;
+    }
+}
+
 /// An obstacle that may cover corners of others.
 pub(super) struct Outline<F, const C: usize> {
     body: Body<F, C>,

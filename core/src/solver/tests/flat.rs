@@ -66,18 +66,7 @@ fn box_beyond_the_edge_of_a_table_shares_its_load() {
                     let mut last = hand(0.0);
                     for part in [0.25, 0.5, 0.96875, 1.03125] {
                         let force = tips * part;
-                        for k in 1..=4 {
-                            let f = last[1] + (hand(force)[1] - last[1]) * f64::from(k) / 4.0;
-                            run.step([hand(0.0)[0], f, 0.0]);
-                            std::eprintln!(
-                                "{evolution:?} {over} {out} {part} {k} {:?} {:?} {:?} {:?} {:?}",
-                                run.output.state,
-                                run.output.status,
-                                run.pose(),
-                                run.contacts(),
-                                run.output.events
-                            );
-                        }
+                        run.go([last, hand(force)], 4);
                         last = hand(force);
                         assert_eq!(run.output.status, Status::Ok);
                         if part > 1.0 {
@@ -157,35 +146,13 @@ fn body_that_is_turned_down_lands_on_both_ends() {
                     let low = [0.0, 0.125, side * 0.25];
                     let flat = [0.0, 0.125, 0.0];
                     let mut run = Run::<R>::start(&setting, evolution, above);
-                    for k in 1..=16 {
-                        let f = f64::from(k) / 16.0;
-                        run.step([0.0, 0.75 - 0.625 * f, side * 0.25]);
-                        std::eprintln!(
-                            "{side} {places:?} down {k} {:?} {:?} {:?} {:?} {:?}",
-                            run.output.state,
-                            run.output.status,
-                            run.pose(),
-                            run.contacts(),
-                            run.output.events
-                        );
-                    }
+                    run.go([above, low], 16);
                     assert_eq!(
                         run.output.state,
                         StateKind::SingleVertex,
                         "{places:?} {side}"
                     );
-                    for k in 1..=16 {
-                        let f = f64::from(k) / 16.0;
-                        run.step([0.0, 0.125, side * 0.25 * (1.0 - f)]);
-                        std::eprintln!(
-                            "turn {k} {:?} {:?} {:?} {:?} {:?}",
-                            run.output.state,
-                            run.output.status,
-                            run.pose(),
-                            run.contacts(),
-                            run.output.events
-                        );
-                    }
+                    run.go([low, flat], 16);
                     assert_eq!(run.output.state, StateKind::Edge, "{places:?} {side}");
                     assert_eq!(run.output.status, Status::Ok);
                     let mut contacts = run.contacts();

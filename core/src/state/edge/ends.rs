@@ -9,8 +9,10 @@ use crate::geometry::Vec2;
 use crate::grip::Displacement;
 use crate::load::Load;
 use crate::moment::SecondHarmonic;
+use crate::motion::Instant;
 use crate::pivot::Pivot;
 use crate::real::{Real, along};
+use crate::state::side_end::room_ahead;
 use crate::thresholds::Thresholds;
 use crate::verb::Trigger;
 use crate::world::World;
@@ -103,18 +105,12 @@ impl<R: Real> Edge<R> {
             if scene.corner(pair.surface).is_none() {
                 continue;
             }
-            let [low, high] = scene.reach(pair);
-            let foot = load.placed.foot(scene, pair);
-            let left = if shift < R::ZERO {
-                foot - low
-            } else {
-                high - foot
-            };
+            let room = room_ahead(scene, &Instant::at_rest(load.placed), (pair, sign));
             let on_side = Margin {
-                start: left + R::TOUCH,
-                along: -shift.abs(),
+                start: room.value,
+                along: -along(sign, shift),
                 turning: Vec2::ZERO,
-                rounding: R::of_coordinates() * (R::ONE + foot.abs()),
+                rounding: room.rounding,
             };
             segment.stop_at(&on_side, Trigger::Off { contact, sign });
         }

@@ -293,6 +293,7 @@ fn run_ends_at_what_comes_first() {
             // As far as it looked.
             Ending::Window => (3, 0.0),
             Ending::Touches(_) => return,
+            Ending::Off { .. } => panic!("planes have no ends"),
         };
         assert!(off < 1e-6, "{seed} {ending:?} {off}");
         ends[which] += 1;

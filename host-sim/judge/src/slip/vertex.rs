@@ -1,22 +1,23 @@
-//! The slip of a single vertex (STATICS 3.2): it sticks at its old place while the hand goes on, slides to the new one while the
+//! The slip of a single contact (STATICS 3.2): it sticks at its old place while the hand goes on, slides to the new one while the
 //! hand is frozen, and sticks there. All the while the body turns in balance of moments, the angle on its branch.
 
 use super::{Step, drive, static_excess};
-use crate::pin::{Foot, Pin, follow};
-use crate::vector::{Vec2, add, scaled, sub};
+use crate::pin::{Foot, Pin, Spot, follow};
 
 /// Places that are looked at on the way of a slip.
 const PLACES: u32 = 64;
 
-/// A vertex that slid from a place to another one, along `sign`·t.
+/// A contact that slid from a place to another one, along `sign`·t.
 pub(super) struct Slide<'a> {
     pub(super) step: &'a Step<'a>,
     pub(super) foot: Foot<'a>,
-    pub(super) from: Vec2,
-    pub(super) to: Vec2,
+    pub(super) from: Spot,
+    pub(super) to: Spot,
     pub(super) sign: f64,
     /// The friction up to which it stuck.
     pub(super) onset: f64,
+    /// mu_d
+    pub(super) dynamic: f64,
 }
 
 impl<'a> Slide<'a> {
@@ -56,19 +57,14 @@ impl<'a> Slide<'a> {
     }
 
     fn drive(&self, pin: &Pin<'_>, theta: f64) -> f64 {
-        drive(
-            pin.reaction(theta),
-            self.foot.surface.friction_dynamic,
-            self.sign,
-        )
+        drive(pin.reaction(theta), self.dynamic, self.sign)
     }
 
     /// By how much the drive falls short somewhere on the way from the old place to the new one (N). `None` where the
     /// balance is lost on the way, or leads to another angle than the one at the new place.
     pub(super) fn undriven(&self, part: f64) -> Option<f64> {
-        let way = sub(self.to, self.from);
         let hand = self.step.hand(part);
-        let at = |u: f64| self.foot.pinned(add(self.from, scaled(way, u)), hand);
+        let at = |u: f64| self.foot.pinned(self.from.towards(self.to, u), hand);
         let mut theta = self.angle_before(part)?;
         let mut least = f64::INFINITY;
         for place in 1..=PLACES {

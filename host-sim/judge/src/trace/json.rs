@@ -6,7 +6,7 @@ use std::io::{BufRead, BufReader};
 
 use serde::{Deserialize, Deserializer};
 
-use super::{Line, Names, event, sliding, state, status};
+use super::{Line, Names, Told, event, sliding, state, status};
 use crate::frame::{Contact, Frame};
 
 #[derive(Deserialize)]
@@ -32,15 +32,34 @@ struct Object<'a> {
 
 #[derive(Deserialize)]
 struct Entry<'a> {
-    vertex: usize,
+    vertex: Option<usize>,
     #[serde(borrow)]
-    surface: Cow<'a, str>,
+    surface: Option<Cow<'a, str>>,
+    #[serde(borrow)]
+    obstacle: Option<Cow<'a, str>>,
+    side: Option<usize>,
+    corner: Option<usize>,
+    body_side: Option<usize>,
     point: [Option<f64>; 2],
+    direction: Option<[Option<f64>; 2]>,
     #[serde(deserialize_with = "number")]
     normal: f64,
     #[serde(deserialize_with = "number")]
     friction: f64,
     sliding: Option<i64>,
+}
+
+impl Entry<'_> {
+    fn told(&self) -> Told<'_> {
+        Told {
+            vertex: self.vertex,
+            surface: self.surface.as_deref(),
+            obstacle: self.obstacle.as_deref(),
+            side: self.side,
+            corner: self.corner,
+            body_side: self.body_side,
+        }
+    }
 }
 
 fn number<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
@@ -86,9 +105,9 @@ fn frame(text: &[u8], names: &Names) -> Result<Frame, String> {
     let object: Object<'_> = serde_json::from_slice(text).map_err(|error| problem(text, &error))?;
     let contact = |(i, entry): (usize, &Entry<'_>)| {
         Ok(Contact {
-            vertex: names.vertex(i, entry.vertex)?,
-            surface: names.surface(i, &entry.surface)?,
+            touch: names.touch(i, &entry.told())?,
             point: entry.point.map(finite),
+            direction: entry.direction.map(|direction| direction.map(finite)),
             normal: entry.normal,
             friction: entry.friction,
             sliding: entry.sliding.map(|sign| sliding(i, sign)).transpose()?,

@@ -7,7 +7,7 @@ use std::io::BufReader;
 
 use csv::{Reader, StringRecord};
 
-use super::{Line, Names, event, sliding, state, status};
+use super::{Line, Names, Told, event, sliding, state, status};
 use crate::frame::{Contact, Frame, State};
 
 /// Contacts in a row.
@@ -27,8 +27,11 @@ struct Columns {
 struct Places {
     /// In the order of [`CONTACT`].
     all: [usize; CONTACT.len()],
-    /// Older traces have none.
+    /// In the order of [`OF_OBSTACLES`]; traces without obstacles may have none.
+    of_obstacles: [Column; OF_OBSTACLES.len()],
+    /// Older traces have none of these.
     sliding: Column,
+    direction: Option<[usize; 2]>,
 }
 
 const SCALARS: [&str; 15] = [
@@ -49,6 +52,7 @@ const SCALARS: [&str; 15] = [
     "status",
 ];
 const CONTACT: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
+const OF_OBSTACLES: [&str; 4] = ["obstacle", "side", "corner", "body_side"];
 
 pub(super) struct Rows {
     reader: Reader<BufReader<File>>,
@@ -86,8 +90,15 @@ impl Rows {
             for (place, name) in all.iter_mut().zip(CONTACT) {
                 *place = need(&format!("c{k}_{name}"))?;
             }
-            let sliding = find(&format!("c{k}_sliding"));
-            *contact = Some(Places { all, sliding });
+            let column = |name: &str| find(&format!("c{k}_{name}"));
+            *contact = Some(Places {
+                all,
+                of_obstacles: OF_OBSTACLES.map(column),
+                sliding: column("sliding"),
+                direction: column("direction_x")
+                    .zip(column("direction_y"))
+                    .map(|(x, y)| [x, y]),
+            });
         }
         Ok(Self {
             reader,
@@ -180,9 +191,28 @@ impl Places {
         names: &Names,
     ) -> Result<Option<Contact>, String> {
         let field = |i: usize| row.get(self.all[i]).unwrap_or("");
-        if field(0).is_empty() {
+        let of_obstacles = |i: usize| self.of_obstacles[i].and_then(|i| row.get(i)).unwrap_or("");
+        if field(0).is_empty() && of_obstacles(2).is_empty() {
             return Ok(None);
         }
+        let given = |text| Some(text).filter(|text: &&str| !text.is_empty());
+        let index = |name: &str, text| given(text).map(|text| count(name, text)).transpose();
+        let told = Told {
+            vertex: index("vertex", field(0))?,
+            surface: given(field(1)),
+            obstacle: given(of_obstacles(0)),
+            side: index("side", of_obstacles(1))?,
+            corner: index("corner", of_obstacles(2))?,
+            body_side: index("body_side", of_obstacles(3))?,
+        };
+        let along =
+            |name: &str, i: usize| number(&format!("c{k}_{name}"), row.get(i).unwrap_or(""));
+        let direction = match self.direction {
+            Some([x, y]) if row.get(x).is_some_and(|text| !text.is_empty()) => {
+                Some([along("direction_x", x)?, along("direction_y", y)?])
+            }
+            _ => None,
+        };
         let value = |i: usize| number(&format!("c{k}_{}", CONTACT[i]), field(i));
         let sign = |field: &str| {
             let sign = field.parse();
@@ -192,9 +222,9 @@ impl Places {
             )
         };
         Ok(Some(Contact {
-            vertex: names.vertex(k, count("vertex", field(0))?)?,
-            surface: names.surface(k, field(1))?,
+            touch: names.touch(k, &told)?,
             point: [value(2)?, value(3)?],
+            direction,
             normal: value(4)?,
             friction: value(5)?,
             sliding: (self.sliding.and_then(|i| row.get(i)))

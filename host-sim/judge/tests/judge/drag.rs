@@ -4,7 +4,7 @@
 
 use stiction_judge::{Contact, Event, Frame, Scene, State};
 
-use crate::write::{frame, scene};
+use crate::write::{frame, on, scene};
 
 const K: f64 = 500.0;
 const WEIGHT: f64 = 1.0;
@@ -73,8 +73,8 @@ pub(crate) fn pressed(t: f64, hand: [f64; 3], x: f64, grip: [f64; 2]) -> Frame {
     let moment = lever[0] * force[1] - lever[1] * force[0] - WIDTH / 2.0 * WEIGHT;
     let second = -moment / WIDTH;
     let contact = |vertex: usize, share: f64| Contact {
-        vertex,
-        surface: 0,
+        touch: on(vertex, 0),
+        direction: None,
         point: [x + WIDTH * (vertex as f64 - 0.5), 0.0],
         normal: share,
         friction: -force[0] * share / normal,

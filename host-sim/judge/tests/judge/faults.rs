@@ -7,7 +7,7 @@ use proptest::test_runner::RngSeed;
 use stiction_judge::{Event, Evolution, Frame, Scene, State, Status, law};
 
 use crate::drag::{Drag, LAWFUL, drag, drag_scene, first_slip};
-use crate::write::{broken, judged, lines};
+use crate::write::{broken, judged, lines, on};
 
 /// The laws that the dragged box breaks after something was done to one of its frames.
 fn after(frame: usize, fault: impl FnOnce(&mut Frame)) -> BTreeSet<&'static str> {
@@ -93,7 +93,7 @@ fn places_that_are_not_those_of_the_pose_are_found() {
     );
     let point = after(STICKS, |frame| frame.contacts[0].point[0] += 1e-6);
     assert!(point.contains(law::AT_VERTEX), "{point:?}");
-    let vertex = after(STICKS, |frame| frame.contacts[0].vertex = 2);
+    let vertex = after(STICKS, |frame| frame.contacts[0].touch = on(2, 0));
     assert!(vertex.contains(law::AT_VERTEX), "{vertex:?}");
 }
 
@@ -364,7 +364,7 @@ fn contacts_that_a_row_has_no_room_for_are_not_held_against_it() {
     let mut frame = drag(LAWFUL)[1].clone();
     for vertex in [2, 3] {
         let mut contact = frame.contacts[0];
-        (contact.vertex, contact.surface) = (vertex, 1);
+        contact.touch = on(vertex, 1);
         contact.point = [if vertex == 2 { 0.05 } else { -0.05 }, 0.06];
         frame.contacts.push(contact);
     }

@@ -6,7 +6,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, Status, law};
 
-use crate::write::{broken, frame, scene};
+use crate::write::{broken, frame, on, scene};
 
 /// k_h = k_theta = 1, mu 0.5 / 0.3, held in the middle.
 fn wedge(slope: f64) -> Scene {
@@ -31,8 +31,8 @@ fn held(scene: &Scene, normals: [f64; 2], ratio: f64, sliding: Option<i8>) -> Fr
         // The lever is (0, -side / 2).
         moment -= side / 2.0 * reaction[0];
         contacts.push(Contact {
-            vertex,
-            surface: vertex,
+            touch: on(vertex, vertex),
+            direction: None,
             point: [0.0, vertex as f64],
             normal,
             friction,

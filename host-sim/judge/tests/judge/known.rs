@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
 
-use crate::write::{broken, frame, scene};
+use crate::write::{broken, frame, on, scene};
 
 const EVOLUTIONS: [Evolution; 2] = [Evolution::Path, Evolution::Frame];
 
@@ -19,8 +19,8 @@ fn standing(scene: &Scene, hand: [f64; 3], x: f64, theta: f64) -> Frame {
     Frame {
         state: State::SingleVertex,
         contacts: vec![Contact {
-            vertex: 0,
-            surface: 0,
+            touch: on(0, 0),
+            direction: None,
             point: [x, 0.0],
             normal: -force[1],
             friction: -force[0],
@@ -188,8 +188,8 @@ fn leaning(theta: f64) -> Frame {
         }
     }
     let contact = |vertex: usize, point: [f64; 2]| Contact {
-        vertex,
-        surface: vertex,
+        touch: on(vertex, vertex),
+        direction: None,
         point,
         normal: reactions(low)[vertex],
         friction: low * reactions(low)[vertex],

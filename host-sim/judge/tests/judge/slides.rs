@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 use stiction_judge::{Contact, Event, Evolution, Frame, Scene, State, law};
 
 use crate::drag::{SCENE, pressed};
-use crate::write::{broken, frame, scene};
+use crate::write::{broken, frame, on, scene};
 
 const K: f64 = 500.0;
 const DYNAMIC: f64 = 0.3;
@@ -23,8 +23,8 @@ fn standing(hand: [f64; 2], x: f64, sliding: Option<i8>) -> Frame {
     Frame {
         state: State::SingleVertex,
         contacts: vec![Contact {
-            vertex: 0,
-            surface: 0,
+            touch: on(0, 0),
+            direction: None,
             point: [x, 0.0],
             normal: -force[1],
             friction: -force[0],
@@ -205,8 +205,8 @@ fn foot_without_force_goes_as_it_likes() {
     let swung = |height: f64, sliding: i8| {
         let theta = height.acos();
         let contact = Contact {
-            vertex: 1,
-            surface: 0,
+            touch: on(1, 0),
+            direction: None,
             point: [theta.sin(), 0.0],
             normal: 0.0,
             friction: 0.0,
@@ -318,8 +318,8 @@ fn leaning(theta: f64) -> Frame {
     let head = force[0] + mu * foot;
     let moment = -cos * foot + sin * mu * foot + cos * mu * head + sin * head;
     let contact = |vertex: usize, point: [f64; 2], normal: f64| Contact {
-        vertex,
-        surface: vertex,
+        touch: on(vertex, vertex),
+        direction: None,
         point,
         normal,
         friction: mu * normal,

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Judge, Scene, State, Status};
-use stiction_judge::{InputError, Survey, Trace};
+use stiction_judge::{InputError, Survey, Touch, Trace};
 use tempfile::TempDir;
 
 /// The formats.
@@ -13,6 +13,11 @@ pub(crate) const FORMATS: [&str; 2] = ["jsonl", "csv"];
 
 pub(crate) fn scene(text: &str) -> Scene {
     Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+}
+
+/// A vertex on a surface.
+pub(crate) fn on(vertex: usize, surface: usize) -> Touch {
+    Touch::Surface { vertex, surface }
 }
 
 /// A frame without contacts, at rest.
@@ -88,17 +93,67 @@ fn list(numbers: &[f64]) -> String {
     format!("[{}]", numbers.join(","))
 }
 
+/// What touches what, by its key in JSON and its place among the columns of CSV.
+fn told(scene: &Scene, touch: Touch) -> [(&'static str, Option<String>); 6] {
+    let index = |index: usize| Some(index.to_string());
+    let (mut vertex, mut surface, mut obstacle) = (None, None, None);
+    let (mut side, mut corner, mut body_side) = (None, None, None);
+    match touch {
+        Touch::Surface {
+            vertex: v,
+            surface: s,
+        } => {
+            vertex = index(v);
+            surface = Some(scene.surfaces[s].name.clone());
+        }
+        Touch::Side {
+            vertex: v,
+            obstacle: o,
+            side: e,
+        } => {
+            vertex = index(v);
+            obstacle = Some(scene.obstacles[o].name.clone());
+            side = index(e);
+        }
+        Touch::Corner {
+            obstacle: o,
+            corner: k,
+            body_side: j,
+        } => {
+            obstacle = Some(scene.obstacles[o].name.clone());
+            (corner, body_side) = (index(k), index(j));
+        }
+    }
+    [
+        ("vertex", vertex),
+        ("surface", surface),
+        ("obstacle", obstacle),
+        ("side", side),
+        ("corner", corner),
+        ("body_side", body_side),
+    ]
+}
+
 fn object(scene: &Scene, frame: &Frame) -> String {
     let contact = |c: &Contact| {
+        let is_name = |key: &str| matches!(key, "surface" | "obstacle");
+        let keys: Vec<_> = (told(scene, c.touch).into_iter())
+            .filter_map(|(key, value)| value.map(|value| (key, value)))
+            .map(|(key, value)| match is_name(key) {
+                true => format!(r#""{key}":{value:?}"#),
+                false => format!(r#""{key}":{value}"#),
+            })
+            .collect();
         let sliding = c.sliding.map(|sign| format!(r#","sliding":{sign}"#));
+        let direction = c.direction.map(|n| format!(r#","direction":{}"#, list(&n)));
         format!(
-            r#"{{"vertex":{},"surface":{:?},"point":{},"normal":{},"friction":{}{}}}"#,
-            c.vertex,
-            scene.surfaces[c.surface].name,
+            r#"{{{},"point":{},"normal":{},"friction":{}{}{}}}"#,
+            keys.join(","),
             list(&c.point),
             digits(c.normal),
             digits(c.friction),
-            sliding.unwrap_or_default()
+            sliding.unwrap_or_default(),
+            direction.unwrap_or_default()
         )
     };
     let contacts: Vec<_> = frame.contacts.iter().map(contact).collect();
@@ -123,7 +178,7 @@ fn object(scene: &Scene, frame: &Frame) -> String {
     )
 }
 
-fn row(scene: &Scene, frame: &Frame, tells_slides: bool) -> String {
+fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
     let numbers = |list: &[f64]| {
         list.iter()
             .map(|x| format!("{x:?}"))
@@ -145,49 +200,74 @@ fn row(scene: &Scene, frame: &Frame, tells_slides: bool) -> String {
         status(frame.status)
     );
     for k in 0..4 {
-        match frame.contacts.get(k) {
-            None if tells_slides => row.push_str(",,,,,,,"),
-            None => row.push_str(",,,,,,"),
-            Some(c) => write!(
-                row,
-                ",{},{},{},{:?},{:?}",
-                c.vertex,
-                scene.surfaces[c.surface].name,
-                numbers(&c.point),
-                c.normal,
-                c.friction
-            )
-            .expect("a string"),
-        }
-        if let Some(sign) = frame.contacts.get(k).and_then(|c| c.sliding) {
-            write!(row, ",{sign}").expect("a string");
+        for &column in columns {
+            let field = |c: &Contact| field(scene, c, column);
+            let field = frame.contacts.get(k).map(field).unwrap_or_default();
+            write!(row, ",{field}").expect("a string");
         }
     }
     row
 }
 
-fn header(tells_slides: bool) -> String {
+fn field(scene: &Scene, c: &Contact, column: &str) -> String {
+    match column {
+        "x" => format!("{:?}", c.point[0]),
+        "y" => format!("{:?}", c.point[1]),
+        "normal" => format!("{:?}", c.normal),
+        "friction" => format!("{:?}", c.friction),
+        "sliding" => c.sliding.map(|sign| sign.to_string()).unwrap_or_default(),
+        "direction_x" => c
+            .direction
+            .map(|n| format!("{:?}", n[0]))
+            .unwrap_or_default(),
+        "direction_y" => c
+            .direction
+            .map(|n| format!("{:?}", n[1]))
+            .unwrap_or_default(),
+        _ => {
+            let told = told(scene, c.touch)
+                .into_iter()
+                .find(|(key, _)| *key == column);
+            told.and_then(|(_, value)| value).unwrap_or_default()
+        }
+    }
+}
+
+fn header(columns: &[&str]) -> String {
     let mut header = "t,hand_x,hand_y,hand_phi,held,pose_x,pose_y,pose_theta,depth,state,wrench_x,wrench_y,wrench_moment,\
                       slips,events,status"
         .to_owned();
     for k in 0..4 {
-        for column in ["vertex", "surface", "x", "y", "normal", "friction"] {
+        for column in columns {
             write!(header, ",c{k}_{column}").expect("a string");
-        }
-        if tells_slides {
-            write!(header, ",c{k}_sliding").expect("a string");
         }
     }
     header
 }
 
+/// The columns of a contact that the frames need.
+fn columns(scene: &Scene, frames: &[Frame]) -> Vec<&'static str> {
+    let contacts = || frames.iter().flat_map(|frame| &frame.contacts);
+    let mut columns = vec!["vertex", "surface"];
+    if !scene.obstacles.is_empty() {
+        columns.extend(["obstacle", "side", "corner", "body_side"]);
+    }
+    columns.extend(["x", "y", "normal", "friction"]);
+    if contacts().any(|contact| contact.sliding.is_some()) {
+        columns.push("sliding");
+    }
+    if contacts().any(|contact| contact.direction.is_some()) {
+        columns.extend(["direction_x", "direction_y"]);
+    }
+    columns
+}
+
 /// The lines of a trace; in CSV the first one is the header.
 pub(crate) fn lines(format: &str, scene: &Scene, frames: &[Frame]) -> Vec<String> {
-    let mut contacts = frames.iter().flat_map(|frame| &frame.contacts);
-    let tells_slides = contacts.any(|contact| contact.sliding.is_some());
+    let columns = columns(scene, frames);
     match format {
-        "csv" => std::iter::once(header(tells_slides))
-            .chain(frames.iter().map(|frame| row(scene, frame, tells_slides)))
+        "csv" => std::iter::once(header(&columns))
+            .chain(frames.iter().map(|frame| row(scene, frame, &columns)))
             .collect(),
         _ => frames.iter().map(|frame| object(scene, frame)).collect(),
     }

@@ -173,6 +173,7 @@ impl Sliding {
                 normals[1 - lasts]
             }
             SlideEnding::Touches(_) => ladder.least_gap(end),
+            SlideEnding::Off { .. } => panic!("planes have no ends"),
         }
     }
 }
@@ -270,6 +271,7 @@ fn slide_of_two_lasts_to_its_first_ending() {
             SlideEnding::Pressed => 4,
             SlideEnding::Opens { .. } => 5,
             SlideEnding::Touches(_) => 6,
+            SlideEnding::Off { .. } => panic!("planes have no ends"),
         };
         seen[which] += 1;
     }

@@ -52,14 +52,14 @@ fn along(
 /// D cos(theta) - z sin(theta) = d, wherever it goes.
 #[test]
 fn peg_keeps_the_relation_of_depth_and_tilt() {
-    let (hole, width) = (0.2, 0.19);
+    let (hole, width) = (0.3, 0.28);
     let half = width / 2.0;
-    let body = [[-half, 0.0], [half, 0.0], [half, 1.0], [-half, 1.0]];
+    let body = [[-half, 0.0], [half, 0.0], [half, 0.96], [-half, 0.96]];
     let left = [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]];
     let right = [[hole, -1.0], [1.0, -1.0], [1.0, 0.0], [hole, 0.0]];
     let scene = scene(&body, &[obstacle(&left, 0.1), obstacle(&right, 0.1)]);
     // Turned clockwise by theta it touches the left wall with vertex 0 and the mouth on the right with side 1.
-    for theta in [0.02_f64, 0.05, 0.1] {
+    for theta in [0.05_f64, 0.08, 0.12] {
         let depth = (hole * theta.cos() - width) / theta.sin();
         let orientation = Orientation::new(Angle::from_radians(-theta));
         let tip = Vec2::new(0.0, -depth);
@@ -100,13 +100,13 @@ fn peg_keeps_the_relation_of_depth_and_tilt() {
 /// sides hold its tip on a circle through both pins.
 #[test]
 fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
-    let body = [[0.0, 0.0], [0.6, 0.8], [-0.6, 0.8]];
+    let body = [[0.0, 0.0], [0.28, 0.96], [-0.28, 0.96]];
     let scene = scene(
         &body,
-        &[obstacle(&[[-0.3, 0.0]], 0.0), obstacle(&[[0.3, 0.0]], 0.0)],
+        &[obstacle(&[[-0.1, 0.0]], 0.0), obstacle(&[[0.1, 0.0]], 0.0)],
     );
-    // The tip's angle: half of it has a tangent of 6/8.
-    let depth = 0.3 * 0.8 / 0.6;
+    // Half of the tip's angle has a tangent of 28/96.
+    let depth = 0.1 * 0.96 / 0.28;
     let pose = Pose {
         position: Vec2::new(0.0, -depth),
         orientation: Orientation::new(Angle::default()),
@@ -114,8 +114,8 @@ fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
     let first = scene.surface_indices().end;
     // Side 0 is on the right, side 2 on the left.
     let contacts = [Pair::of_corner(first, 2), Pair::of_corner(first + 1, 0)];
-    let [sine, cosine] = [2.0 * 0.6 * 0.8, 0.8 * 0.8 - 0.6 * 0.6];
-    let radius = 0.3 / sine;
+    let [sine, cosine] = [2.0 * 0.28 * 0.96, 0.96 * 0.96 - 0.28 * 0.28];
+    let radius = 0.1 / sine;
     let centre = Vec2::new(0.0, -radius * cosine);
     for sense in [1.0, -1.0] {
         along(&scene, pose, contacts, sense, |course| {
@@ -138,10 +138,13 @@ fn tip_of_a_wedge_between_two_pins_goes_round_a_circle() {
 /// A bar upright in a gap between parallel sides: it shifts and does not turn.
 #[test]
 fn bar_in_a_gap_shifts_without_a_turn() {
-    let body = [[-0.1, -0.5], [0.1, -0.5], [0.1, 0.5], [-0.1, 0.5]];
+    let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];
     let scene = scene(
         &body,
-        &[obstacle(&[[-0.1, -0.2]], 0.3), obstacle(&[[0.1, 0.3]], 0.3)],
+        &[
+            obstacle(&[[-0.14, -0.2]], 0.3),
+            obstacle(&[[0.14, 0.3]], 0.3),
+        ],
     );
     let pose = Pose {
         position: Vec2::ZERO,
@@ -163,12 +166,12 @@ fn bar_in_a_gap_shifts_without_a_turn() {
 /// A slip along a gap ends where a side of the bar ends at a pin: at the pin that is met first.
 #[test]
 fn slip_ends_where_a_contact_leaves_its_side() {
-    let body = [[-0.1, -0.5], [0.1, -0.5], [0.1, 0.5], [-0.1, 0.5]];
+    let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];
     let scene = scene(
         &body,
         &[
-            obstacle(&[[-0.1, -0.45]], 0.1),
-            obstacle(&[[0.1, 0.44]], 0.1),
+            obstacle(&[[-0.14, -0.43]], 0.1),
+            obstacle(&[[0.14, 0.42]], 0.1),
         ],
     );
     let pose = Pose {
@@ -190,8 +193,7 @@ fn slip_ends_where_a_contact_leaves_its_side() {
             panic!("{:?}", moved.trigger);
         };
         let end = state.pivot.placed(&scene).pose().position;
-        let size = libm::hypot(0.1, 0.5);
         assert_eq!(contact, which);
-        assert!((end.y * size - way).abs() < 1e-9, "{} {way}", end.y * size);
+        assert!((end.y - way).abs() < 1e-9, "{} {way}", end.y);
     }
 }

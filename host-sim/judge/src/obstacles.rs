@@ -1,0 +1,164 @@
+//! The laws of one frame among obstacles: how deep the body is, whether each contact is on its side and faces it, and what touches
+//! without being a contact.
+//!
+//! **Tolerance.** Two contacts on one obstacle that are closer than 2^-19 L are one, so the ends of sides are known to that, besides
+//! what holds for gaps. That something touches is certain only where the gap is rounding, in two frames running.
+
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Contact, Event, Frame, Status};
+use crate::model::Model;
+use crate::pairs::Lined;
+use crate::scene::Scene;
+use crate::shape::{ends, separation};
+use crate::touch::Touch;
+use crate::vector::{Vec2, distance, dot, length, sub};
+
+/// Contacts on one obstacle that are closer than this (L) are one.
+pub(crate) const OVERLAP: f64 = 1.0 / 524_288.0;
+/// Roundings of the farthest coordinate that a gap may be of a pair that touches.
+const CLOSED: f64 = 8.0;
+/// Normals whose product is more than this are the same.
+const SAME_NORMAL: f64 = 1.0 - 1e-9;
+
+/// The vertices of the body in the world.
+pub(crate) fn placed(model: &Model, pose: [f64; 3]) -> Vec<Vec2> {
+    let vertices = model.scene.vertices.iter();
+    vertices.map(|&vertex| Scene::place(pose, vertex)).collect()
+}
+
+/// How deep the body is in an obstacle at most (m); negative where it is apart from all.
+pub(crate) fn depth(model: &Model, frame: &Frame) -> f64 {
+    let body = placed(model, frame.pose);
+    let apart = (model.scene.obstacles.iter()).map(|o| separation(&body, &o.vertices));
+    -apart.fold(f64::INFINITY, f64::min)
+}
+
+/// Two contacts with one obstacle are at one place.
+pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
+    let place = |contact: &Contact| model.foot(frame.pose, contact.touch);
+    (frame.contacts.iter().enumerate()).any(|(i, a)| {
+        frame.contacts[..i].iter().any(|b| {
+            a.touch.obstacle().is_some()
+                && a.touch.obstacle() == b.touch.obstacle()
+                && distance(place(a), place(b)) <= OVERLAP / 2.0 * model.size
+        })
+    })
+}
+
+/// Contacts with obstacles are on their sides, which face the body; directions that are told are the normals.
+pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
+    let size = model.length_scale(frame, bounds);
+    let (mut beyond, mut hidden) = (0.0_f64, 0.0_f64);
+    for contact in &frame.contacts {
+        beyond = beyond.max(-model.inside_ends(frame.pose, contact.touch));
+        hidden = hidden.max(model.unsupported(frame.pose, contact.touch));
+    }
+    let mut findings = Vec::new();
+    if frame.meets_obstacles() {
+        let allowed = bounds.gap + OVERLAP * model.size / size;
+        findings.push(Finding::new(law::ON_SIDE, beyond / size, allowed));
+        findings.push(Finding::new(law::FACES, hidden / size, allowed));
+    }
+    let off = |contact: &Contact| -> Option<f64> {
+        let told = sub(
+            contact.direction?,
+            model.face(frame.pose, contact.touch).normal,
+        );
+        let unknown = model.carried(frame, bounds) / model.size;
+        let allowed = bounds.gap + unknown + blur(model, bounds, contact.touch);
+        Some(length(told) / allowed)
+    };
+    let worst = frame.contacts.iter().filter_map(off).reduce(f64::max);
+    findings.extend(worst.map(|off| Finding::new(law::DIRECTION, off, 1.0)));
+    findings
+}
+
+/// What the rounding of its ends leaves open of the normal of a side.
+fn blur(model: &Model, bounds: &Bounds, touch: Touch) -> f64 {
+    let [from, to] = match touch {
+        Touch::Surface { .. } => return 0.0,
+        Touch::Side { obstacle, side, .. } => ends(&model.scene.obstacles[obstacle].vertices, side),
+        Touch::Corner { body_side, .. } => ends(&model.scene.vertices, body_side),
+    };
+    4.0 * bounds.rounding * length(from).max(length(to)) / distance(from, to)
+}
+
+/// What touched in the frame before without being a contact.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Unreported {
+    /// Each with whether it is known to have opened.
+    pairs: Vec<(Touch, bool)>,
+}
+
+impl Unreported {
+    /// A pair that touches in two frames running, as far as can be told, is a contact; but for one that has opened and is not
+    /// far yet.
+    pub(crate) fn next(
+        &mut self,
+        model: &Model,
+        bounds: &Bounds,
+        (last, frame): (Option<&Frame>, &Frame),
+    ) -> Option<Finding> {
+        let is_usable = frame.held && frame.complete && frame.status == Status::Ok;
+        if !is_usable || model.scene.obstacles.is_empty() {
+            self.pairs.clear();
+            return None;
+        }
+        let is_quiet = |event: &Event| matches!(event, Event::Slide | Event::Stop);
+        let happened = !frame.events.iter().all(is_quiet);
+        let known = |touch: Touch| self.pairs.iter().find(|(pair, _)| *pair == touch);
+        let mut holds = true;
+        let mut pairs = Vec::new();
+        for touch in closed(model, bounds, frame) {
+            if represents(model, bounds, frame, touch) {
+                continue;
+            }
+            let was_contact = last.is_some_and(|last| represents(model, bounds, last, touch));
+            let opened = known(touch).map_or(happened && was_contact, |(_, opened)| *opened);
+            holds &= opened || known(touch).is_none();
+            pairs.push((touch, opened));
+        }
+        self.pairs = pairs;
+        Some(Finding::whether(law::REPORTED, holds))
+    }
+}
+
+/// The pairs whose gap is no more than rounding, away from the ends of their sides.
+fn closed(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Touch> {
+    let zone = CLOSED / 64.0 * model.carried(frame, bounds);
+    let body = placed(model, frame.pose);
+    let near =
+        |obstacle: &usize| separation(&body, &model.scene.obstacles[*obstacle].vertices) <= zone;
+    let is_closed = |touch: &Touch| {
+        model.gap(frame.pose, *touch).abs() <= zone
+            && model.inside_ends(frame.pose, *touch) >= 2.0 * OVERLAP * model.size
+            && model.unsupported(frame.pose, *touch) <= zone
+    };
+    let obstacles = (0..model.scene.obstacles.len()).filter(near);
+    let pairs = obstacles.flat_map(|obstacle| model.pairs_with(obstacle));
+    pairs.filter(is_closed).collect()
+}
+
+/// The contacts of a frame speak for a pair: one at its place on the same obstacle or of the same normal, or two in one line with it,
+/// on both sides of it.
+fn represents(model: &Model, bounds: &Bounds, frame: &Frame, touch: Touch) -> bool {
+    let pose = frame.pose;
+    let (place, face) = (model.foot(pose, touch), model.face(pose, touch));
+    let stands_for = |contact: &Contact| {
+        let other = contact.touch;
+        let same = other.obstacle() == touch.obstacle()
+            || dot(model.face(pose, other).normal, face.normal) > SAME_NORMAL;
+        let near = distance(model.foot(pose, other), place) <= 2.0 * OVERLAP * model.size;
+        other == touch || (same && near)
+    };
+    let unknown = model.carried(frame, bounds);
+    let in_line = frame
+        .contacts
+        .iter()
+        .filter(|contact| model.lined(pose, [contact.touch, touch], unknown) != Lined::No);
+    let ways: Vec<f64> = in_line
+        .map(|contact| dot(sub(model.foot(pose, contact.touch), place), face.tangent()))
+        .collect();
+    frame.contacts.iter().any(stands_for)
+        || (ways.iter().any(|&way| way > 0.0) && ways.iter().any(|&way| way < 0.0))
+}

@@ -1,0 +1,298 @@
+//! From one frame to the next among obstacles: contacts change only where something is told, or where a slide passes an end of a
+//! side; and no side is passed through, where the way between the frames is known.
+//!
+//! **The way.** A body in the air goes straight, holding point and angle, as the hand does, if nothing happens. One that sticks on a
+//! single contact turns about it. All other ways are not known from two frames, and are not judged; but that a single contact
+//! whose reaction stays within dynamic friction all along the hand's way is not left at all, whatever is told of slips.
+//!
+//! Through a side goes a vertex whose gap to it closes between its ends, or a corner whose gap to a side of the body does; by the
+//! smaller of how deep it gets and how far from the end it went in.
+
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Contact, Event, Frame, Status};
+use crate::model::Model;
+use crate::obstacles::{OVERLAP, placed};
+use crate::onset::Way;
+use crate::pin::{Foot, Spot, follow};
+use crate::scene::Scene;
+use crate::shape::{ends, gap_of_segments, outward, separation};
+use crate::slip::{Step, static_excess};
+use crate::touch::Touch;
+use crate::vector::{Vec2, add, between, distance, dot, scaled, sub, turned};
+
+/// Places that are looked at on a way.
+const PLACES: u32 = 64;
+/// Halvings of the place where a gap closes.
+const HALVINGS: u32 = 40;
+
+/// What a frame and the one before tell of obstacles.
+pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
+    let usable = |frame: &Frame| frame.held && frame.complete && frame.status == Status::Ok;
+    let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
+    let taken = step.next.events.iter().any(is_taken);
+    if step.model.scene.obstacles.is_empty() || !usable(step.last) || !usable(step.next) || taken {
+        return Vec::new();
+    }
+    let changes = changes(step).map(|holds| Finding::whether(law::PASSED_ON, holds));
+    let through = through(step).map(|depth| {
+        let scale = [step.last, step.next].map(|f| step.model.length_scale(f, step.bounds));
+        Finding::new(law::PASSES, depth / scale[0].max(scale[1]), step.bounds.gap)
+    });
+    let let_go = let_go(step).map(|let_go| Finding::whether(law::HOLDS, !let_go));
+    changes.into_iter().chain(through).chain(let_go).collect()
+}
+
+/// The longest way of a vertex (m).
+fn motion(model: &Model, from: [f64; 3], to: [f64; 3]) -> f64 {
+    let ways = placed(model, from).into_iter().zip(placed(model, to));
+    ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max)
+        + model.size * ((to[2] - from[2]).abs() - 1.0).max(0.0)
+}
+
+/// Without an event every contact with an obstacle that is gone was passed on to one that is there now, and every new one comes so.
+fn changes(step: &Step<'_>) -> Option<bool> {
+    let (model, last, next) = (step.model, step.last, step.next);
+    if !next.events.is_empty() || !(last.meets_obstacles() || next.meets_obstacles()) {
+        return None;
+    }
+    let changed = |of: &Frame, other: &Frame| -> Vec<Contact> {
+        let new = |contact: &&Contact| other.contact(contact.touch).is_none();
+        of.contacts.iter().filter(new).copied().collect()
+    };
+    let (lost, gained) = (changed(last, next), changed(next, last));
+    if lost.is_empty() && gained.is_empty() {
+        return Some(true);
+    }
+    let tells = [last, next].map(|frame| frame.contacts.is_empty() || frame.tells_slides());
+    if tells == [true; 2] && !last.slides() && !next.slides() {
+        return Some(false);
+    }
+    let scale = model
+        .length_scale(last, step.bounds)
+        .max(model.length_scale(next, step.bounds));
+    let near = motion(model, last.pose, next.pose)
+        + 2.0 * (OVERLAP * model.size + step.bounds.gap * scale);
+    let passed = |a: &Contact, b: &Contact| {
+        let places = [
+            model.foot(last.pose, a.touch),
+            model.foot(next.pose, b.touch),
+        ];
+        distance(places[0], places[1]) <= near && are_neighbours(model, [a.touch, b.touch], near)
+    };
+    let comes = |b: &Contact| last.contacts.iter().any(|a| passed(a, b));
+    let goes = |a: &Contact| next.contacts.iter().any(|b| passed(a, b));
+    Some(lost.iter().all(goes) && gained.iter().all(comes))
+}
+
+/// Two pairs are of the same or neighbouring vertices and sides, of the body and of what is around it.
+fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
+    let of_body = |touch| match touch {
+        Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => {
+            [model.scene.vertices[vertex]; 2]
+        }
+        Touch::Corner { body_side, .. } => ends(&model.scene.vertices, body_side),
+    };
+    let of_obstacle = |touch| -> Option<[Vec2; 2]> {
+        let shape = |obstacle: usize| &model.scene.obstacles[obstacle].vertices;
+        match touch {
+            Touch::Surface { .. } => None,
+            // With the sides that it is one with.
+            Touch::Side { obstacle, side, .. } => {
+                let normal = outward(shape(obstacle), side);
+                let foot = scaled(normal, dot(normal, shape(obstacle)[side]));
+                let along = |place: f64| add(foot, scaled([normal[1], -normal[0]], place));
+                Some(model.sides.run(obstacle, side).map(along))
+            }
+            Touch::Corner {
+                obstacle, corner, ..
+            } => Some([shape(obstacle)[corner]; 2]),
+        }
+    };
+    let [a, b] = pairs.map(of_body);
+    let around = match pairs.map(of_obstacle) {
+        [Some(a), Some(b)] => gap_of_segments(a, b) <= near,
+        // From a half-plane to an obstacle that stands on it, where the places alone tell; not between half-planes.
+        [None, None] => false,
+        _ => true,
+    };
+    gap_of_segments(a, b) <= near && around
+}
+
+/// How far the body goes through a side (m), where its way is known.
+fn through(step: &Step<'_>) -> Option<f64> {
+    let (model, last, next) = (step.model, step.last, step.next);
+    match (last.contacts.as_slice(), next.contacts.as_slice()) {
+        ([], []) if next.events.is_empty() => {
+            let way = Straight::new(step, last.pose, next.pose);
+            Some(way.through(&|part| way.at(part)))
+        }
+        ([contact], [same]) if next.events.is_empty() && sticks(last) && sticks(next) => {
+            let touch = contact.touch;
+            if same.touch != touch {
+                return None;
+            }
+            let spot = Spot {
+                held: model.held(last.pose, touch),
+                at: model.foot(last.pose, touch),
+            };
+            let way = Straight::new(step, last.pose, next.pose);
+            Some(way.through(&|part| {
+                let turn = last.pose[2] + part * (next.pose[2] - last.pose[2]);
+                let [x, y] = sub(spot.at, turned(spot.held, turn));
+                [x, y, turn]
+            }))
+        }
+        _ => None,
+    }
+}
+
+fn sticks(frame: &Frame) -> bool {
+    (frame.contacts.iter()).all(|contact| contact.sliding == Some(0))
+}
+
+/// A single contact with an obstacle that sticks was left, although dynamic friction holds it all along the hand's way, and nothing
+/// came in between.
+fn let_go(step: &Step<'_>) -> Option<bool> {
+    let (model, last, next) = (step.model, step.last, step.next);
+    let [contact] = last.contacts.as_slice() else {
+        return None;
+    };
+    let touch = contact.touch;
+    let alone = |event: &Event| {
+        matches!(
+            event,
+            Event::Lift | Event::Slip | Event::Slide | Event::Stop
+        )
+    };
+    if touch.obstacle().is_none() || !sticks(last) || !next.events.iter().all(alone) {
+        return None;
+    }
+    if next.contact(touch).is_some() {
+        return Some(false);
+    }
+    let foot = Foot {
+        model,
+        grip: step.grip,
+        facing: model.facing(touch),
+        shortest: model.carried(next, step.bounds),
+    };
+    let spot = Spot {
+        held: model.held(last.pose, touch),
+        at: model.foot(last.pose, touch),
+    };
+    let pin = |part| foot.pinned(spot, between(last.hand, next.hand, part));
+    let mu = model.face(last.pose, touch).friction_dynamic;
+    let excess = |part| {
+        let turn = follow(pin, last.pose[2], part)?;
+        Some(static_excess(pin(part).reaction(turn), mu))
+    };
+    let excess = Way(&excess);
+    let holds = excess.at(1.0).is_finite() && excess.reaches(-step.allowed(false), 0.0).is_err();
+    Some(holds)
+}
+
+/// A straight way of holding point and angle.
+struct Straight<'a> {
+    step: &'a Step<'a>,
+    held: Vec2,
+    /// Of the holding point, and the angle.
+    from: [f64; 3],
+    to: [f64; 3],
+    /// How far a vertex may go on it, and may be off it where a weight turns the body (m).
+    longest: f64,
+    off: f64,
+}
+
+impl<'a> Straight<'a> {
+    fn new(step: &'a Step<'a>, from: [f64; 3], to: [f64; 3]) -> Self {
+        let held = step.grip.point;
+        let holding = |pose: [f64; 3]| {
+            let [x, y] = Scene::place(pose, held);
+            [x, y, pose[2]]
+        };
+        let (from, to) = (holding(from), holding(to));
+        let turn = (to[2] - from[2]).abs();
+        let arms = step.model.scene.vertices.iter().map(|&v| distance(v, held));
+        let arm = arms.fold(0.0, f64::max);
+        let weighs = step.model.scene.weight > 0.0;
+        Self {
+            step,
+            held,
+            from,
+            to,
+            longest: distance([from[0], from[1]], [to[0], to[1]]) + arm * turn,
+            off: if weighs { arm * turn } else { 0.0 },
+        }
+    }
+
+    fn pose(&self, [x, y, turn]: [f64; 3]) -> [f64; 3] {
+        let [x, y] = sub([x, y], turned(self.held, turn));
+        [x, y, turn]
+    }
+
+    fn at(&self, part: f64) -> [f64; 3] {
+        self.pose(between(self.from, self.to, part))
+    }
+
+    /// How far the body goes through a side (m) on a way that is no longer than this one.
+    fn through(&self, way: &dyn Fn(f64) -> [f64; 3]) -> f64 {
+        let model = self.step.model;
+        let body = placed(model, way(0.0));
+        let near = |&obstacle: &usize| {
+            let shape = &model.scene.obstacles[obstacle].vertices;
+            separation(&body, shape) <= self.longest + self.allowed()
+        };
+        let obstacles = (0..model.scene.obstacles.len()).filter(near);
+        let pairs = obstacles.flat_map(|obstacle| model.pairs_with(obstacle));
+        pairs
+            .map(|touch| self.entered(way, touch))
+            .fold(0.0, f64::max)
+    }
+
+    /// A gap that is negative by no more than this is closed (m).
+    fn allowed(&self) -> f64 {
+        let Bounds { gap, .. } = *self.step.bounds;
+        gap * self
+            .step
+            .model
+            .length_scale(self.step.last, self.step.bounds)
+    }
+
+    /// The same through the side of one pair.
+    fn entered(&self, way: &dyn Fn(f64) -> [f64; 3], touch: Touch) -> f64 {
+        let model = self.step.model;
+        let gap = |part: f64| model.gap(way(part), touch) + self.allowed();
+        let part = |i: u32| f64::from(i) / f64::from(PLACES);
+        let mut before = gap(0.0);
+        // How far from the ends it went in.
+        let mut inside: Option<f64> = None;
+        let mut most = 0.0_f64;
+        for i in 1..=PLACES {
+            let after = gap(part(i));
+            if after >= 0.0 {
+                inside = None;
+            } else if before >= 0.0 {
+                let place = zero(&gap, part(i - 1), part(i));
+                inside = Some(model.inside_ends(way(place), touch) - self.off - self.allowed());
+            }
+            if let Some(inside) = inside {
+                most = most.max(inside.min(-after));
+            }
+            before = after;
+        }
+        most
+    }
+}
+
+/// Where a gap that is open at one part and closed at another one closes.
+fn zero(gap: &dyn Fn(f64) -> f64, mut open: f64, mut closed: f64) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(open, closed);
+        if gap(middle) >= 0.0 {
+            open = middle;
+        } else {
+            closed = middle;
+        }
+    }
+    open
+}

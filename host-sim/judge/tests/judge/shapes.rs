@@ -1,0 +1,249 @@
+//! Obstacles of scene files and contacts with them in traces: what is read, and what is refused, by name, with what is allowed.
+
+use std::path::Path;
+
+use stiction_judge::{Bounds, Contact, Evolution, Frame, Judge, Scene, State, Touch, law};
+
+use crate::drag::SCENE;
+use crate::write::{FORMATS, frame, judged, lines};
+
+const OBSTACLES: &str = r#"
+[[obstacle]]
+name = "step"
+vertices = [[1.0, 0.0], [2.0, 0.0], [2.0, 0.5]]
+static = 0.8
+dynamic = 0.6
+memory = 0.001
+
+[[obstacle]]
+vertices = [[3.0, 1.0]]
+
+[[obstacle]]
+name = "wall"
+vertices = [[3.0, 2.0], [4.0, 2.0]]
+"#;
+
+fn text() -> String {
+    format!("{SCENE}{OBSTACLES}")
+}
+
+fn scene() -> Scene {
+    Scene::parse(Path::new("scene.toml"), &text()).expect("a sound scene")
+}
+
+#[test]
+fn obstacles_have_their_own_friction_or_that_of_all() {
+    let scene = scene();
+    let names: Vec<_> = scene.obstacles.iter().map(|o| o.name.as_str()).collect();
+    assert_eq!(names, ["step", "1", "wall"]);
+    let of = |i: usize| {
+        let obstacle = &scene.obstacles[i];
+        (
+            obstacle.friction_static,
+            obstacle.friction_dynamic,
+            obstacle.memory,
+        )
+    };
+    assert_eq!(of(0), (0.8, 0.6, Some(0.001)));
+    assert_eq!(of(1), (0.5, 0.3, None));
+    assert_eq!(scene.obstacles[2].vertices, [[3.0, 2.0], [4.0, 2.0]]);
+}
+
+#[test]
+fn shapes_that_are_no_obstacles_are_refused() {
+    let step = "[[1.0, 0.0], [2.0, 0.0], [2.0, 0.5]]";
+    for (from, to, expected) in [
+        (
+            step,
+            "[]",
+            "`vertices` of obstacle \"step\": allowed: at least one",
+        ),
+        (
+            step,
+            "[[1.0, nan]]",
+            "allowed: at least one, each of two finite numbers",
+        ),
+        (
+            step,
+            "[[1.0, 0.0], [1.0, 0.0]]",
+            "corner 0 is where the next one is, allowed: each once",
+        ),
+        (
+            step,
+            "[[1.0, 0.0], [2.0, 0.5], [2.0, 0.0]]",
+            "does not turn to the left, allowed: a convex polygon, counter-clockwise",
+        ),
+        (
+            step,
+            "[[1.0, 0.0], [2.0, 0.0], [1.2, 0.2], [1.0, 2.0]]",
+            "corner 2 does not turn to the left",
+        ),
+        (
+            step,
+            "[[1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]",
+            "corner 1 does not turn to the left",
+        ),
+        (
+            step,
+            "[[0.0, 1.0], [-0.6, -0.8], [0.95, 0.3], [-0.95, 0.3], [0.6, -0.8]]",
+            "it goes round more than once",
+        ),
+        (
+            "\"wall\"\nvertices",
+            "\"step\"\nvertices",
+            "a second obstacle is named \"step\"",
+        ),
+        (
+            "static = 0.8",
+            "static = -0.8",
+            "obstacle \"step\" has no usable `static` friction",
+        ),
+        (
+            "memory = 0.001",
+            "memory = -1.0",
+            "`obstacle[0].memory` is -1.0, allowed: ",
+        ),
+    ] {
+        let changed = text().replacen(from, to, 1);
+        assert_ne!(changed, text());
+        let error = Scene::parse(Path::new("scene.toml"), &changed).expect_err("an error");
+        let error = error.to_string();
+        assert!(error.contains(expected), "{error}");
+        assert!(error.starts_with("scene.toml, line "), "{error}");
+    }
+}
+
+fn touching(touch: Touch) -> Frame {
+    let contact = Contact {
+        touch,
+        point: [0.0, 0.0],
+        direction: Some([0.0, 1.0]),
+        normal: 1.0,
+        friction: 0.0,
+        sliding: Some(0),
+    };
+    Frame {
+        state: State::SingleVertex,
+        contacts: vec![contact],
+        ..frame(0.0, [0.0; 3], [0.0; 3])
+    }
+}
+
+/// The message about a contact in a format after a change.
+fn message(format: &str, touch: Touch, from: &str, to: &str) -> String {
+    let line = lines(format, &scene(), &[touching(touch)]).join("\n");
+    let changed = line.replacen(from, to, 1);
+    assert_ne!(changed, line);
+    let error = judged(&scene(), Evolution::Path, format, &changed).expect_err("an error");
+    error.to_string()
+}
+
+const SIDE: Touch = Touch::Side {
+    vertex: 1,
+    obstacle: 2,
+    side: 1,
+};
+const CORNER: Touch = Touch::Corner {
+    obstacle: 1,
+    corner: 0,
+    body_side: 3,
+};
+
+#[test]
+fn contacts_that_cannot_be_are_refused() {
+    for (touch, from, to, expected) in [
+        (
+            SIDE,
+            r#""wall""#,
+            r#""mall""#,
+            "the `obstacle` of contact 0 is \"mall\", allowed: step, 1, wall",
+        ),
+        (
+            SIDE,
+            r#""side":1"#,
+            r#""side":2"#,
+            "the `side` of contact 0 is 2, allowed: 0 to 1",
+        ),
+        (
+            SIDE,
+            r#""wall""#,
+            r#""1""#,
+            "the `side` of contact 0 is 1, but there is none",
+        ),
+        (
+            CORNER,
+            r#""corner":0"#,
+            r#""corner":1"#,
+            "the `corner` of contact 0 is 1, allowed: 0 to 0",
+        ),
+        (
+            CORNER,
+            r#""body_side":3"#,
+            r#""body_side":4"#,
+            "the `body_side` of contact 0 is 4, allowed: 0 to 3",
+        ),
+        (
+            CORNER,
+            r#""corner":0,"#,
+            "",
+            "contact 0: allowed: `vertex` and `surface`",
+        ),
+        (
+            SIDE,
+            r#""side":1"#,
+            r#""side":1,"corner":1"#,
+            "contact 0: allowed: ",
+        ),
+    ] {
+        let error = message("jsonl", touch, from, to);
+        assert!(error.contains(expected), "{error}");
+    }
+    let error = message("csv", SIDE, ",1,,wall,1,,,", ",1,,wall,9,,,");
+    assert!(
+        error.contains("the `side` of contact 0 is 9, allowed: 0 to 1"),
+        "{error}"
+    );
+    let error = message("csv", CORNER, ",,,1,,0,3,", ",,floor,1,,0,3,");
+    assert!(error.contains("contact 0: allowed: "), "{error}");
+}
+
+/// What a contact without its vertex says in a row is read as in a line.
+#[test]
+fn contacts_with_obstacles_are_read_in_both_formats() {
+    for touch in [SIDE, CORNER] {
+        let laws = FORMATS.map(|format| {
+            let text = lines(format, &scene(), &[touching(touch)]).join("\n");
+            let survey = judged(&scene(), Evolution::Path, format, &text).expect("a trace");
+            let laws = survey.laws.into_iter();
+            laws.map(|(name, law)| (name, law.worst.0.residual))
+                .collect::<Vec<_>>()
+        });
+        assert_eq!(laws[0], laws[1]);
+        assert!(laws[0].iter().any(|(name, _)| *name == law::ON_SIDE));
+    }
+}
+
+/// Frames that do not come from a file may name anything.
+#[test]
+fn contact_of_what_there_is_not_is_found() {
+    let side_of_a_pin = Touch::Side {
+        vertex: 0,
+        obstacle: 1,
+        side: 0,
+    };
+    let no_vertex = Touch::Surface {
+        vertex: 4,
+        surface: 0,
+    };
+    for touch in [side_of_a_pin, no_vertex] {
+        let judge = Judge::new(scene(), Bounds::DOUBLE, Evolution::Path);
+        for findings in [
+            judge.clone().next(touching(touch)),
+            judge.alone(&touching(touch)),
+        ] {
+            let broken = findings.iter().filter(|finding| !finding.holds());
+            let laws: Vec<_> = broken.map(|finding| finding.law).collect();
+            assert_eq!(laws, [law::EXISTS]);
+        }
+    }
+}

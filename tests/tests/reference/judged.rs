@@ -1,0 +1,267 @@
+//! The reference among obstacles before the judge: the cases with known answers and random worlds are lawful, frame after frame, and
+//! every fault in a lawful frame is found.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use serde_json::Value;
+use stiction_judge::{
+    Bounds, Contact, Evolution, Finding, Frame, Judge, Obstacle, Scene, Status, Surface, Touch, law,
+};
+use stiction_tests::budget;
+use stiction_tests::draw::Draw;
+use stiction_tests::reference::{self, Reference};
+
+use super::cases::{cases, run};
+use super::traced::frame;
+use super::worlds::crowded;
+
+const SCENES: usize = budget(150, 8);
+const SUBSTEPS: usize = 20;
+
+/// The scene of the reference as the judge has it, but for what the reference does not know.
+fn scene(of: &reference::Scene, start: [f64; 3]) -> Scene {
+    let obstacle = |(i, obstacle): (usize, &reference::Obstacle)| Obstacle {
+        name: i.to_string(),
+        vertices: obstacle.vertices.clone(),
+        friction_static: obstacle.mu_s,
+        friction_dynamic: obstacle.mu_d,
+        memory: Some(obstacle.memory),
+    };
+    let surface = |(i, surface): (usize, &reference::Surface)| Surface {
+        name: i.to_string(),
+        normal: surface.normal,
+        offset: surface.offset,
+        friction_static: surface.mu_s,
+        friction_dynamic: surface.mu_d,
+        memory: Some(surface.memory),
+    };
+    Scene {
+        vertices: of.vertices.clone(),
+        start,
+        weight: of.weight,
+        holding_point: Some(of.holding_point),
+        stiffness_translation: of.k_h,
+        stiffness_rotation: of.k_theta,
+        surfaces: of.surfaces.iter().enumerate().map(surface).collect(),
+        obstacles: of.obstacles.iter().enumerate().map(obstacle).collect(),
+    }
+}
+
+/// The first thing that a judge finds in frames.
+fn broken(scene: &Scene, frames: &[Frame], bounds: Bounds) -> Option<(usize, Finding)> {
+    let mut judge = Judge::new(scene.clone(), bounds, Evolution::Path);
+    (frames.iter().enumerate()).find_map(|(i, frame)| {
+        let findings = judge.next(frame.clone());
+        let unlawful = findings.into_iter().find(|finding| !finding.holds());
+        unlawful.map(|finding| (i, finding))
+    })
+}
+
+/// Frames in numbers of single precision.
+fn single(frames: &[Frame]) -> Vec<Frame> {
+    let round = |x: f64| f64::from(x as f32);
+    let contact = |contact: &Contact| Contact {
+        point: contact.point.map(round),
+        direction: contact.direction.map(|n| n.map(round)),
+        normal: round(contact.normal),
+        friction: round(contact.friction),
+        ..*contact
+    };
+    let frame = |frame: &Frame| Frame {
+        hand: frame.hand.map(round),
+        pose: frame.pose.map(round),
+        contacts: frame.contacts.iter().map(contact).collect(),
+        wrench: frame.wrench.map(round),
+        ..frame.clone()
+    };
+    frames.iter().map(frame).collect()
+}
+
+/// The laws that a frame breaks, after the frames before it.
+fn broken_by(scene: &Scene, before: &[Frame], frame: Frame) -> BTreeSet<&'static str> {
+    let mut judge = Judge::new(scene.clone(), Bounds::DOUBLE, Evolution::Path);
+    for known in before {
+        judge.next(known.clone());
+    }
+    let findings = judge.next(frame).into_iter();
+    (findings.filter(|finding| !finding.holds()))
+        .map(|finding| finding.law)
+        .collect()
+}
+
+/// The scene and the frames of a random world; the reference gives up nowhere in it.
+fn traced(draw: &mut Draw) -> (Scene, Vec<Frame>) {
+    let world = crowded(draw);
+    let mut body = Reference::new(world.scene.clone(), world.start, world.hands[0]);
+    let mut frames = vec![frame(&world.scene, &body, (0.0, world.hands[0]), None)];
+    for (k, &hand) in world.hands.iter().enumerate().skip(1) {
+        body.step(hand, SUBSTEPS);
+        let next = frame(&world.scene, &body, (k as f64, hand), frames.last());
+        frames.push(next);
+    }
+    (scene(&world.scene, world.start), frames)
+}
+
+/// The scene file of a case.
+fn file_of(name: &str) -> Scene {
+    let cases: Vec<Value> =
+        serde_json::from_str(include_str!("../../cases/obstacles.json")).expect("the cases");
+    let case = cases
+        .iter()
+        .find(|case| case["name"] == name)
+        .expect("the case");
+    let text = case["scene"].as_str().expect("a text");
+    Scene::parse(Path::new("scene.toml"), text).expect("a sound scene")
+}
+
+#[test]
+fn cases_are_lawful() {
+    for case in cases() {
+        let scene = file_of(&case.name);
+        let mut frames: Vec<Frame> = Vec::new();
+        run(&case.among, &case, |i, body, (hand, _)| {
+            let next = frame(
+                &case.among.reference(),
+                body,
+                (i as f64, hand),
+                frames.last(),
+            );
+            frames.push(next);
+        });
+        for (frames, bounds) in [(single(&frames), Bounds::SINGLE), (frames, Bounds::DOUBLE)] {
+            assert_eq!(broken(&scene, &frames, bounds), None, "{}", case.name);
+        }
+    }
+}
+
+#[test]
+fn random_worlds_are_lawful() {
+    let mut draw = Draw::new(14);
+    let mut contacts = 0;
+    for i in 0..SCENES {
+        let (scene, frames) = traced(&mut draw);
+        for (frames, bounds) in [
+            (&single(&frames), Bounds::SINGLE),
+            (&frames, Bounds::DOUBLE),
+        ] {
+            let found = broken(&scene, frames, bounds);
+            let place = found.map(|(k, _)| &frames[k.saturating_sub(1)..=k]);
+            assert_eq!(found, None, "scene {i}: {place:?}");
+        }
+        contacts += frames
+            .iter()
+            .map(|frame| frame.contacts.len())
+            .sum::<usize>();
+    }
+    assert!(contacts > 20 * SCENES, "{contacts}");
+}
+
+/// A lawful frame with a fault: of the contact of this index, if it can have it.
+type Fault = fn(&Scene, &mut Frame, usize) -> bool;
+
+fn moved(frame: &mut Frame, way: [f64; 2], by: f64) {
+    for k in 0..2 {
+        frame.pose[k] += by * way[k];
+    }
+}
+
+fn deeper(_: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let normal = frame.contacts[k].direction.expect("a direction");
+    moved(frame, normal, -1e-4);
+    true
+}
+
+/// Towards the end of the side, and on by a hundredth of a body size.
+fn off_its_end(scene: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let Touch::Side { obstacle, side, .. } = frame.contacts[k].touch else {
+        return false;
+    };
+    let shape = &scene.obstacles[obstacle].vertices;
+    let (end, at) = (shape[side], frame.contacts[k].point);
+    let way = [end[0] - at[0], end[1] - at[1]];
+    let length = way[0].hypot(way[1]);
+    let by = 1.0 + 0.01 / length;
+    moved(frame, way, by);
+    for k in 0..2 {
+        frame.hand[k] += by * way[k];
+    }
+    for contact in &mut frame.contacts {
+        contact.point = [0, 1].map(|k| contact.point[k] + by * way[k]);
+    }
+    true
+}
+
+fn other_side(scene: &Scene, frame: &mut Frame, k: usize) -> bool {
+    match &mut frame.contacts[k].touch {
+        Touch::Surface { .. } => return false,
+        Touch::Side { obstacle, side, .. } => {
+            *side = (*side + 1) % scene.obstacles[*obstacle].vertices.len();
+        }
+        Touch::Corner { body_side, .. } => *body_side = (*body_side + 1) % scene.vertices.len(),
+    }
+    true
+}
+
+fn turned(_: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let [x, y] = frame.contacts[k].direction.expect("a direction");
+    frame.contacts[k].direction = Some([x - 1e-5 * y, y + 1e-5 * x]);
+    true
+}
+
+/// Forces that are as small as what is allowed are not looked at.
+fn pulls(_: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let contact = &mut frame.contacts[k];
+    contact.normal = -contact.normal;
+    contact.normal < -1e-3
+}
+
+fn out_of_its_cone(scene: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let contact = &mut frame.contacts[k];
+    let (Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. }) = contact.touch else {
+        return false;
+    };
+    contact.friction = 1.001 * scene.obstacles[obstacle].friction_static * contact.normal;
+    contact.normal > 1e-2
+}
+
+fn missing(_: &Scene, frame: &mut Frame, k: usize) -> bool {
+    let contact = frame.contacts.remove(k);
+    contact.normal > 1e-3
+}
+
+/// Laws, each of which finds a fault.
+const FAULTS: [(&str, Fault, &[&str]); 7] = [
+    ("deeper", deeper, &[law::OUTSIDE, law::ON_SURFACE]),
+    ("off its end", off_its_end, &[law::ON_SIDE]),
+    ("on another side", other_side, &[law::DIRECTION]),
+    ("turned", turned, &[law::DIRECTION]),
+    ("pulls", pulls, &[law::PUSH]),
+    ("out of its cone", out_of_its_cone, &[law::CONE]),
+    ("missing", missing, &[law::FORCES]),
+];
+
+#[test]
+fn every_fault_of_a_contact_is_found() {
+    let mut draw = Draw::new(15);
+    let mut found = [0; FAULTS.len()];
+    for _ in 0..SCENES / 3 + 1 {
+        let (scene, frames) = traced(&mut draw);
+        for (i, frame) in frames.iter().enumerate().step_by(7) {
+            for k in 0..frame.contacts.len() {
+                for (count, (name, fault, laws)) in found.iter_mut().zip(FAULTS) {
+                    let mut faulty = frame.clone();
+                    if frame.status != Status::Ok || !fault(&scene, &mut faulty, k) {
+                        continue;
+                    }
+                    let broken = broken_by(&scene, &frames[..i], faulty);
+                    let by = laws.iter().any(|law| broken.contains(law));
+                    assert!(by, "{name}, contact {k}, {broken:?}: {frame:?}");
+                    *count += 1;
+                }
+            }
+        }
+    }
+    println!("{found:?}");
+    assert!(found.iter().all(|&count| count > 5), "{found:?}");
+}
