@@ -330,16 +330,10 @@ fn pass_on<R: Real, W: World<R>>(
         return Next::Relax(None);
     };
     let others: Pairs = lasting.collect();
-    let slides = state.regime().slide().is_some();
     *state = ContactState::seated(scene, pivot_of(scene, state, first), &others);
     state.set_regime(Regime::Stick { stiction });
     match state.kind() {
-        // It slides on as it did: nothing has changed but its end.
-        StateKind::Edge if slides => {
-            state.set_regime(Regime::Slide(sign));
-            Next::Rest
-        }
-        StateKind::SingleVertex | StateKind::Edge => Next::Slip(sign),
+        StateKind::SingleVertex => Next::Slip(sign),
         _ => Next::Relax(Some(sign)),
     }
 }

@@ -118,6 +118,19 @@ fn contact<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Option<P
     }
 }
 
+/// A contact is one of those that last, or a corner at the place of one of these.
+fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair]) -> bool {
+    let place = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.place);
+    let is_at = |other: &Pair| {
+        other.is_corner()
+            && other.body_side() == pair.body_side()
+            && place(*other)
+                .zip(place(pair))
+                .is_some_and(|(a, b)| (a - b).length_bound() <= together())
+    };
+    lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_at)
+}
+
 /// How far a feature is off along an axis.
 fn off<R: Real, W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis, feature: u8) -> Sloped<R> {
     if let Some(pair) = contact(scene, axis, feature) {
@@ -218,7 +231,7 @@ fn gap_along<R: Real, W: World<R>>(
         return R::HUGE;
     }
     let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
     });
     others.fold(R::HUGE, |least, feature| {
         least.min(off(scene, body, axis, feature).value)
@@ -237,7 +250,7 @@ fn room_along<R: Real, W: World<R>>(
         return R::HUGE;
     }
     let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
     });
     others.fold(R::HUGE, |least, feature| {
         let gap = off(scene, body, axis, feature).value;
@@ -262,7 +275,7 @@ fn opening_along<R: Real, W: World<R>>(
     (lasting, gap): (&[Pair], R),
 ) -> R {
     let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasting.contains(&pair))
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
     });
     others.fold(R::HUGE, |least, feature| {
         let off = off(scene, body, axis, feature);
@@ -790,7 +803,7 @@ fn closes<R: Real, W: World<R>>(
         let mut end = to;
         let mut found = false;
         for feature in features(scene, (obstacle, axis)) {
-            if contact(scene, axis, feature).is_some_and(|pair| lasting.contains(&pair)) {
+            if contact(scene, axis, feature).is_some_and(|pair| lasts(scene, pair, lasting)) {
                 continue;
             }
             let gap = |body: &Instant<R>| off(scene, body, axis, feature);

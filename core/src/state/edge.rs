@@ -18,6 +18,9 @@ use crate::verb::{Moved, Trigger};
 use crate::world::{Surface, World};
 
 mod ends;
+mod reaction;
+
+use reaction::Reaction;
 
 /// The memory: where the first contact is held, the locked angle, the other contact, and whether they stick.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,32 +30,6 @@ pub(crate) struct Edge<R> {
     pub(crate) regime: Regime<R>,
     /// So far it can slide before a vertex can touch another surface; 0: not known.
     room: R,
-}
-
-/// Reactions on a path of the hand: (E4) and its change.
-struct Reaction<R> {
-    /// N_1, N_2
-    parts: [Margin<R>; 2],
-    /// N_1 + N_2
-    normal: Margin<R>,
-    /// T
-    friction: Margin<R>,
-}
-
-impl<R: Real> Reaction<R> {
-    /// A contact is, or both are, pulled off.
-    fn opens(&self, sliding: Option<R>) -> Option<Trigger<R>> {
-        let [first, second] = self.parts;
-        match (
-            first.start < -first.rounding,
-            second.start < -second.rounding,
-        ) {
-            (true, true) => Some(Trigger::Clear),
-            (true, false) => Some(keep(1, sliding)),
-            (false, true) => Some(keep(0, sliding)),
-            (false, false) => None,
-        }
-    }
 }
 
 impl<R: Real> Edge<R> {

@@ -10,7 +10,6 @@ use crate::output::Output;
 use crate::real::Real;
 use crate::scene::{Description, ObstacleDescription, Scene, SurfaceDescription};
 use crate::solver::{Evolution, Solver, State};
-use crate::world::World;
 use std::vec::Vec;
 
 pub(super) type Among<R> = Scene<R, 4, 1, WithObstacles<3, 12>>;

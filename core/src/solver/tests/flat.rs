@@ -11,6 +11,8 @@ use crate::solver::Evolution;
 use std::vec;
 use std::vec::Vec;
 
+mod laws;
+
 /// The obstacles' corners and sides count from here, after one half-plane.
 const FIRST: u8 = 1;
 
@@ -225,6 +227,96 @@ fn wide_block_is_a_floor() {
                 for k in 0..3 {
                     same(is[k], should[k], 1e-8);
                 }
+            }
+        }
+    }
+}
+
+/// A box that is pushed over a block that is narrower than it ends now at its own vertices, now at the block's corners, and tips at
+/// last; the other way round it is the mirror image.
+#[test]
+fn box_is_pushed_over_a_narrow_block() {
+    fn pushed<R: Real>(tolerance: f64)
+    where
+        R::Si: From<f32> + Into<f64>,
+    {
+        for evolution in Evolution::ALL {
+            let runs = [1.0, -1.0].map(|side| {
+                let setting = Setting {
+                    start: [-0.25 * side, 0.25, 0.0],
+                    weight: 0.25,
+                    obstacles: vec![table([-0.375, 0.375])],
+                    ..setting()
+                };
+                let at = |x: f64| [side * x, 0.125, 0.0];
+                let mut run = Run::<R>::start(&setting, evolution, at(-0.25));
+                let mut seen: Vec<Vec<Pair>> = vec![run.contacts()];
+                let mut shares = vec![];
+                for i in 0..=90 {
+                    run.step(at(-0.25 + f64::from(i) / 128.0));
+                    assert_eq!(run.output.status, Status::Ok, "{i}");
+                    assert!(run.is_outside(tolerance));
+                    for left in run.unbalanced() {
+                        same(left, 0.0, tolerance);
+                    }
+                    let mut contacts = run.contacts();
+                    contacts.sort_by_key(|pair| (pair.surface, pair.vertex));
+                    if seen.last() != Some(&contacts) {
+                        seen.push(contacts);
+                    }
+                    if run.output.state == StateKind::Edge {
+                        shares.push(run.reactions());
+                    }
+                }
+                (seen, shares)
+            });
+            let [right, left] = &runs;
+            let mut ends = [
+                vec![corner(3), vertex(1, 2)],
+                vec![corner(2), corner(3)],
+                vec![vertex(0, 2), corner(2)],
+                vec![corner(2)],
+            ];
+            for list in &mut ends {
+                list.sort_by_key(|pair| (pair.surface, pair.vertex));
+            }
+            let mut seen = right.0.clone();
+            seen[0].sort_by_key(|pair| (pair.surface, pair.vertex));
+            seen.dedup();
+            assert_eq!(seen[..4], ends);
+            for (one, other) in right.1.iter().zip(&left.1) {
+                for (a, b) in one.iter().zip(other.iter().rev()) {
+                    same(a[0], -b[0], tolerance);
+                    same(a[1], b[1], tolerance);
+                    same(a[2], -b[2], tolerance);
+                }
+            }
+        }
+    }
+    pushed::<f64>(1e-9);
+    pushed::<f32>(8e-6);
+    pushed::<Fixed>(8e-6);
+}
+
+/// A short side of the body on a long one of an obstacle bears as a long one on a short one does.
+#[test]
+fn body_and_obstacle_are_exchanged() {
+    for i in -2..=2 {
+        let turn = f64::from(i) / 64.0;
+        let [short, long] = [(0.75, 8.0), (8.0, 0.75)].map(|(body, block)| {
+            let setting = Setting {
+                body: box_of([body, 0.5]),
+                obstacles: vec![table([-block / 2.0, block / 2.0])],
+                ..setting()
+            };
+            let mut run = Run::<f64>::start(&setting, Evolution::Path, [0.0, 0.25, 0.0]);
+            run.go([[0.0, 0.25, 0.0], [turn, 0.125, turn]], 8);
+            assert_eq!(run.output.state, StateKind::Edge);
+            run.reactions()
+        });
+        for (a, b) in short.iter().zip(&long) {
+            for k in 0..3 {
+                same(a[k], b[k], 1e-12);
             }
         }
     }

@@ -14,29 +14,30 @@ fn obstacle<'a>(vertices: &'a [[f64; 2]], mu: f64) -> ObstacleDescription<'a, f6
 }
 
 fn scene(vertices: &[[f64; 2]], obstacles: &[ObstacleDescription<'_, f64>]) -> Scene2 {
-    let scene = Scene2::among(
-        &Description {
-            vertices,
-            start: [0.0, 50.0, 0.0],
-            weight: 0.0,
-            holding_point: Some([0.0, 0.0]),
-            reach: 0.0,
-            stiffness_translation: 1.0,
-            stiffness_rotation: 1.0,
-            surfaces: &[],
-        },
-        obstacles,
-    );
+    let scene = Scene2::among(&description(vertices), obstacles);
     scene.expect("a sound scene")
 }
 
+fn description(vertices: &[[f64; 2]]) -> Description<'_, f64> {
+    Description {
+        vertices,
+        start: [0.0, 50.0, 0.0],
+        weight: 0.0,
+        holding_point: Some([0.0, 0.0]),
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: 1.0,
+        surfaces: &[],
+    }
+}
+
 /// A state of two contacts at a pose that has both gaps closed, and a course from there in a sense.
-fn along(
-    scene: &Scene2,
+fn along<W: World<f64>>(
+    scene: &W,
     pose: Pose<f64>,
     [first, other]: [Pair; 2],
     sense: f64,
-    mut look: impl FnMut(&Course<'_, f64, Scene2>),
+    mut look: impl FnMut(&Course<'_, f64, W>),
 ) {
     let pivot = Pivot::at(scene, &pose, first);
     let grip = Grip {
@@ -160,6 +161,39 @@ fn bar_in_a_gap_shifts_without_a_turn() {
             assert!((end.position.y.abs() - 0.1).abs() < 1e-15 && end.position.x.abs() < 1e-15);
             assert_eq!(end.orientation.angle().radians(), 0.0);
         });
+    }
+}
+
+/// Two walls that end at one place are no obstacle to a side that slides past it.
+#[test]
+fn side_slides_past_a_place_that_two_walls_share() {
+    let body = [[-0.14, -0.48], [0.14, -0.48], [0.14, 0.48], [-0.14, 0.48]];
+    let walls = [[-0.6, -0.4], [-0.6, 0.1]].map(|from| [from, [-0.14, -0.2]]);
+    let [low, high] = &walls;
+    let scene = Scene::<f64, 4, 1, WithObstacles<3, 8, Full>>::among(
+        &description(&body),
+        &[
+            obstacle(low, 0.3),
+            obstacle(high, 0.3),
+            obstacle(&[[0.14, 0.3]], 0.3),
+        ],
+    );
+    let scene = scene.expect("a sound scene");
+    let first = scene.surface_indices().end;
+    for held in [first + 1, first + 3] {
+        let contacts = [Pair::of_corner(held, 3), Pair::of_corner(first + 4, 1)];
+        for turn in [0.0, 1e-3] {
+            let pose = Pose {
+                position: Vec2::ZERO,
+                orientation: Orientation::new(Angle::from_radians(turn)),
+            };
+            for sense in [1.0, -1.0] {
+                along(&scene, pose, contacts, sense, |course| {
+                    let x = course.longest();
+                    assert!(course.reached(x).is_none(), "{held} {turn} {sense}");
+                });
+            }
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 //! Slides of two contacts with the hand: in balance wherever they end, in every number type, and the same in one go or in many.
 
-extern crate std;
 use super::*;
 use crate::contact::Regime;
 
@@ -139,7 +138,6 @@ fn slide_in_one_go_ends_as_in_fifty() {
             };
             let [one, many] = [1, 50].map(|goes| slide(&case, &state, hand, goes));
             if one.2 != Trigger::Balanced || many.2 != Trigger::Balanced {
-                std::println!("XX {corners:?} {seed} {:?} {:?}", one.2, many.2);
                 continue;
             }
             let near = one.0.pivot.placed(&case.scene);
