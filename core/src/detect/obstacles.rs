@@ -407,7 +407,7 @@ impl<R: Real> Placed<R> {
             is_here && Some(corner.obstacle) != own
         });
         // The directions in which the sides of other obstacles leave this place.
-        let mut leaving = others.flat_map(|(index, corner)| {
+        let leaving = others.flat_map(|(index, corner)| {
             let own = corners(scene, usize::from(corner.obstacle));
             let has_sides = own.len() > 1;
             let before = scene.surface(beside(&own, index, false)).tangent;
@@ -415,30 +415,36 @@ impl<R: Real> Placed<R> {
             both.into_iter().flatten()
         });
         if contact.is_corner() {
-            return leaving.all(|side| surface.normal.dot(side) <= R::MICRO);
+            return leaving
+                .clone()
+                .all(|side| surface.normal.dot(side) <= R::MICRO);
         }
-        let [low, high] = scene.reach(contact);
-        let foot = self.foot(scene, contact);
-        let along = if foot - low < high - foot {
-            surface.tangent
-        } else {
-            -surface.tangent
-        };
-        let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
-        let body = scene.neighbours(contact.vertex).into_iter();
-        let body = body.filter(|&other| other != contact.vertex);
-        let body = body.map(|other| angle(self.arm(scene, other) - arm));
-        let nearest = body.reduce(R::min);
-        // What lies flat on a side in between is in front of that one; of a rod it is not known on which side of it.
+        // Of a rod it is not known on which side of it what lies flat on a side in between is.
         let flat = if scene.vertices().len() > 2 {
             R::MICRO
         } else {
             -R::MICRO
         };
-        leaving.all(|side| {
-            let is_ahead = surface.normal.dot(side) > R::MICRO;
-            !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
-        })
+        // Seen from a way along the side, nothing is in front of the body.
+        let is_in_front = |along: Vec2<R>| {
+            let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
+            let body = scene.neighbours(contact.vertex).into_iter();
+            let body = body.filter(|&other| other != contact.vertex);
+            let body = body.map(|other| angle(self.arm(scene, other) - arm));
+            let nearest = body.reduce(R::min);
+            leaving.clone().all(|side| {
+                let is_ahead = surface.normal.dot(side) > R::MICRO;
+                !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
+            })
+        };
+        // At an end of the side there is only the way back.
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        let least = together::<R>().min(to_low.max(to_high));
+        let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
+        let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
+        ways.any(|(_, along)| is_in_front(along))
     }
 
     /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.
