@@ -76,7 +76,7 @@ impl<R: Number> Run<R> {
     /// # Panics
     /// If the scene is refused.
     pub fn start(among: &Among, evolution: Evolution, hand: [f64; 3]) -> Self {
-        let scene = among.scene::<R>();
+        let scene = among.within::<R>().scene::<R>();
         let scene = scene.unwrap_or_else(|e| panic!("{}: {e}: {among:?}", R::NAME));
         let solver = Solver::new(scene, evolution);
         let (state, output) = solver.start(planar::<R>(hand));

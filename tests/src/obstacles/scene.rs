@@ -83,6 +83,18 @@ impl Among {
         Scene::among(&description, &obstacles)
     }
 
+    /// The same scene with obstacles no farther out than the number type represents: each coordinate is cut, by which a box along the axes
+    /// stays one. The larger coordinate and half the other are bounded together.
+    #[must_use]
+    pub fn within<R: Number>(&self) -> Self {
+        let farthest = R::FARTHEST * self.setup.size() / 1.5;
+        let mut cut = self.clone();
+        for at in cut.obstacles.iter_mut().flat_map(|o| &mut o.vertices) {
+            *at = at.map(|x| x.clamp(-farthest, farthest));
+        }
+        cut
+    }
+
     /// The same scene with every number rounded as the type `R` takes it in.
     #[must_use]
     pub fn rounded<R: Number>(&self) -> Self {
