@@ -197,7 +197,7 @@ fn leaving<R: Real, W: World<R>>(
     scene: &W,
     place: Vec2<R>,
     but: [u8; 2],
-) -> impl Iterator<Item = Vec2<R>> + '_ {
+) -> impl Iterator<Item = Vec2<R>> + Clone + '_ {
     let first = scene.surface_indices().end;
     let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
         let is_here = (corner.place - place).length_bound() <= together();
@@ -503,34 +503,40 @@ impl<R: Real> Placed<R> {
         let arm = self.arm_to(scene, contact);
         let point = self.point + arm;
         let surface = scene.face(contact, self.orientation.rotation());
-        let mut leaving = own
+        let leaving = own
             .into_iter()
             .flat_map(|own| leaving(scene, point, [own; 2]));
         if contact.is_corner() {
-            return leaving.all(|side| surface.normal.dot(side) <= R::MICRO);
+            return leaving
+                .clone()
+                .all(|side| surface.normal.dot(side) <= R::MICRO);
         }
-        let [low, high] = scene.reach(contact);
-        let foot = self.foot(scene, contact);
-        let along = if foot - low < high - foot {
-            surface.tangent
-        } else {
-            -surface.tangent
-        };
-        let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
-        let body = scene.neighbours(contact.vertex).into_iter();
-        let body = body.filter(|&other| other != contact.vertex);
-        let body = body.map(|other| angle(self.arm(scene, other) - arm));
-        let nearest = body.reduce(R::min);
-        // What lies flat on a side in between is in front of that one; of a rod it is not known on which side of it.
+        // Of a rod it is not known on which side of it what lies flat on a side in between is.
         let flat = if scene.vertices().len() > 2 {
             R::MICRO
         } else {
             -R::MICRO
         };
-        leaving.all(|side| {
-            let is_ahead = surface.normal.dot(side) > R::MICRO;
-            !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
-        })
+        // Seen from a way along the side, nothing is in front of the body.
+        let is_in_front = |along: Vec2<R>| {
+            let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
+            let body = scene.neighbours(contact.vertex).into_iter();
+            let body = body.filter(|&other| other != contact.vertex);
+            let body = body.map(|other| angle(self.arm(scene, other) - arm));
+            let nearest = body.reduce(R::min);
+            leaving.clone().all(|side| {
+                let is_ahead = surface.normal.dot(side) > R::MICRO;
+                !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
+            })
+        };
+        // At an end of the side there is only the way back.
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        let least = together::<R>().min(to_low.max(to_high));
+        let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
+        let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
+        ways.any(|(_, along)| is_in_front(along))
     }
 
     /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.
@@ -902,6 +908,9 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
     })
 }
 
+/// A place of a motion, and the body there.
+type Place<R> = (R, Instant<R>);
+
 /// Obstacles that a body touches, and on which side.
 type Nearby<R> = Vec<(usize, Vec2<R>), 8>;
 
@@ -911,15 +920,15 @@ enum Closing<R> {
     /// It is touched in the end where it is not reached, with the body on this side.
     Near(Vec2<R>),
     /// It is reached: where, and in which contact; no contact where what is watched changes too often.
-    At((R, Instant<R>), Option<Pair>),
+    At(Place<R>, Option<Pair>),
 }
 
-/// Where a gap closes on a piece of a motion, and the body there.
+/// Where a gap closes on a piece of a motion.
 fn falls<R: Real>(
-    [from, to]: [(R, Instant<R>); 2],
+    [from, to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
-) -> Option<(R, Instant<R>)> {
+) -> Option<Place<R>> {
     let width = to.0 - from.0;
     let found = first_fall((width, width), |x| {
         let body = if x == R::ZERO {
@@ -942,7 +951,7 @@ fn closes<R: Real, W: World<R>>(
     scene: &W,
     obstacle: usize,
     ((before, lasting), mut beside): ((&Placed<R>, &[Pair]), Beside<'_, R>),
-    [mut from, to]: [(R, Instant<R>); 2],
+    [mut from, to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
 ) -> Closing<R> {
     for _ in 0..MOST_AXES {
