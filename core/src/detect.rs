@@ -11,7 +11,7 @@ use crate::world::World;
 
 mod obstacles;
 
-pub(crate) use obstacles::{Among, Reached, Tip, first_reached};
+pub(crate) use obstacles::{Among, Known, Reached, Tip, first_reached};
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
@@ -318,7 +318,11 @@ impl<R: Real> Placed<R> {
         moving: &Moving<'_, R, H>,
     ) -> Option<Reached<R>> {
         let end = extent.end.x;
-        first_reached(scene, (moving.lasting, Among::Obstacles), end, &|x| {
+        let known = Known {
+            lasting: moving.lasting,
+            left: moving.left,
+        };
+        first_reached(scene, (known, Among::Obstacles), end, &|x| {
             let place = if x == end {
                 extent.end
             } else {
@@ -364,6 +368,8 @@ pub(crate) struct Moving<'a, R, H> {
     pub(crate) path: &'a PointPath<R>,
     /// The contacts that last; the first one is at the point.
     pub(crate) lasting: &'a [Pair],
+    /// Contacts with obstacles that have just opened.
+    pub(crate) left: &'a [Pair],
 }
 
 #[cfg(test)]

@@ -233,9 +233,7 @@ fn leaves<R: Real, W: World<R>>(
             };
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
-            let free = Free {
-                pose: state.pose(scene),
-            };
+            let free = Free::leaving(scene, state);
             let near = free.is_near_balance(scene, path.0, found_to);
             *state = ContactState::Free(free);
             // What no force holds may be far from where the hand alone would have it.

@@ -280,8 +280,7 @@ pub(crate) fn apply<R: Real, W: World<R>>(
         Trigger::Clear => {
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
-            let pose = state.pose(scene);
-            *state = ContactState::Free(Free { pose });
+            *state = ContactState::Free(Free::leaving(scene, state));
             Next::Relax(None)
         }
         Trigger::Keep { .. } | Trigger::Undriven | Trigger::Off { .. } => {
@@ -326,7 +325,7 @@ fn pass_on<R: Real, W: World<R>>(
     let Some(first) = lasting.next() else {
         log.transitions.add(clear_arm(state));
         log.event(Event::Lift);
-        *state = ContactState::Free(Free { pose });
+        *state = ContactState::Free(Free::leaving(scene, state));
         return Next::Relax(None);
     };
     let others: Pairs = lasting.collect();

@@ -236,7 +236,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let placed = Placed::at(&pose);
         let touching = placed.seats(&self.scene, Scene::<R, V, S, M>::start_tolerance());
         let contact = match touching.split_first() {
-            None => ContactState::Free(Free { pose }),
+            None => ContactState::Free(Free::new(pose)),
             Some((&first, others)) => {
                 let pivot = Pivot::at(&self.scene, &pose, first);
                 ContactState::seated(&self.scene, pivot, others)

@@ -14,6 +14,7 @@ use crate::search::Found;
 use crate::thresholds::Thresholds;
 use crate::world::World;
 use core::ops::Range;
+use heapless::Vec;
 
 /// A direction in which body and obstacle may be apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,6 +130,86 @@ fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair]) -> bool 
                 .is_some_and(|(a, b)| (a - b).length_bound() <= together())
     };
     lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_at)
+}
+
+/// The direction of an axis, from the obstacle to the body.
+fn direction<R: Real, W: World<R>>(scene: &W, placed: &Placed<R>, axis: Axis) -> Vec2<R> {
+    let outward = |side: u8| {
+        let normal = scene.body_normal(side);
+        placed.orientation.rotation().apply(normal)
+    };
+    match axis {
+        Axis::Side(side) => scene.surface(side).normal,
+        Axis::End(corner) => scene.surface(corner).tangent,
+        Axis::BodySide(side) => -outward(side),
+        Axis::BodyEnd(vertex) => -outward(vertex).turned(),
+    }
+}
+
+/// A contact that lasts, or has just opened, says on which side of an obstacle the body is: in which direction from it. Of a wall and a
+/// rod or a point, which have no inside together, the gaps do not tell.
+fn side_of<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    obstacle: usize,
+    pair: Pair,
+) -> Option<Vec2<R>> {
+    let own = corners(scene, obstacle);
+    let mut lines = own.clone().map(|corner| line_of(scene, corner));
+    let surface = scene.face(pair, placed.orientation.rotation());
+    if own.contains(&pair.surface) || !pair.is_corner() && lines.any(|line| line == pair.surface) {
+        return Some(surface.normal);
+    }
+    // Between the side of another obstacle and this one, which leaves its end in front of it, the body is on that side.
+    let along = placed.from_end(scene, pair).filter(|_| !pair.is_corner())?;
+    let point = placed.point + placed.arm_to(scene, pair);
+    let beyond = |corner: u8| scene.corner(corner).map(|corner| corner.place - point);
+    let is_here = (own.clone().filter_map(beyond)).any(|at| at.length_bound() <= together());
+    let mut ahead = own.filter_map(beyond);
+    let is_between = is_here && ahead.any(|at| surface.normal.dot(at) > R::MICRO);
+    is_between.then_some(along)
+}
+
+/// An axis does not face away from where the body is.
+fn faces<R: Real>(direction: Vec2<R>, side: Vec2<R>) -> bool {
+    direction.dot(side) >= -R::in_plane()
+}
+
+/// On which side of an obstacle a body is that touches it along several axes.
+#[derive(Clone, Copy)]
+struct Beside<'a, R> {
+    /// The contacts that have just opened there.
+    left: &'a [Pair],
+    /// The direction from the obstacle of the axis along which it was apart last.
+    last: Option<Vec2<R>>,
+}
+
+impl<R> Beside<'_, R> {
+    /// It is not known.
+    const UNKNOWN: Self = Self {
+        left: &[],
+        last: None,
+    };
+}
+
+/// The directions in which the sides of obstacles but two leave a place at which they have a corner.
+fn leaving<R: Real, W: World<R>>(
+    scene: &W,
+    place: Vec2<R>,
+    but: [u8; 2],
+) -> impl Iterator<Item = Vec2<R>> + Clone + '_ {
+    let first = scene.surface_indices().end;
+    let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
+        let is_here = (corner.place - place).length_bound() <= together();
+        is_here && !but.contains(&corner.obstacle)
+    });
+    others.flat_map(move |(index, corner)| {
+        let own = corners(scene, usize::from(corner.obstacle));
+        let has_sides = own.len() > 1;
+        let before = scene.surface(beside(&own, index, false)).tangent;
+        let both = has_sides.then_some([-scene.surface(index).tangent, before]);
+        both.into_iter().flatten()
+    })
 }
 
 /// How far a feature is off along an axis.
@@ -287,13 +368,14 @@ fn opening_along<R: Real, W: World<R>>(
     })
 }
 
-/// The axis along which the body is farthest from an obstacle, and the gap along it. Of several along which it touches, as a body that
-/// turns out of a flat contact, or a point and a wall which have no inside together, the one that opens fastest.
+/// The axis along which the body is farthest from an obstacle, and the gap along it: none that faces away from where a contact that lasts
+/// has it. Of several along which it touches, as a body that turns out of a flat contact, or a point and a wall which have no inside
+/// together, the one that opens fastest of those on the side where it is.
 fn widest<R: Real, W: World<R>>(
     scene: &W,
     body: &Instant<R>,
     obstacle: usize,
-    lasting: &[Pair],
+    (lasting, beside): (&[Pair], Beside<'_, R>),
 ) -> (Option<Axis>, R) {
     let mut found = (None, R::LEAST);
     let mut opens = R::LEAST;
@@ -301,9 +383,23 @@ fn widest<R: Real, W: World<R>>(
         // A point and a pin have no axis: they do not touch.
         return (None, R::HUGE);
     }
+    let all_face = |pairs: &[Pair], way: Vec2<R>| {
+        let mut sides = pairs
+            .iter()
+            .map(|&pair| side_of(scene, &body.placed, obstacle, pair));
+        sides.all(|side| side.is_none_or(|side| faces(way, side)))
+    };
     for axis in axes(scene, obstacle) {
+        let way = direction(scene, &body.placed, axis);
+        if !all_face(lasting, way) {
+            continue;
+        }
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         let touches = gap.abs() <= R::TOUCH;
+        let is_beside = || beside.last.is_none_or(|last| faces(way, last));
+        if touches && !(all_face(beside.left, way) && is_beside()) {
+            continue;
+        }
         let rate = if touches {
             opening_along(scene, body, (obstacle, axis), (lasting, gap))
         } else {
@@ -359,7 +455,13 @@ impl<R: Real> Placed<R> {
 
     /// How far the body and an obstacle are apart, or minus how deep one is in the other.
     pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
-        widest(scene, &Instant::at_rest(*self), obstacle, &[]).1
+        widest(
+            scene,
+            &Instant::at_rest(*self),
+            obstacle,
+            (&[], Beside::UNKNOWN),
+        )
+        .1
     }
 
     /// The body is deeper in an obstacle than this.
@@ -401,19 +503,9 @@ impl<R: Real> Placed<R> {
         let arm = self.arm_to(scene, contact);
         let point = self.point + arm;
         let surface = scene.face(contact, self.orientation.rotation());
-        let first = scene.surface_indices().end;
-        let others = (first..).zip(scene.corners()).filter(|(_, corner)| {
-            let is_here = (corner.place - point).length_bound() <= together();
-            is_here && Some(corner.obstacle) != own
-        });
-        // The directions in which the sides of other obstacles leave this place.
-        let leaving = others.flat_map(|(index, corner)| {
-            let own = corners(scene, usize::from(corner.obstacle));
-            let has_sides = own.len() > 1;
-            let before = scene.surface(beside(&own, index, false)).tangent;
-            let both = has_sides.then_some([-scene.surface(index).tangent, before]);
-            both.into_iter().flatten()
-        });
+        let leaving = own
+            .into_iter()
+            .flat_map(|own| leaving(scene, point, [own; 2]));
         if contact.is_corner() {
             return leaving
                 .clone()
@@ -631,26 +723,41 @@ impl<R: Real> Placed<R> {
         let [first, second] = [a, b].map(|pair| scene.face(pair, self.orientation.rotation()));
         let is_here = self.are_at_one_place(scene, [a, b]);
         if of_a == of_b {
-            return is_here || first.normal.dot(second.normal) <= R::ZERO;
+            let (along, across) = (
+                first.normal.dot(second.normal),
+                first.normal.cross(second.normal),
+            );
+            return is_here || along <= R::ZERO || across.abs() > R::MICRO;
         }
-        // Beyond the end of the one the other one does not block the way.
-        let off_end = |pair: Pair, tangent: Vec2<R>| {
-            let [low, high] = scene.reach(pair);
-            let foot = self.foot(scene, pair);
-            let off = if foot - low < high - foot {
-                -tangent
-            } else {
-                tangent
-            };
-            (self.beyond(scene, pair) > -together::<R>()).then_some(off)
+        if !is_here || a.is_corner() || b.is_corner() {
+            return is_here;
+        }
+        let (Some(along_a), Some(along_b)) = (self.from_end(scene, a), self.from_end(scene, b))
+        else {
+            return false;
         };
-        let is_tip = || match (off_end(a, first.tangent), off_end(b, second.tangent)) {
-            (Some(off_a), Some(off_b)) => {
-                off_a.dot(second.normal) > R::MICRO && off_b.dot(first.normal) > R::MICRO
-            }
-            _ => false,
+        // Sides that end at one place bound what is free there where each is in front of the other, and nothing else in between.
+        let point = self.point + self.arm_to(scene, a);
+        let is_between = |side: Vec2<R>| {
+            let angle = |side: Vec2<R>| first.normal.dot(side).atan2(along_a.dot(side));
+            first.normal.dot(side) > R::MICRO && angle(side) + R::MICRO < angle(along_b)
         };
-        is_here && (a.is_corner() || b.is_corner() || is_tip())
+        along_a.dot(second.normal) < -R::MICRO
+            || along_b.dot(first.normal) < -R::MICRO
+            || leaving(scene, point, [of_a, of_b]).any(is_between)
+    }
+
+    /// The direction in which the side of a contact goes on from its end, if it is there.
+    fn from_end<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Vec2<R>> {
+        let tangent = scene.face(contact, self.orientation.rotation()).tangent;
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let along = if foot - low < high - foot {
+            tangent
+        } else {
+            -tangent
+        };
+        (self.beyond(scene, contact) > -together::<R>()).then_some(along)
     }
 
     fn are_at_one_place<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
@@ -685,6 +792,22 @@ pub(crate) enum Among {
     All,
 }
 
+/// What is known of a motion before it begins.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    /// The contacts that last.
+    pub(crate) lasting: &'a [Pair],
+    /// Those that have just opened.
+    pub(crate) left: &'a [Pair],
+}
+
+impl<'a> Known<'a> {
+    /// Of contacts that last.
+    pub(crate) fn of(lasting: &'a [Pair]) -> Self {
+        Self { lasting, left: &[] }
+    }
+}
+
 /// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
 pub(crate) struct Tip {
     /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
@@ -697,13 +820,16 @@ pub(crate) struct Tip {
 /// motion.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
-    (lasting, among): (&[Pair], Among),
+    (known, among): (Known<'_>, Among),
     end: R,
     at: &dyn Fn(R) -> Instant<R>,
 ) -> Option<Reached<R>> {
+    let Known { lasting, left } = known;
     let start = at(R::ZERO);
     let (mut x, mut here) = (R::ZERO, start);
     let mut step = end;
+    // The obstacles that it touches there, and on which side.
+    let mut near: Nearby<R> = Nearby::new();
     for _ in 0..MOST_PIECES {
         let mut to = end.min(x + step);
         let mut there = at(to);
@@ -735,6 +861,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             .length_bound()
             .doubled();
         let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
+        let mut now_near: Nearby<R> = Nearby::new();
         for (obstacle, round) in scene.rounds().iter().enumerate() {
             let is_over =
                 || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
@@ -743,11 +870,24 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             }
             let piece = [(x, here), (to, there)];
             let before = (&start.placed, lasting);
-            if let Some((end, contact)) = closes(scene, obstacle, before, piece, at) {
-                (to, there) = end;
-                first = Some((to, contact));
+            let last = near.iter().find(|(index, _)| *index == obstacle);
+            let beside = Beside {
+                left: if x == R::ZERO { left } else { &[] },
+                last: last.map(|&(_, last)| last),
+            };
+            match closes(scene, obstacle, (before, beside), piece, at) {
+                Closing::Nothing => {}
+                Closing::Near(side) => {
+                    // Of more than there is room for it is not known.
+                    let _ = now_near.push((obstacle, side));
+                }
+                Closing::At(end, contact) => {
+                    (to, there) = end;
+                    first = Some((to, contact));
+                }
             }
         }
+        near = now_near;
         if let Some((x, contact)) = first {
             return Some(Reached {
                 x,
@@ -770,6 +910,18 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
 
 /// A place of a motion, and the body there.
 type Place<R> = (R, Instant<R>);
+
+/// Obstacles that a body touches, and on which side.
+type Nearby<R> = Vec<(usize, Vec2<R>), 8>;
+
+/// What happens with an obstacle on a piece of a motion.
+enum Closing<R> {
+    Nothing,
+    /// It is touched in the end where it is not reached, with the body on this side.
+    Near(Vec2<R>),
+    /// It is reached: where, and in which contact; no contact where what is watched changes too often.
+    At(Place<R>, Option<Pair>),
+}
 
 /// Where a gap closes on a piece of a motion.
 fn falls<R: Real>(
@@ -794,20 +946,20 @@ fn falls<R: Real>(
     }
 }
 
-/// Where an obstacle is reached on a piece of a motion, the body there, and the contact; no contact where what is watched changes too
-/// often.
+/// Where an obstacle is reached on a piece of a motion.
 fn closes<R: Real, W: World<R>>(
     scene: &W,
     obstacle: usize,
-    (before, lasting): (&Placed<R>, &[Pair]),
+    ((before, lasting), mut beside): ((&Placed<R>, &[Pair]), Beside<'_, R>),
     [mut from, to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
-) -> Option<(Place<R>, Option<Pair>)> {
+) -> Closing<R> {
     for _ in 0..MOST_AXES {
-        let (axis, _) = widest(scene, &from.1, obstacle, lasting);
-        let axis = axis?;
+        let (Some(axis), _) = widest(scene, &from.1, obstacle, (lasting, beside)) else {
+            return Closing::Nothing;
+        };
         if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
-            return None;
+            return Closing::Nothing;
         }
         let mut end = to;
         let mut found = false;
@@ -821,19 +973,30 @@ fn closes<R: Real, W: World<R>>(
                 found = true;
             }
         }
+        let side = direction(scene, &end.1.placed, axis);
         if !found {
-            return None;
+            let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
+            return if gap <= R::TOUCH {
+                Closing::Near(side)
+            } else {
+                Closing::Nothing
+            };
         }
-        let (_, gap) = widest(scene, &end.1, obstacle, lasting);
+        beside = Beside {
+            left: if end.0 > R::ZERO { &[] } else { beside.left },
+            last: Some(side),
+        };
+        let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
         if gap <= R::TOUCH
-            && let Some(contact) = touched(scene, lasting, obstacle, (before, &end.1.placed))
+            && let Some(contact) =
+                touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
         {
-            return Some((end, Some(contact)));
+            return Closing::At(end, Some(contact));
         }
         // It is apart along another axis, or touches where it does already.
         from = end;
     }
-    Some((from, None))
+    Closing::At(from, None)
 }
 
 /// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
@@ -841,7 +1004,7 @@ fn closes<R: Real, W: World<R>>(
 fn touched<R: Real, W: World<R>>(
     scene: &W,
     lasting: &[Pair],
-    obstacle: usize,
+    (obstacle, side): (usize, Vec2<R>),
     (before, now): (&Placed<R>, &Placed<R>),
 ) -> Option<Pair> {
     let own = corners(scene, obstacle);
@@ -865,7 +1028,9 @@ fn touched<R: Real, W: World<R>>(
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<(bool, R, Pair)> = None;
         for pair in list.into_iter().filter(|&pair| is_new(pair)) {
-            let this = (is_own(pair), before.gap(scene, pair), pair);
+            let normal = scene.face(pair, now.orientation.rotation()).normal;
+            let is_beside = is_own(pair) && faces(normal, side);
+            let this = (is_beside, before.gap(scene, pair), pair);
             if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
                 latest = Some(this);
             }
@@ -877,3 +1042,6 @@ fn touched<R: Real, W: World<R>>(
     }
     None
 }
+
+#[cfg(test)]
+mod tests;

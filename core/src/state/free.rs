@@ -1,8 +1,10 @@
 //! No contact (STATICS 2): the holding point hangs at the hand, the body turns with it.
 
+use super::ContactState;
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::detect::{Placed, PointPath};
+use crate::contact::Pairs;
+use crate::detect::{Known, Placed, PointPath};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -12,13 +14,31 @@ use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
 
-/// The memory: the pose itself.
+/// The memory: the pose itself, and what it has just left.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
+    /// Contacts with obstacles that have opened where the body is still: they say on which side of a thin wall it is.
+    left: Pairs,
 }
 
 impl<R: Real> Free<R> {
+    pub(crate) fn new(pose: Pose<R>) -> Self {
+        Self {
+            pose,
+            left: Pairs::new(),
+        }
+    }
+
+    /// A body whose contacts open.
+    pub(crate) fn leaving<W: World<R>>(scene: &W, state: &ContactState<R>) -> Self {
+        let mut free = Self::new(state.pose(scene));
+        if W::CORNERS {
+            free.left = state.contacts();
+        }
+        free
+    }
+
     /// The body placed by its holding point.
     fn placed(&self, grip: &Grip<R>) -> Placed<R> {
         let orientation = self.pose.orientation;
@@ -45,15 +65,13 @@ impl<R: Real> Free<R> {
             (Orientation::new(to.angle), turn * turn)
         } else {
             let pose = Self::hanging(scene, to, self.pose.orientation);
-            let load = Self { pose }.load(scene, to);
+            let load = Self::new(pose).load(scene, to);
             match CertifiedTurn::pinned::<H>(scene, &load, to, &Displacement::turn(turn)) {
                 Some(certified) => (certified.orientation, certified.swing()),
                 None => return false,
             }
         };
-        let after = Self {
-            pose: Self::hanging(scene, to, orientation),
-        };
+        let after = Self::new(Self::hanging(scene, to, orientation));
         let mut is_certified = after.placed(to).is_clear(scene, curvature_bound);
         if W::CORNERS && is_certified {
             // An obstacle may be passed on the way.
@@ -103,7 +121,7 @@ impl<R: Real> Free<R> {
         let moved = self.sweep(scene, &load.placed, &mut segment, displacement.hand);
         if moved.trigger == Trigger::Balanced && !moved.unsure {
             // The end itself, free of the rounding of the path.
-            *self = Self::balance::<H>(scene, to, self.pose.orientation);
+            self.pose = Self::balance::<H>(scene, to, self.pose.orientation).pose;
         }
         moved
     }
@@ -118,12 +136,10 @@ impl<R: Real> Free<R> {
             Orientation::new(grip.angle)
         } else {
             let pose = Self::hanging(scene, grip, near);
-            let load = Self { pose }.load(scene, grip);
+            let load = Self::new(pose).load(scene, grip);
             near.plus(load.pinned::<H>().polish())
         };
-        Self {
-            pose: Self::hanging(scene, grip, orientation),
-        }
+        Self::new(Self::hanging(scene, grip, orientation))
     }
 
     /// In a straight line, holding point and angle, to the balance at the frozen hand, or to the first touch. Where that
@@ -168,7 +184,7 @@ impl<R: Real> Free<R> {
             }
         }
         if moved.trigger == Trigger::Balanced {
-            *self = Self::balance::<H>(scene, grip, near);
+            self.pose = Self::balance::<H>(scene, grip, near).pose;
         }
         moved.snapped = downhill.snapped;
         moved.unsure |= downhill.unsure;
@@ -227,20 +243,30 @@ impl<R: Real> Free<R> {
     }
 
     /// Goes a segment on which the holding point moves by `shift` at tau = 1, to its end or to the first touch.
-    fn sweep(
+    fn sweep<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         placed: &Placed<R>,
         segment: &mut Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
-        segment.stop_at_touch(scene, placed, (&PointPath::straight(shift), &[]));
+        let known = Known {
+            lasting: &[],
+            left: &self.left,
+        };
+        segment.stop_at_touch_of(scene, placed, (&PointPath::straight(shift), known));
         let end = Placed {
             point: placed.point + shift * segment.part(),
             orientation: placed.orientation.plus(segment.turn()),
             ..*placed
         };
         self.pose = end.pose();
+        if W::CORNERS {
+            let placed = Placed::at(&self.pose);
+            self.left.retain(|&pair| {
+                placed.gap(scene, pair).abs() <= R::TOUCH && placed.beyond(scene, pair) <= R::TOUCH
+            });
+        }
         segment.moved()
     }
 }

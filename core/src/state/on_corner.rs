@@ -8,7 +8,7 @@ use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
-use crate::detect::{Among, PointPath, Reached, first_reached};
+use crate::detect::{Among, Known, PointPath, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::friction::SlidingEdge;
 use crate::geometry::Vec2;
@@ -425,7 +425,9 @@ impl<R: Real> SingleVertex<R> {
             Some(_) => Trigger::Balanced,
         };
         let at = |x: R| slide.instant(&slide.along(x));
-        if let Some(reached) = first_reached(scene, (&self.contacts(), Among::All), x, &at) {
+        if let Some(reached) =
+            first_reached(scene, (Known::of(&self.contacts()), Among::All), x, &at)
+        {
             Reached { x, unsure, .. } = reached;
             trigger = Trigger::Touch(reached.contact);
         }

@@ -3,7 +3,7 @@
 
 use crate::balance_curve::{BalanceCurve, Extent, Margin, Place};
 use crate::contact::Pair;
-use crate::detect::{Among, Moving, Placed, PointPath, Reached, Tip, first_reached};
+use crate::detect::{Among, Known, Moving, Placed, PointPath, Reached, Tip, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -110,10 +110,21 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         placed: &Placed<R>,
         (path, lasting): (&PointPath<R>, &[Pair]),
     ) {
+        self.stop_at_touch_of(scene, placed, (path, Known::of(lasting)));
+    }
+
+    /// The same where contacts have just opened.
+    pub(super) fn stop_at_touch_of(
+        &mut self,
+        scene: &impl World<R>,
+        placed: &Placed<R>,
+        (path, known): (&PointPath<R>, Known<'_>),
+    ) {
         let moving = Moving {
             curve: &self.curve,
             path,
-            lasting,
+            lasting: known.lasting,
+            left: known.left,
         };
         if let Some(pair) = placed.first_touch(scene, &mut self.extent, &moving) {
             self.trigger = Trigger::Touch(pair);
@@ -171,7 +182,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         at: impl Fn(&BalanceCurve<R, H>, &Place<R>) -> Instant<R>,
     ) {
         let limit = self.extent.end;
-        let reached = first_reached(scene, (lasting, Among::All), limit.x, &|x| {
+        let reached = first_reached(scene, (Known::of(lasting), Among::All), limit.x, &|x| {
             let place = if x == limit.x {
                 limit
             } else {

@@ -374,6 +374,7 @@ impl<R: Real> Trammel<R> {
             curve: &self.sense.curve,
             path: &PointPath::straight(self.surfaces[0].tangent),
             lasting,
+            left: &[],
         };
         if let Some(pair) = self.load.placed.first_touch(scene, &mut extent, &moving) {
             ending = Ending::Touches(pair);

@@ -81,7 +81,7 @@ fn arm_of_a_verb_leads_from_the_state() {
         surface: 1,
     };
     let states = [
-        ContactState::Free(Free { pose }),
+        ContactState::Free(Free::new(pose)),
         ContactState::SingleVertex(SingleVertex::new(pivot)),
         ContactState::Edge(Edge::new(
             pivot,

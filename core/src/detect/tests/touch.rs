@@ -25,6 +25,7 @@ fn first_touch_is_the_first() {
                 curve: &curve,
                 path: &PointPath::straight(shift),
                 lasting: &[],
+                left: &[],
             };
             let found = at.first_touch(&scene, &mut extent, &moving);
             let then = |part: f64| Placed {
@@ -89,6 +90,7 @@ fn first_touch_on_many_turns_is_the_first() {
                 curve: &curve,
                 path: &PointPath::straight(vec(shift)),
                 lasting: &[],
+                left: &[],
             };
             let found = at.first_touch(&scene, &mut extent, &moving);
             let end = f64::from(extent.end.part().to_si(1.0));

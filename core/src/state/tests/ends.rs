@@ -17,12 +17,10 @@ fn end_of_a_way_is_in_balance() {
             hand: Vec2::new(0.2 * random.next(), y),
             angle: Angle::from_radians(2.0 * random.next()),
         };
-        let free = ContactState::Free(Free {
-            pose: Pose {
-                position: Vec2::new(0.0, 3.0),
-                orientation: Orientation::new(Angle::default()),
-            },
-        });
+        let free = ContactState::Free(Free::new(Pose {
+            position: Vec2::new(0.0, 3.0),
+            orientation: Orientation::new(Angle::default()),
+        }));
         let mut vertex = ContactState::SingleVertex(SingleVertex::new(pivot(0.3)));
         vertex.set_regime(Regime::Stick { stiction: true });
         for (i, (begin, y)) in [(free, 3.0), (vertex, -1.2)].into_iter().enumerate() {
@@ -60,12 +58,10 @@ fn end_of_a_way_is_in_balance() {
 fn body_without_weight_and_spring_keeps_its_angle() {
     let rod = fixtures::sprung::<2, 1>(&[[0.0, 0.0], [1.0, 0.0]], &[0.0], 0.0);
     let orientation = Orientation::new(Angle::from_radians(0.3));
-    let mut state = ContactState::Free(Free {
-        pose: Pose {
-            position: Vec2::new(0.0, 3.0),
-            orientation,
-        },
-    });
+    let mut state = ContactState::Free(Free::new(Pose {
+        position: Vec2::new(0.0, 3.0),
+        orientation,
+    }));
     let grip = Grip {
         holding_point: Vec2::new(0.5, 0.0),
         hand: Vec2::new(0.5, 4.0),

@@ -54,12 +54,10 @@ fn free_body_says_so() {
     let point = on_floor::<1, Full>(&[[0.0, 0.0]], (0.4, 1.0), 0.5);
     for turn in TURNS {
         let (from, to) = (hand(0.0, 4.0, 0.0), hand(1.0, 4.0, turn));
-        let mut begin = ContactState::Free(Free {
-            pose: Pose {
-                position: Vec2::new(-0.5, 3.6),
-                orientation: Orientation::new(Angle::default()),
-            },
-        });
+        let mut begin = ContactState::Free(Free::new(Pose {
+            position: Vec2::new(-0.5, 3.6),
+            orientation: Orientation::new(Angle::default()),
+        }));
         begin.relax(&point, &from, Relax::default());
         let unsure = honest(&point, &begin, |s| s.advance(&point, &from, &to));
         assert!(unsure[0] > 0);

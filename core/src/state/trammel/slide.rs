@@ -419,6 +419,7 @@ impl<R: Real> Slides<R> {
             curve,
             path: &PointPath::straight(self.trammel.surfaces[0].tangent),
             lasting,
+            left: &[],
         };
         if let Some(pair) = (self.trammel.load.placed).first_touch(scene, &mut extent, &moving) {
             ending = SlideEnding::Touches(pair);

@@ -4,7 +4,7 @@
 use super::super::{Demand, Ending, LOOK, RUN, Run};
 use super::{Course, Spot};
 use crate::bounded::Sloped;
-use crate::detect::{Among, Reached, first_reached};
+use crate::detect::{Among, Known, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::geometry::Vec2;
 use crate::pivot::Pivot;
@@ -95,8 +95,11 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
     /// What is touched up to a place.
     pub(super) fn reached(&self, x: R) -> Option<Reached<R>> {
         let contacts = self.contacts();
-        let reached =
-            || first_reached(self.scene, (&contacts, Among::All), x, &|x| self.instant(x));
+        let reached = || {
+            first_reached(self.scene, (Known::of(&contacts), Among::All), x, &|x| {
+                self.instant(x)
+            })
+        };
         (x > R::ZERO).then(reached)?
     }
 

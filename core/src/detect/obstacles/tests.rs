@@ -1,0 +1,160 @@
+//! On which side of a thin wall a rod or a point is, which have no inside together with it.
+
+extern crate std;
+
+use super::*;
+use crate::geometry::{Angle, Orientation};
+use crate::model::WithObstacles;
+use crate::scene::{Description, ObstacleDescription, Scene};
+use std::vec::Vec;
+
+type Scenery = Scene<f64, 4, 1, WithObstacles<4, 16>>;
+
+/// A body among obstacles of the same friction.
+fn scene(body: &[[f64; 2]], obstacles: &[&[[f64; 2]]]) -> Scenery {
+    let list: Vec<_> = obstacles
+        .iter()
+        .map(|vertices| ObstacleDescription {
+            vertices,
+            friction_static: 0.5,
+            friction_dynamic: 0.25,
+            memory: None,
+        })
+        .collect();
+    let description = Description {
+        vertices: body,
+        start: [0.3, 3.0, 0.0],
+        weight: 0.0,
+        holding_point: Some([0.0, 0.0]),
+        reach: 0.0,
+        stiffness_translation: 1.0,
+        stiffness_rotation: 1.0,
+        surfaces: &[],
+    };
+    Scene::among(&description, &list).expect("a sound scene")
+}
+
+const ROD: [[f64; 2]; 2] = [[0.0, 0.0], [1.0, 0.0]];
+const POINT: [[f64; 2]; 1] = [[0.0, 0.0]];
+/// From the origin to the right: the normal of its side 1 is up.
+const WALL: [[f64; 2]; 2] = [[0.0, 0.0], [2.0, 0.0]];
+
+fn placed(x: f64, y: f64, angle: f64) -> Placed<f64> {
+    Placed {
+        point: Vec2::new(x, y),
+        body_point: Vec2::ZERO,
+        orientation: Orientation::new(Angle::from_radians(angle)),
+        on: None,
+    }
+}
+
+fn v(vertex: u8, surface: u8) -> Pair {
+    Pair { vertex, surface }
+}
+
+/// The body goes and turns at a rate from a place on.
+fn course(from: Placed<f64>, velocity: Vec2<f64>, turn: f64) -> impl Fn(f64) -> Instant<f64> {
+    move |x| Instant {
+        placed: Placed {
+            point: from.point + velocity * x,
+            orientation: from.orientation.plus(turn * x),
+            ..from
+        },
+        velocity,
+        turn,
+    }
+}
+
+fn reached(
+    scene: &Scenery,
+    known: Known<'_>,
+    course: impl Fn(f64) -> Instant<f64>,
+) -> Option<(f64, Pair)> {
+    let found = first_reached(scene, (known, Among::Obstacles), 1.0, &course);
+    found.map(|reached| {
+        assert!(!reached.unsure);
+        (reached.x, reached.contact)
+    })
+}
+
+/// A rod that lies flat on a thin wall turns about one of its ends away from the wall alone, even where that is at the end of the wall.
+#[test]
+fn rod_on_a_thin_wall_stays_on_its_side() {
+    let scene = scene(&ROD, &[&WALL]);
+    for x in [0.0, 0.5, 1.0] {
+        let flat = placed(x, 0.0, 0.0);
+        for (side, away) in [(1, 1.0), (0, -1.0)] {
+            let lasting = [v(0, side)];
+            let turns = |turn: f64| {
+                let course = course(flat, Vec2::ZERO, turn);
+                reached(&scene, Known::of(&lasting), course)
+            };
+            assert_eq!(turns(away), None, "{x} {side}");
+            assert_eq!(turns(-away), Some((0.0, v(1, side))), "{x} {side}");
+        }
+    }
+}
+
+/// A point in the corner between two thin walls, on one of them, reaches the side of the other one that it faces.
+#[test]
+fn point_between_thin_walls_stays_between() {
+    let scene = scene(&POINT, &[&WALL, &[[0.0, 0.0], [1.0, 2.0]]]);
+    let there = placed(0.0, 0.0, 0.0);
+    let lasting = [v(0, 1)];
+    let goes = |x: f64, y: f64| {
+        let course = course(there, Vec2::new(x, y), 0.0);
+        reached(&scene, Known::of(&lasting), course)
+    };
+    assert_eq!(goes(1.0, 0.0), None);
+    assert_eq!(goes(-1.0, 0.0), Some((0.0, v(0, 2))));
+}
+
+/// A point that has just left a thin wall is on that side of it, however rounding has it, and comes back to it.
+#[test]
+fn point_that_has_left_a_thin_wall_stays_on_its_side() {
+    let scene = scene(&POINT, &[&WALL]);
+    for off in [-1e-16, 0.0, 1e-16, 1e-12] {
+        for (side, up) in [(1, 1.0), (0, -1.0)] {
+            let left = [v(0, side)];
+            let goes = |x: f64, y: f64| {
+                let known = Known {
+                    lasting: &[],
+                    left: &left,
+                };
+                let course = course(placed(1.0, off, 0.0), Vec2::new(x, y), 0.0);
+                reached(&scene, known, course)
+            };
+            assert_eq!(goes(0.1, up), None, "{off} {side}");
+            let (x, pair) = goes(0.1, -up).expect("it comes back");
+            assert!(x <= 2e-12 && pair == v(0, side), "{x} {pair:?}");
+        }
+    }
+}
+
+/// Where three walls meet, a point touches those two that bound where it is; a rod in the corner of two boxes only sides that face it.
+#[test]
+fn contacts_at_one_place_bound_one_free_place() {
+    let walls = scene(
+        &POINT,
+        &[&WALL, &[[0.0, 0.0], [1.0, 2.0]], &[[0.0, 0.0], [-1.0, 2.0]]],
+    );
+    let there = placed(0.0, 0.0, 0.0);
+    let beside = [[v(0, 1), v(0, 2)], [v(0, 3), v(0, 4)]];
+    for pair in [v(0, 0), v(0, 1), v(0, 2), v(0, 3), v(0, 4), v(0, 5)] {
+        for other in [v(0, 0), v(0, 1), v(0, 2), v(0, 3), v(0, 4), v(0, 5)] {
+            let both = |list: &[Pair; 2]| list.contains(&pair) && list.contains(&other);
+            let may_be = pair != other && beside.iter().any(both);
+            assert_eq!(
+                there.are_one(&walls, [pair, other]),
+                !may_be,
+                "{pair:?} {other:?}"
+            );
+        }
+    }
+    let left: [[f64; 2]; 4] = [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.0]];
+    let boxed = scene(&ROD, &[&WALL, &left]);
+    // Flat on the top of the box, and one of its ends at its edge: that does not touch the other side of the box.
+    let flat = placed(0.0, 0.0, core::f64::consts::PI);
+    assert!(flat.are_one(&boxed, [v(1, 4), v(0, 3)]));
+    assert!(!flat.are_one(&boxed, [v(1, 4), v(0, 4)]));
+}
