@@ -65,6 +65,7 @@
 //! | To | see |
 //! |---|---|
 //! | describe a scene and learn what is wrong with it | [`Description`], [`SceneError`] |
+//! | put a table with an edge, a step, a post or a hole into it | [`ObstacleDescription`], [`WithObstacles`], [`Touch`] |
 //! | choose between exact and cheap | [`Evolution`], [`Solver`] |
 //! | keep and replay a run | [`State`] |
 //! | read forces, for a device or a display | [`Wrench`], [`Contact`] |
@@ -80,8 +81,8 @@
 //! # Inside
 //!
 //! Every quantity is non-dimensional: lengths / L (the largest distance of two vertices), forces / (k_h L), moments
-//! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings; today these are a vertex and a
-//! half-plane.
+//! / (k_h L²). A contact is a pair of a feature of the body and a feature of the surroundings: a vertex and a half-plane or a side of an obstacle, or a
+//! corner of an obstacle and a side of the body.
 
 /// The example in the README, as a test.
 #[cfg(doctest)]

@@ -144,6 +144,12 @@ fn yields<R: Real, W: World<R>>(
     match state {
         ContactState::SingleVertex(s) => {
             if let Some(direction) = s.topples(scene, path.0, sign) {
+                if W::CORNERS {
+                    // A slip that begins at the edge of the cone and is driven the more the farther it goes.
+                    log.transitions.add(fold_arm(state));
+                    log.event(Event::Snap);
+                    return Outcome::Next(Next::Slip(sign));
+                }
                 s.regime = Regime::Slide(sign);
                 log.transitions.add(fold_arm(state));
                 log.event(Event::Snap);
@@ -219,12 +225,18 @@ fn leaves<R: Real, W: World<R>>(
         }
         ContactState::SingleVertex(s) => {
             let topples = s.topples_free(scene, path.0);
+            // On its way to where it hangs a body that is so near would touch the same corner again.
+            let found_to = if W::CORNERS {
+                s.found_to_at(scene, path.0)
+            } else {
+                R::ZERO
+            };
             log.transitions.add(clear_arm(state));
             log.event(Event::Lift);
             let free = Free {
                 pose: state.pose(scene),
             };
-            let near = free.is_near_balance(scene, path.0);
+            let near = free.is_near_balance(scene, path.0, found_to);
             *state = ContactState::Free(free);
             // What no force holds may be far from where the hand alone would have it.
             Outcome::Next(match topples {

@@ -155,7 +155,8 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
     /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
     /// sample leads straight from where the body stands. A step does one piece of work at least: with a budget below
-    /// [`Self::LEAST_BUDGET`] a single one may take more.
+    /// [`Self::LEAST_BUDGET`] a single one may take more, and so may one among obstacles with corners: the work of looking for these
+    /// is not counted yet.
     #[must_use]
     pub fn with_budget(mut self, units: u32) -> Self {
         self.budget = units;

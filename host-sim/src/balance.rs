@@ -4,6 +4,7 @@
 // Those of libm have the same bits on every machine.
 use libm::{hypot, sincos};
 use stiction_judge::{centroid, size};
+use stiction_scene::SurfaceInfo;
 
 use crate::record::{Frame, Run};
 
@@ -66,7 +67,7 @@ struct Balance {
     centroid: [f64; 2],
     /// Largest distance of two vertices (m), 1 for a point.
     size: f64,
-    normals: Vec<[f64; 2]>,
+    surfaces: Vec<SurfaceInfo>,
 }
 
 impl Balance {
@@ -76,7 +77,7 @@ impl Balance {
             weight: run.weight,
             centroid: centroid(&run.body),
             size: size(&run.body),
-            normals: run.surfaces.iter().map(|surface| surface.normal).collect(),
+            surfaces: run.surfaces.clone(),
         }
     }
 
@@ -92,11 +93,7 @@ impl Balance {
             largest = largest.max(hypot(force[0], force[1]));
         };
         for contact in &frame.contacts {
-            let [nx, ny] = self
-                .normals
-                .get(contact.surface)
-                .copied()
-                .unwrap_or_default();
+            let [nx, ny] = contact.normal_among(&self.surfaces);
             let (normal, friction) = (contact.normal, contact.friction);
             add(
                 [normal * nx + friction * ny, normal * ny - friction * nx],

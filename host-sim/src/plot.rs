@@ -7,6 +7,7 @@ mod instants;
 mod legend;
 mod motion;
 mod notes;
+mod obstacles;
 mod plane;
 mod series;
 mod sheet;

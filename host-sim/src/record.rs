@@ -1,8 +1,10 @@
 //! What a run leaves behind for the plots and the summary: the scene's numbers and one [`Frame`] per hand frame, in f64
 //! (an f32 run is widened without loss), SI units, world frame, angles unwrapped.
 
-use stiction_core::{Event, Evolution, Model, Output, Real, SiFloat, State, StateKind, Status};
-use stiction_scene::{HostSolver, SceneFile, SurfaceInfo};
+use std::collections::BTreeSet;
+
+use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch};
+use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
 use crate::number::Number;
 
@@ -15,6 +17,8 @@ pub struct Run {
     pub body: Vec<[f64; 2]>,
     /// The surfaces, in the order of the scene file.
     pub surfaces: Vec<SurfaceInfo>,
+    /// The obstacles, in the order of the scene file.
+    pub obstacles: Vec<ObstacleInfo>,
     /// k_h (N/m)
     pub stiffness_translation: f64,
     /// k_theta (N·m/rad)
@@ -38,6 +42,7 @@ impl Run {
             title: scene.title.clone(),
             body: scene.vertices.clone(),
             surfaces: scene.surfaces.clone(),
+            obstacles: scene.obstacles.clone(),
             stiffness_translation: scene.stiffness_translation,
             stiffness_rotation: scene.stiffness_rotation,
             weight: scene.weight,
@@ -48,11 +53,28 @@ impl Run {
         }
     }
 
-    /// The names of the surfaces.
-    pub(crate) fn surface_names(&self) -> Vec<String> {
-        let names = self.surfaces.iter().map(|surface| surface.name.clone());
-        names.collect()
+    /// The obstacles and corners of them that are touched in any frame.
+    pub(crate) fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
+        let contacts = self.frames.iter().flat_map(|frame| &frame.contacts);
+        contacts.filter_map(ContactRecord::corner).collect()
     }
+
+    /// The names in its trace.
+    pub(crate) fn names(&self) -> Names {
+        let surfaces = self.surfaces.iter().map(|surface| surface.name.clone());
+        let obstacles = self.obstacles.iter().map(|obstacle| obstacle.name.clone());
+        Names {
+            surfaces: surfaces.collect(),
+            obstacles: obstacles.collect(),
+        }
+    }
+}
+
+/// The names of surfaces and obstacles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Names {
+    pub(crate) surfaces: Vec<String>,
+    pub(crate) obstacles: Vec<String>,
 }
 
 /// One hand frame and the equilibrium at its end.
@@ -86,26 +108,69 @@ pub struct Frame {
     pub behind: Option<f64>,
 }
 
-/// A vertex of the body on a surface.
+/// A contact of the body: one of its vertices on a surface or on a side of an obstacle, or a corner of an obstacle on one of its
+/// sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactRecord {
-    /// Index into [`Run::body`].
-    pub vertex: usize,
-    /// Index into [`Run::surfaces`].
-    pub surface: usize,
+    /// What touches what, by the indices of [`Run::body`], [`Run::surfaces`] and [`Run::obstacles`].
+    pub touch: Touch,
     /// Where they touch (m).
     pub point: [f64; 2],
-    /// Reaction N on the body along the surface's normal (N).
+    /// Reaction N on the body along the normal n (N).
     pub normal: f64,
     /// Friction T on the body along the tangent t = (n_y, -n_x) (N).
     pub friction: f64,
     /// 0 where it sticks, 1 or -1 where it slides along t or against it.
     pub sliding: i8,
+    /// The unit normal n towards the body; `None` in a scene without obstacles, where it is the surface's.
+    pub direction: Option<[f64; 2]>,
+}
+
+impl ContactRecord {
+    /// The vertex of the body, where it is one that touches.
+    pub(crate) fn vertex(&self) -> Option<usize> {
+        match self.touch {
+            Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => Some(vertex),
+            Touch::Corner { .. } => None,
+        }
+    }
+
+    /// The surface, where it is one that is touched.
+    pub(crate) fn surface(&self) -> Option<usize> {
+        match self.touch {
+            Touch::Surface { surface, .. } => Some(surface),
+            Touch::Side { .. } | Touch::Corner { .. } => None,
+        }
+    }
+
+    /// The obstacle, where it is one that is touched.
+    pub(crate) fn obstacle(&self) -> Option<usize> {
+        match self.touch {
+            Touch::Surface { .. } => None,
+            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => Some(obstacle),
+        }
+    }
+
+    /// The obstacle and its corner, where it is one that touches.
+    pub(crate) fn corner(&self) -> Option<[usize; 2]> {
+        match self.touch {
+            Touch::Corner {
+                obstacle, corner, ..
+            } => Some([obstacle, corner]),
+            Touch::Surface { .. } | Touch::Side { .. } => None,
+        }
+    }
+
+    /// The unit normal n towards the body.
+    pub(crate) fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
+        let of_surface = || Some(surfaces.get(self.surface()?)?.normal);
+        self.direction.or_else(of_surface).unwrap_or_default()
+    }
 }
 
 impl Frame {
     /// The frame at time `t` (s) with the solver's answer and the state after it.
-    pub fn new<R: Real<Si: SiFloat>, M: Model>(
+    pub fn new<R: Real<Si: SiFloat>, M: HostModel>(
         t: f64,
         solver: &HostSolver<R, M>,
         state: &State<R>,
@@ -113,6 +178,8 @@ impl Frame {
     ) -> Self {
         let placed = |[x, y]: [R::Si; 2], angle: R::Si| [x.widen(), y.widen(), angle.widen()];
         let (hand, wrench) = (state.hand(), solver.wrench(state));
+        let touches = M::touches(solver, state);
+        let touching = |k| touches.as_ref().and_then(|all| all.get(k).copied());
         Self {
             t,
             hand: placed(hand.position, hand.angle.radians()),
@@ -123,9 +190,16 @@ impl Frame {
             contacts: solver
                 .contacts(state)
                 .iter()
-                .map(|contact| ContactRecord {
-                    vertex: contact.vertex,
-                    surface: contact.surface,
+                .enumerate()
+                .map(|(k, contact)| ContactRecord {
+                    touch: touching(k).map_or(
+                        Touch::Surface {
+                            vertex: contact.vertex,
+                            surface: contact.surface,
+                        },
+                        |touching| touching.touch,
+                    ),
+                    direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
                     point: contact.point.map(R::Si::widen),
                     normal: contact.normal.widen(),
                     friction: contact.friction.widen(),
@@ -139,6 +213,16 @@ impl Frame {
             status: output.status,
             behind: (solver.budget() < u32::MAX).then(|| output.behind.widen()),
         }
+    }
+
+    /// With the indices of the scene file, where the solver's obstacles have others.
+    pub(crate) fn with_indices(mut self, indices: Option<&Indices>) -> Self {
+        if let Some(indices) = indices {
+            for contact in &mut self.contacts {
+                contact.touch = indices.touch(contact.touch);
+            }
+        }
+        self
     }
 
     /// The holding point in the world while the hand holds the body: p_h - F / k_h (m).

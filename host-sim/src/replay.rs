@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde_json::Value;
-use stiction_core::{Fixed, Full, Model, Parts, Real, SiFloat, Solver, narrow_hand};
-use stiction_scene::{InputError, Sample, SceneFile, Source};
+use stiction_core::{Fixed, Parts, Real, SiFloat};
+use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
 
 use crate::files::{self, Files, WriteError};
 use crate::number::Number;
@@ -13,7 +13,7 @@ use crate::options::{parse_evolution, parse_number, parse_trace};
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
-use crate::simulate::Running;
+use crate::simulate::{Running, Task, with_solver};
 use crate::trace::{Format, Record};
 
 /// The arguments of `stiction replay`.
@@ -60,7 +60,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     let head = recording.head.clone();
     let (scene, run) = read(&recording)?;
     let mut solver = stepper(&head, &run, &scene)?;
-    let surfaces = run.surface_names();
+    let names = run.names();
     let head_now = Head {
         build: this_build(),
         ..head.clone()
@@ -76,7 +76,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
         count += 1;
         if let Some(recorded) = recorded {
             compared += 1;
-            let record = Record::new(&frame, &surfaces, run.number.is_single());
+            let record = Record::new(&frame, &names, run.number.is_single());
             let differs = || difference(&recorded, &record);
             first = first.or_else(|| Some((recording.line(), sample.t, differs()?)));
         }
@@ -132,44 +132,61 @@ trait Stepper {
     fn step(&mut self, sample: &Sample) -> Frame;
 }
 
-impl<R: Real<Si: SiFloat>, M: Model> Stepper for Running<R, M> {
+impl<R: Real<Si: SiFloat>, M: HostModel> Stepper for Running<R, M> {
     fn step(&mut self, sample: &Sample) -> Frame {
-        let (solver, state, output) = Self::step(self, narrow_hand(&sample.hand));
-        Frame::new(sample.t, solver, state, &output)
+        self.frame(sample)
+    }
+}
+
+/// Any solver.
+struct Boxed;
+
+impl Task for Boxed {
+    type Done = Box<dyn Stepper>;
+
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+        Box::new(running)
     }
 }
 
 /// The solver of a recording: its number type, with the parts that it had.
 fn stepper(head: &Head, run: &Run, scene: &SceneFile) -> Result<Box<dyn Stepper>, InputError> {
     match run.number {
-        Number::F32 => with_parts::<f32>(head, run, scene),
-        Number::Fixed => with_parts::<Fixed>(head, run, scene),
-        // No board computes in f64.
-        Number::F64 => stepped::<f64, Full>(head, run, scene),
+        Number::F32 if lacks_parts(head) => with_parts::<f32>(head, run, scene),
+        Number::Fixed if lacks_parts(head) => with_parts::<Fixed>(head, run, scene),
+        // No board computes in f64, and this computer has all parts.
+        _ => with_solver(scene, (run.number, run.evolution, budget(head)), Boxed),
     }
 }
 
-fn with_parts<R: Real<Si: SiFloat> + 'static>(
+/// As the solver of a board may.
+fn lacks_parts(head: &Head) -> bool {
+    !(head.friction && head.weight)
+}
+
+fn budget(head: &Head) -> u32 {
+    head.budget.unwrap_or(u32::MAX)
+}
+
+fn with_parts<R: Real<Si: SiFloat>>(
     head: &Head,
     run: &Run,
     scene: &SceneFile,
 ) -> Result<Box<dyn Stepper>, InputError> {
     match (head.friction, head.weight) {
-        (true, true) => stepped::<R, Full>(head, run, scene),
-        (true, false) => stepped::<R, Parts<true, false>>(head, run, scene),
+        (true, _) => stepped::<R, Parts<true, false>>(head, run, scene),
         (false, true) => stepped::<R, Parts<false, true>>(head, run, scene),
         (false, false) => stepped::<R, Parts<false, false>>(head, run, scene),
     }
 }
 
-fn stepped<R: Real<Si: SiFloat> + 'static, M: Model + 'static>(
+fn stepped<R: Real<Si: SiFloat>, M: HostModel>(
     head: &Head,
     run: &Run,
     scene: &SceneFile,
 ) -> Result<Box<dyn Stepper>, InputError> {
-    let budget = head.budget.unwrap_or(u32::MAX);
-    let solver = Solver::new(scene.scene_in::<R, M>()?, run.evolution).with_budget(budget);
-    Ok(Box::new(Running::new(solver)))
+    let running = Running::<R, M>::of(scene, run.evolution, budget(head))?;
+    Ok(Box::new(running))
 }
 
 /// The first field in which an answer is not the recorded one, with both values; the texts are equal where the bits are.

@@ -28,7 +28,26 @@ pub const ALL: &[(&str, &str)] = bundled![
     "rod-on-floor",
     "slide",
     "burst",
+    "table-edge",
+    "step",
+    "peg-in-hole",
+    "plank-on-posts",
+    "hook",
 ];
+
+/// Those of them without obstacles.
+pub fn without_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    ALL.iter().filter(|scene| !has_obstacles(scene))
+}
+
+/// The others.
+pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    ALL.iter().filter(|scene| has_obstacles(scene))
+}
+
+fn has_obstacles((_, text): &(&str, &str)) -> bool {
+    text.contains("\n[[obstacle]]")
+}
 
 /// The bundled scene of a name.
 pub fn find(name: &Path) -> Option<Source> {

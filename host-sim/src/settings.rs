@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Args;
-use stiction_core::{Evolution, Fixed, Real, SiFloat, Solver};
-use stiction_scene::{InputError, Sample, SceneFile};
+use stiction_core::{Evolution, Real, SiFloat};
+use stiction_scene::{HostModel, InputError, Sample, SceneFile};
 
 use crate::number::Number;
 use crate::options::{evolution_parser, parse_budget, parse_rate};
 use crate::record::Frame;
-use crate::simulate::simulate;
+use crate::simulate::{Running, Task, with_solver};
 
 /// What may be chosen besides the scene.
 #[derive(Args, Clone, Debug)]
@@ -59,21 +59,18 @@ impl Settings {
         samples: impl Iterator<Item = Sample>,
         sink: impl FnMut(Frame) -> Result<(), E>,
     ) -> Result<Duration, E> {
-        match self.number {
-            Number::F32 => self.simulate_in::<f32, E>(scene, samples, sink),
-            Number::F64 => self.simulate_in::<f64, E>(scene, samples, sink),
-            Number::Fixed => self.simulate_in::<Fixed, E>(scene, samples, sink),
-        }
+        let dials = (self.number, self.evolution, self.budget.unwrap_or(u32::MAX));
+        with_solver(scene, dials, Whole(samples, sink))?
     }
+}
 
-    fn simulate_in<R: Real<Si: SiFloat>, E: From<InputError>>(
-        &self,
-        scene: &SceneFile,
-        samples: impl Iterator<Item = Sample>,
-        sink: impl FnMut(Frame) -> Result<(), E>,
-    ) -> Result<Duration, E> {
-        let budget = self.budget.unwrap_or(u32::MAX);
-        let solver = Solver::new(scene.scene::<R>()?, self.evolution).with_budget(budget);
-        simulate(solver, samples, sink)
+/// A run from the first sample to the last, and what takes its frames.
+struct Whole<I, F>(I, F);
+
+impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for Whole<I, F> {
+    type Done = Result<Duration, E>;
+
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+        running.simulate(self.0, self.1)
     }
 }

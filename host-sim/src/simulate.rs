@@ -1,16 +1,21 @@
-//! The solver over a hand's motion, for any number type: samples in, recorded frames out.
+//! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
+//! of the solver's type is chosen here, [`with_solver`].
 
 use std::time::{Duration, Instant};
 
-use stiction_core::{Full, Hand, Model, Output, Real, SiFloat, State, narrow_hand};
-use stiction_scene::{HostSolver, Sample};
+use stiction_core::{
+    Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,
+};
+use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, Sample, SceneFile};
 
+use crate::number::Number;
 use crate::record::Frame;
 
 /// A solver with the state of its run.
 pub(crate) struct Running<R: Real, M: Model = Full> {
     solver: HostSolver<R, M>,
     state: Option<State<R>>,
+    indices: Option<Indices>,
 }
 
 impl<R: Real, M: Model> Running<R, M> {
@@ -19,6 +24,7 @@ impl<R: Real, M: Model> Running<R, M> {
         Self {
             solver,
             state: None,
+            indices: None,
         }
     }
 
@@ -38,40 +44,112 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 }
 
+impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
+    /// Of a scene, with the budget of a frame (units of work).
+    ///
+    /// # Errors
+    /// The scene is refused.
+    pub(crate) fn of(
+        scene: &SceneFile,
+        evolution: Evolution,
+        budget: u32,
+    ) -> Result<Self, InputError> {
+        let (scene, indices) = M::scene::<R>(scene)?;
+        Ok(Self {
+            indices,
+            ..Self::new(Solver::new(scene, evolution).with_budget(budget))
+        })
+    }
+
+    /// The frame of the next sample.
+    pub(crate) fn frame(&mut self, sample: &Sample) -> Frame {
+        let (solver, state, output) = self.step(narrow_hand(&sample.hand));
+        let frame = Frame::new(sample.t, solver, state, &output);
+        frame.with_indices(self.indices.as_ref())
+    }
+
+    /// Steps through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
+    /// in it.
+    ///
+    /// # Errors
+    /// The first error of `sink`.
+    pub(crate) fn simulate<E>(
+        mut self,
+        samples: impl Iterator<Item = Sample>,
+        mut sink: impl FnMut(Frame) -> Result<(), E>,
+    ) -> Result<Duration, E> {
+        let mut samples = samples.map(|sample| (sample.t, narrow_hand(&sample.hand)));
+        let mut batch = Vec::with_capacity(BATCH);
+        let mut outputs = Vec::with_capacity(BATCH);
+        let mut spent = Duration::ZERO;
+        loop {
+            batch.extend(samples.by_ref().take(BATCH));
+            if batch.is_empty() {
+                return Ok(spent);
+            }
+            let begun = Instant::now();
+            for (t, hand) in batch.drain(..) {
+                let (_, state, output) = self.step(hand);
+                outputs.push((t, state.clone(), output));
+            }
+            spent += begun.elapsed();
+            for (t, state, output) in outputs.drain(..) {
+                let frame = Frame::new(t, &self.solver, &state, &output);
+                sink(frame.with_indices(self.indices.as_ref()))?;
+            }
+        }
+    }
+}
+
 /// So many steps are timed together, so that the clock costs nothing beside them.
 const BATCH: usize = 64;
 
-/// Steps through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
+/// Steps a solver through `samples` and gives every frame to `sink`. Returns the time that the solver's steps took; `sink` is not
 /// in it.
 ///
 /// # Errors
 /// The first error of `sink`.
-pub fn simulate<R: Real, E>(
+pub fn simulate<R: Real<Si: SiFloat>, E>(
     solver: HostSolver<R>,
     samples: impl Iterator<Item = Sample>,
-    mut sink: impl FnMut(Frame) -> Result<(), E>,
-) -> Result<Duration, E>
-where
-    R::Si: SiFloat,
-{
-    let mut running = Running::new(solver);
-    let mut samples = samples.map(|sample| (sample.t, narrow_hand(&sample.hand)));
-    let mut batch = Vec::with_capacity(BATCH);
-    let mut outputs = Vec::with_capacity(BATCH);
-    let mut spent = Duration::ZERO;
-    loop {
-        batch.extend(samples.by_ref().take(BATCH));
-        if batch.is_empty() {
-            return Ok(spent);
-        }
-        let begun = Instant::now();
-        for (t, hand) in batch.drain(..) {
-            let (_, state, output) = running.step(hand);
-            outputs.push((t, state.clone(), output));
-        }
-        spent += begun.elapsed();
-        for (t, state, output) in outputs.drain(..) {
-            sink(Frame::new(t, &running.solver, &state, &output))?;
-        }
+    sink: impl FnMut(Frame) -> Result<(), E>,
+) -> Result<Duration, E> {
+    Running::new(solver).simulate(samples, sink)
+}
+
+/// What is done with a solver, whatever its type.
+pub(crate) trait Task {
+    /// What it gives.
+    type Done;
+    /// Does it.
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done;
+}
+
+/// Does a task with the solver that a scene needs, of the number type: with obstacles only where the scene has some.
+///
+/// # Errors
+/// The scene is refused.
+pub(crate) fn with_solver<T: Task>(
+    scene: &SceneFile,
+    (number, evolution, budget): (Number, Evolution, u32),
+    task: T,
+) -> Result<T::Done, InputError> {
+    let how = (evolution, budget);
+    match number {
+        Number::F32 => with_model::<f32, T>(scene, how, task),
+        Number::F64 => with_model::<f64, T>(scene, how, task),
+        Number::Fixed => with_model::<Fixed, T>(scene, how, task),
     }
+}
+
+fn with_model<R: Real<Si: SiFloat>, T: Task>(
+    scene: &SceneFile,
+    (evolution, budget): (Evolution, u32),
+    task: T,
+) -> Result<T::Done, InputError> {
+    Ok(if scene.obstacles.is_empty() {
+        task.with(Running::<R, Full>::of(scene, evolution, budget)?)
+    } else {
+        task.with(Running::<R, Among>::of(scene, evolution, budget)?)
+    })
 }

@@ -7,10 +7,11 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Serialize, Serializer};
+use stiction_core::Touch;
 use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
-use crate::record::{Frame, Run};
+use crate::record::{ContactRecord, Frame, Names, Run};
 
 /// The format of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,28 +69,66 @@ pub(crate) struct Record<'a> {
     behind: Option<Value>,
 }
 
+/// A vertex on a surface, a vertex on a side of an obstacle, or a corner of one on a side of the body.
 #[derive(Serialize)]
 struct ContactEntry<'a> {
-    vertex: usize,
-    surface: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    vertex: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corner: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    surface: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    obstacle: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    side: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    body_side: Option<usize>,
     point: [Value; 2],
     normal: Value,
     friction: Value,
     sliding: i8,
+    /// In a scene with obstacles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    direction: Option<[Value; 2]>,
 }
 
-impl<'a> Record<'a> {
-    /// Of a frame; `surfaces`: their names, `single`: the numbers have the digits of f32.
-    pub(crate) fn new(frame: &Frame, surfaces: &'a [String], single: bool) -> Self {
+impl<'a> ContactEntry<'a> {
+    fn new(contact: &ContactRecord, names: &'a Names, single: bool) -> Self {
         let value = |value| Value { value, single };
-        let contacts = frame.contacts.iter().map(|contact| ContactEntry {
-            vertex: contact.vertex,
-            surface: surfaces.get(contact.surface).map_or("", String::as_str),
+        let (side, corner, body_side) = match contact.touch {
+            Touch::Surface { .. } => (None, None, None),
+            Touch::Side { side, .. } => (Some(side), None, None),
+            Touch::Corner {
+                corner, body_side, ..
+            } => (None, Some(corner), Some(body_side)),
+        };
+        Self {
+            vertex: contact.vertex(),
+            corner,
+            surface: contact.surface().map(|k| name(&names.surfaces, k)),
+            obstacle: contact.obstacle().map(|k| name(&names.obstacles, k)),
+            side,
+            body_side,
             point: contact.point.map(value),
             normal: value(contact.normal),
             friction: value(contact.friction),
             sliding: contact.sliding,
-        });
+            direction: contact.direction.map(|direction| direction.map(value)),
+        }
+    }
+}
+
+fn name(names: &[String], index: usize) -> &str {
+    names.get(index).map_or("", String::as_str)
+}
+
+impl<'a> Record<'a> {
+    /// Of a frame; `names`: of surfaces and obstacles, `single`: the numbers have the digits of f32.
+    pub(crate) fn new(frame: &Frame, names: &'a Names, single: bool) -> Self {
+        let value = |value| Value { value, single };
+        let contacts = frame.contacts.iter();
+        let contacts = contacts.map(|contact| ContactEntry::new(contact, names, single));
         Self {
             t: frame.t,
             hand: frame.hand.map(value),
@@ -117,7 +156,7 @@ enum Writer {
 #[derive(Debug)]
 pub struct TraceWriter {
     place: PathBuf,
-    surfaces: Vec<String>,
+    names: Names,
     single: bool,
     writer: Writer,
 }
@@ -131,11 +170,14 @@ impl TraceWriter {
         let file = part(place)?;
         let writer = match format {
             Format::JsonLines => Writer::JsonLines(BufWriter::new(file)),
-            Format::Csv => Writer::Csv(Box::new(table::Writer::new(file))),
+            Format::Csv => Writer::Csv(Box::new(table::Writer::new(
+                file,
+                !run.obstacles.is_empty(),
+            ))),
         };
         Ok(Self {
             place: place.to_owned(),
-            surfaces: run.surface_names(),
+            names: run.names(),
             single: run.number.is_single(),
             writer,
         })
@@ -146,7 +188,7 @@ impl TraceWriter {
     /// # Errors
     /// The file cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        let record = Record::new(frame, &self.surfaces, self.single);
+        let record = Record::new(frame, &self.names, self.single);
         match &mut self.writer {
             Writer::JsonLines(writer) => {
                 serde_json::to_writer(&mut *writer, &record)?;

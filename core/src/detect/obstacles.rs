@@ -768,12 +768,15 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
     })
 }
 
-/// Where a gap closes on a piece of a motion, and the body there.
+/// A place of a motion, and the body there.
+type Place<R> = (R, Instant<R>);
+
+/// Where a gap closes on a piece of a motion.
 fn falls<R: Real>(
-    [from, to]: [(R, Instant<R>); 2],
+    [from, to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
-) -> Option<(R, Instant<R>)> {
+) -> Option<Place<R>> {
     let width = to.0 - from.0;
     let found = first_fall((width, width), |x| {
         let body = if x == R::ZERO {
@@ -797,9 +800,9 @@ fn closes<R: Real, W: World<R>>(
     scene: &W,
     obstacle: usize,
     (before, lasting): (&Placed<R>, &[Pair]),
-    [mut from, to]: [(R, Instant<R>); 2],
+    [mut from, to]: [Place<R>; 2],
     at: &dyn Fn(R) -> Instant<R>,
-) -> Option<((R, Instant<R>), Option<Pair>)> {
+) -> Option<(Place<R>, Option<Pair>)> {
     for _ in 0..MOST_AXES {
         let (axis, _) = widest(scene, &from.1, obstacle, lasting);
         let axis = axis?;

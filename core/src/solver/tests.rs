@@ -10,6 +10,7 @@ use core::f64::consts::FRAC_PI_2;
 mod among;
 mod flat;
 mod seam;
+mod single_corner;
 
 /// Boxes and rods that are dragged, turned and pushed into a corner, with searches that give up after one step, two steps and so on.
 #[test]

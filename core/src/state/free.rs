@@ -175,15 +175,20 @@ impl<R: Real> Free<R> {
         moved
     }
 
-    /// The hand alone holds it where it is, but for what rounding leaves.
-    pub(crate) fn is_near_balance(&self, scene: &impl World<R>, grip: &Grip<R>) -> bool {
+    /// The hand alone holds it where it is, but for what rounding leaves; among obstacles also but for what the reaction of its last contact
+    /// may be off.
+    pub(crate) fn is_near_balance<W: World<R>>(&self, scene: &W, grip: &Grip<R>, off: R) -> bool {
         let load = self.load(scene, grip);
         let turn = if Self::turns_with_hand(scene) {
             load.turn
         } else {
             load.pinned::<Pinned>().polish()
         };
-        load.force.length_bound() + turn.abs() <= load.release()
+        let mut near = load.release();
+        if W::CORNERS {
+            near = near.max(off);
+        }
+        load.force.length_bound() + turn.abs() <= near
     }
 
     /// The turn to balance.

@@ -285,6 +285,11 @@ impl<R: Real> SingleVertex<R> {
         R::of_searches(load.rounding_with_foot())
     }
 
+    /// What a reaction that has fallen to zero may be off.
+    pub(crate) fn found_to_at(&self, scene: &impl World<R>, grip: &Grip<R>) -> R {
+        Self::found_to(&self.pivot.load(scene, grip))
+    }
+
     /// The same from a fold of the branch, on in the direction of the sign.
     #[inline(never)]
     pub(crate) fn snap(&mut self, scene: &impl World<R>, grip: &Grip<R>, direction: R) -> Moved<R> {

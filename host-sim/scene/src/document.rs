@@ -22,6 +22,8 @@ pub(crate) struct Document {
     #[serde(default)]
     pub(crate) surface: Vec<Spanned<Surface>>,
     #[serde(default)]
+    pub(crate) obstacle: Vec<Spanned<Obstacle>>,
+    #[serde(default)]
     pub(crate) hand: Hand,
 }
 
@@ -69,6 +71,19 @@ pub(crate) struct Surface {
     pub(crate) name: Option<Spanned<String>>,
     pub(crate) normal: Numbers,
     pub(crate) offset: Number,
+    #[serde(rename = "static")]
+    pub(crate) stick: Option<Number>,
+    #[serde(rename = "dynamic")]
+    pub(crate) slip: Option<Number>,
+    pub(crate) memory: Option<Number>,
+}
+
+/// `[[obstacle]]`
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Obstacle {
+    pub(crate) name: Option<Spanned<String>>,
+    pub(crate) vertices: Spanned<Vec<Numbers>>,
     #[serde(rename = "static")]
     pub(crate) stick: Option<Number>,
     #[serde(rename = "dynamic")]

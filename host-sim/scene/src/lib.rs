@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! scene.toml ─ Source ─ document.rs ─ check.rs ─┬─ WrittenScene ─┬─ scene_in ─ Scene of the solver, or locate.rs: the key
+//!                                               │                ├─ HostModel: the same among obstacles, cut to size by clip.rs
 //!                                               │                ├─ SceneModel: the smallest that it runs in, and why
 //!                                               │                └─ board.rs, compile.rs, code.rs: scene.rs in a board's build
 //!                                               └─ hand_section.rs: [hand] ─┐
@@ -13,26 +14,34 @@
 
 mod board;
 mod check;
+mod clip;
 mod code;
 mod compile;
 mod document;
+mod friction;
 mod hand_path;
 mod hand_section;
+mod host_model;
 mod locate;
 mod model;
+mod name;
+mod obstacle;
 mod scene_file;
 mod source;
 mod surface;
 mod written;
 
 pub use board::BoardBuild;
+pub use clip::Indices;
 pub use code::rust_source;
 pub use compile::code;
 pub use hand_path::{HandPath, LivePlacement, Placement, Sample};
 pub use hand_section::{HandSection, Motion};
+pub use host_model::{Among, HostModel};
 pub use model::SceneModel;
+pub use obstacle::ObstacleInfo;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
 pub use source::{InputError, Source};
 pub use stiction_core::frame::NumberType;
 pub use surface::SurfaceInfo;
-pub use written::{SURFACES, VERTICES, WrittenScene};
+pub use written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};

@@ -11,9 +11,9 @@ use crate::source::{InputError, Source};
 use crate::written::{SURFACES, VERTICES, WrittenScene};
 
 /// A scene with the capacities of the host.
-pub type HostScene<R> = Scene<R, VERTICES, SURFACES>;
+pub type HostScene<R, M = Full> = Scene<R, VERTICES, SURFACES, M>;
 
-/// A solver of any scene file.
+/// A solver of any scene file without obstacles; with [`Among`](crate::Among) as M of one with obstacles, too.
 pub type HostSolver<R, M = Full> = Solver<R, VERTICES, SURFACES, M>;
 
 /// A scene file whose numbers, those of its hand too, are finite, in range and complete. Whether they make a scene is for
@@ -54,11 +54,11 @@ impl SceneFile {
         }
     }
 
-    /// The scene for the solver.
+    /// The scene for a solver without obstacles.
     ///
     /// # Errors
     /// The numbers do not make a scene: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) is about.
+    /// [`SceneError`](stiction_core::SceneError) is about. There are obstacles.
     pub fn scene<R: Real<Si: SiFloat>>(&self) -> Result<HostScene<R>, InputError> {
         self.scene_in::<R, Full>()
     }
@@ -67,7 +67,7 @@ impl SceneFile {
     ///
     /// # Errors
     /// As [`SceneFile::scene`]; also where the scene needs a part that is not there.
-    pub fn scene_in<R, M>(&self) -> Result<Scene<R, VERTICES, SURFACES, M>, InputError>
+    pub fn scene_in<R, M>(&self) -> Result<HostScene<R, M>, InputError>
     where
         R: Real<Si: SiFloat>,
         M: Model,

@@ -3,10 +3,15 @@
 
 use std::path::Path;
 
-use stiction_core::{Description, Model, Real, Scene, SiFloat, SurfaceDescription};
+use stiction_core::{
+    Description, Model, ObstacleDescription, Real, Scene, SiFloat, SurfaceDescription,
+};
 
 use crate::check::Check;
 use crate::document::{Body, Document};
+use crate::friction::Fallback;
+use crate::name::Names;
+use crate::obstacle::{ObstacleInfo, obstacles};
 use crate::source::{InputError, Source};
 use crate::surface::{SurfaceInfo, surfaces};
 
@@ -14,6 +19,10 @@ use crate::surface::{SurfaceInfo, surfaces};
 pub const VERTICES: usize = 64;
 /// At most this many surfaces.
 pub const SURFACES: usize = 16;
+/// At most this many obstacles.
+pub const OBSTACLES: usize = 32;
+/// At most this many corners of all obstacles together.
+pub const CORNERS: usize = 128;
 
 /// A scene file whose numbers are finite, in range and complete; its hand is not looked at. Whether they make a scene is for
 /// [`WrittenScene::scene_in`] to say. SI units; see [`Description`] for the meaning of each.
@@ -37,6 +46,8 @@ pub struct WrittenScene {
     pub stiffness_rotation: f64,
     /// The surfaces, their normals with length 1.
     pub surfaces: Vec<SurfaceInfo>,
+    /// The obstacles.
+    pub obstacles: Vec<ObstacleInfo>,
     pub(crate) source: Source,
     pub(crate) document: Document,
 }
@@ -60,6 +71,7 @@ impl WrittenScene {
         let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
         let point = |given| check.numbers("grasp.point", given, "x and y");
         let title = source.file().file_stem().unwrap_or_default();
+        let (fallback, mut names) = (Fallback::new(check, &document)?, Names::default());
         Ok(Self {
             title: title.to_string_lossy().into_owned(),
             vertices: vertices(check, body)?,
@@ -69,17 +81,18 @@ impl WrittenScene {
             reach: check.number_or("grasp.reach", grasp.reach.as_ref(), 0.0)?,
             stiffness_translation: check.number("spring.translation", &spring.translation)?,
             stiffness_rotation: check.number("spring.rotation", &spring.rotation)?,
-            surfaces: surfaces(check, &document)?,
+            surfaces: surfaces(check, &document, fallback, &mut names)?,
+            obstacles: obstacles(check, &document, fallback, &mut names)?,
             document,
             source,
         })
     }
 
-    /// The scene for a solver.
+    /// The scene for a solver without obstacles.
     ///
     /// # Errors
     /// The numbers do not make a scene, or it does not fit: the message names the key that the solver's
-    /// [`SceneError`](stiction_core::SceneError) is about.
+    /// [`SceneError`](stiction_core::SceneError) is about. There are obstacles.
     pub fn scene_in<R, const V: usize, const S: usize, M>(
         &self,
     ) -> Result<Scene<R, V, S, M>, InputError>
@@ -87,6 +100,7 @@ impl WrittenScene {
         R: Real<Si: SiFloat>,
         M: Model,
     {
+        self.check_half_planes()?;
         self.described(|description| Scene::new(description))
             .map_err(|error| self.explain(&error, [V, S]))
     }
@@ -113,6 +127,27 @@ impl WrittenScene {
             stiffness_rotation: narrow(self.stiffness_rotation),
             surfaces: &surfaces,
         })
+    }
+
+    /// Obstacles in the float of a solver.
+    pub(crate) fn described_obstacles<F: SiFloat, T>(
+        obstacles: &[ObstacleInfo],
+        take: impl FnOnce(&[ObstacleDescription<'_, F>]) -> T,
+    ) -> T {
+        let narrow = F::narrow;
+        let corners = |o: &ObstacleInfo| -> Vec<[F; 2]> {
+            o.vertices.iter().map(|v| v.map(narrow)).collect()
+        };
+        let corners: Vec<_> = obstacles.iter().map(corners).collect();
+        let described = obstacles.iter().zip(&corners);
+        let described = described.map(|(o, vertices)| ObstacleDescription {
+            vertices,
+            friction_static: narrow(o.friction_static),
+            friction_dynamic: narrow(o.friction_dynamic),
+            memory: o.memory.map(narrow),
+        });
+        let described: Vec<_> = described.collect();
+        take(&described)
     }
 
     /// The file.

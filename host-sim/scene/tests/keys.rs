@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use stiction_scene::{SURFACES, SceneFile, Source, VERTICES};
+use stiction_scene::{CORNERS, OBSTACLES, SURFACES, SceneFile, Source, VERTICES};
 
 fn readme() -> String {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
@@ -44,7 +44,7 @@ fn expected(text: &str) -> Vec<String> {
 fn known() -> BTreeSet<String> {
     let keys = expected("none = 1").into_iter().flat_map(|section| {
         let header = match section.as_str() {
-            "surface" => "[[surface]]".to_owned(),
+            "surface" | "obstacle" => format!("[[{section}]]"),
             _ => format!("[{section}]"),
         };
         let names = expected(&format!("{header}\nnone = 1"));
@@ -65,6 +65,7 @@ fn the_table_tells_the_room_that_there_is() {
     for told in [
         format!("| 1 to {VERTICES} of `[x, y]`"),
         format!("0 to {SURFACES} of them"),
+        format!("0 to {OBSTACLES} of them with at most {CORNERS} corners together"),
     ] {
         assert!(readme().contains(&told), "{told}");
     }

@@ -1,7 +1,7 @@
 //! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it. How far the body is behind
 //! the hand a board does not tell: that is the host's, where the two are compared.
 
-use stiction_core::{Angle, Hand, Status};
+use stiction_core::{Angle, Hand, Status, Touch};
 
 use super::flight::Sent;
 use super::steps::Step;
@@ -41,8 +41,11 @@ impl Recorder {
                 .contacts
                 .iter()
                 .map(|contact| ContactRecord {
-                    vertex: contact.vertex,
-                    surface: contact.surface,
+                    touch: Touch::Surface {
+                        vertex: contact.vertex,
+                        surface: contact.surface,
+                    },
+                    direction: None,
                     point: contact.point.map(f64::from),
                     normal: f64::from(contact.normal),
                     friction: f64::from(contact.friction),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use stiction_core::frame::{EventSet, NumberType};
 use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, Wrench};
-use stiction_scene::{InputError, SceneFile};
+use stiction_scene::{HostSolver, InputError, SceneFile};
 
 use super::heard::About;
 use super::steps::Step;
@@ -31,7 +31,10 @@ pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
-impl<R: Real<Si = f32> + Send, M: Model + Send> Twin for Running<R, M> {
+impl<R: Real<Si = f32> + Send, M: Model> Twin for Running<R, M>
+where
+    HostSolver<R, M>: Send,
+{
     fn step(&mut self, hand: Hand<f32>) -> Expected {
         let (solver, state, output) = Self::step(self, hand);
         Expected {
@@ -66,10 +69,13 @@ where
     }
 }
 
-fn host<R: Real<Si = f32> + Send + 'static, M: Model + Send>(
+fn host<R: Real<Si = f32> + Send + 'static, M: Model>(
     about: &About,
     scene: &SceneFile,
-) -> Result<Box<dyn Twin>, InputError> {
+) -> Result<Box<dyn Twin>, InputError>
+where
+    HostSolver<R, M>: Send,
+{
     let solver = Solver::new(scene.scene_in::<R, M>()?, about.mode.evolution);
     let solver = solver.with_budget(about.budget);
     Ok(Box::new(Running::new(solver)))

@@ -1,21 +1,20 @@
-//! The forces over time: for each surface that is touched the normal reaction and the friction, summed over its contacts,
+//! The forces over time: for each surface and obstacle that is touched the normal reaction and the friction, summed over its contacts,
 //! between the limits of sticking and of slipping; and the force of the hand's spring.
 
 use super::legend::{Entry, Mark};
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
-use crate::record::{Frame, Run};
+use crate::record::{ContactRecord, Frame, Run};
 
 /// A friction limit is shown up to this multiple of the largest force.
 const ROOM_FOR_LIMITS: f64 = 1.5;
 
 /// The picture as SVG.
 pub(super) fn svg(run: &Run) -> Drawn<String> {
-    let touched = |&surface: &usize| run.frames.iter().any(|frame| touches(frame, surface));
-    let surfaces: Vec<usize> = (0..run.surfaces.len()).filter(touched).collect();
+    let touched = touched(run);
     let mut legend = Vec::new();
-    if !surfaces.is_empty() {
+    if !touched.is_empty() {
         legend.extend([
             Entry::new(Mark::Line(NORMAL, 2.0), "normal N"),
             Entry::new(Mark::Line(FRICTION, 2.0), "friction T"),
@@ -27,10 +26,7 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         Entry::new(Mark::Line(HAND_FORCE, 2.0), "hand Fx"),
         Entry::new(Mark::Line(HAND_FORCE_Y, 2.0), "hand Fy"),
     ]);
-    let mut panels: Vec<Panel> = surfaces
-        .iter()
-        .map(|&surface| reactions(run, surface))
-        .collect();
+    let mut panels: Vec<Panel> = touched.iter().map(|solid| reactions(run, solid)).collect();
     panels.push(hand(run));
     Timeline {
         run,
@@ -41,26 +37,42 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
     .svg()
 }
 
-fn touches(frame: &Frame, surface: usize) -> bool {
-    frame
-        .contacts
-        .iter()
-        .any(|contact| contact.surface == surface)
+/// A surface or an obstacle.
+struct Solid<'a> {
+    name: &'a str,
+    /// mu_s and mu_d.
+    friction: [f64; 2],
+    contacts: Box<dyn Fn(&ContactRecord) -> bool>,
 }
 
-/// The panel of a surface.
-fn reactions(run: &Run, index: usize) -> Panel {
-    let surface = &run.surfaces[index];
-    let sum = |force: fn(&crate::record::ContactRecord) -> f64| -> Vec<f64> {
-        let of_surface = |frame: &Frame| {
-            let contacts = frame
-                .contacts
-                .iter()
-                .filter(|contact| contact.surface == index);
-            contacts.map(force).sum()
+/// Those that are touched.
+fn touched(run: &Run) -> Vec<Solid<'_>> {
+    let surfaces = run.surfaces.iter().enumerate().map(|(k, surface)| Solid {
+        name: &surface.name,
+        friction: [surface.friction_static, surface.friction_dynamic],
+        contacts: Box::new(move |contact| contact.surface() == Some(k)),
+    });
+    let obstacles = run.obstacles.iter().enumerate();
+    let obstacles = obstacles.map(|(k, obstacle)| Solid {
+        name: &obstacle.name,
+        friction: [obstacle.friction_static, obstacle.friction_dynamic],
+        contacts: Box::new(move |contact| contact.obstacle() == Some(k)),
+    });
+    let contacts = || run.frames.iter().flat_map(|frame| &frame.contacts);
+    let is_touched = |solid: &Solid<'_>| contacts().any(&solid.contacts);
+    surfaces.chain(obstacles).filter(is_touched).collect()
+}
+
+/// The panel of a surface or an obstacle.
+fn reactions(run: &Run, solid: &Solid<'_>) -> Panel {
+    let sum = |force: fn(&ContactRecord) -> f64| -> Vec<f64> {
+        let of_solid = |frame: &Frame| {
+            let contacts = frame.contacts.iter();
+            contacts.filter(|c| (solid.contacts)(c)).map(force).sum()
         };
-        run.frames.iter().map(of_surface).collect()
+        run.frames.iter().map(of_solid).collect()
     };
+    let [mu_s, mu_d] = solid.friction;
     let normal = sum(|contact| contact.normal);
     let friction = sum(|contact| contact.friction);
     let largest = normal
@@ -77,13 +89,13 @@ fn reactions(run: &Run, index: usize) -> Panel {
         }
     };
     Panel {
-        label: format!("{} [N]", surface.name),
+        label: format!("{} [N]", solid.name),
         height: 210.0,
         lines: vec![
-            limit(STATIC_LIMIT, 1.3, surface.friction_static),
-            limit(STATIC_LIMIT, 1.3, -surface.friction_static),
-            limit(DYNAMIC_LIMIT, 1.6, surface.friction_dynamic),
-            limit(DYNAMIC_LIMIT, 1.6, -surface.friction_dynamic),
+            limit(STATIC_LIMIT, 1.3, mu_s),
+            limit(STATIC_LIMIT, 1.3, -mu_s),
+            limit(DYNAMIC_LIMIT, 1.6, mu_d),
+            limit(DYNAMIC_LIMIT, 1.6, -mu_d),
             Line::new(NORMAL, 1.8, normal.clone()),
             Line::new(FRICTION, 1.8, friction),
         ],

@@ -4,6 +4,13 @@
 use crate::record::{Frame, Run};
 use stiction_core::{Event, StateKind};
 
+/// Two snapshots are as much of the run's duration apart at least.
+const APART: f64 = 0.005;
+/// Among obstacles events come in bunches, in which snapshots look alike.
+const BUNCH: f64 = 0.05;
+/// Which of the tiers has the events.
+const EVENTS: usize = 2;
+
 /// The indices of at most `count` frames, in order of time.
 pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
     let frames = &run.frames;
@@ -25,10 +32,14 @@ pub(super) fn choose(run: &Run, count: usize) -> Vec<usize> {
             .into_iter()
             .collect(),
     ];
-    for tier in tiers {
-        add(frames, &mut chosen, tier.into_iter(), count);
+    let apart = |tier: usize| match tier {
+        EVENTS if !run.obstacles.is_empty() => BUNCH,
+        _ => APART,
+    };
+    for (k, tier) in tiers.into_iter().enumerate() {
+        add(frames, &mut chosen, tier.into_iter(), (count, apart(k)));
     }
-    add(frames, &mut chosen, indices(), count);
+    add(frames, &mut chosen, indices(), (count, APART));
     chosen.sort_unstable();
     chosen
 }
@@ -37,12 +48,12 @@ fn eventful(frame: &Frame) -> bool {
     frame.events.iter().any(|&event| event != Event::Slip)
 }
 
-/// Adds candidates, the farthest in time from those chosen first, until there are `count` or none is left apart from them.
+/// Adds candidates, the farthest in time from those chosen first, until there are `count` or none is left so much apart from them.
 fn add(
     frames: &[Frame],
     chosen: &mut Vec<usize>,
     candidates: impl Iterator<Item = usize> + Clone,
-    count: usize,
+    (count, least): (usize, f64),
 ) {
     let duration = match frames {
         [first, .., last] => last.t - first.t,
@@ -60,7 +71,7 @@ fn add(
             .map(|index| (index, distance(index)))
             .max_by(|a, b| a.1.total_cmp(&b.1));
         match farthest {
-            Some((index, apart)) if apart > 0.005 * duration => chosen.push(index),
+            Some((index, apart)) if apart > least * duration => chosen.push(index),
             _ => return,
         }
     }

@@ -1,12 +1,12 @@
-//! The motion over time: the angles of hand and body, and along x and y the hand, the holding point and the vertices in
-//! contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
+//! The motion over time: the angles of hand and body, and along x and y the hand, the holding point and the vertices
+//! and corners in contact. A vertex that sticks draws a level line and one that slips a step: the staircase of stick-slip.
 
 use super::legend::{Entry, Mark};
 use super::plane::hand_angle;
 use super::sheet::Drawn;
 use super::style::*;
 use super::timeline::{Line, Panel, Timeline};
-use crate::record::{Frame, Run};
+use crate::record::{ContactRecord, Frame, Run};
 
 /// A smaller offset of the hand's angle is not told [rad].
 const LEAST_OFFSET: f64 = 0.01;
@@ -27,7 +27,12 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         legend.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
     }
     if run.frames.iter().any(|frame| !frame.contacts.is_empty()) {
-        legend.push(Entry::new(Mark::Line(FRICTION, 2.4), "vertices in contact"));
+        let text = if run.touched_corners().is_empty() {
+            "vertices in contact"
+        } else {
+            "vertices and corners in contact"
+        };
+        legend.push(Entry::new(Mark::Line(FRICTION, 2.4), text));
     }
     Timeline {
         run,
@@ -75,15 +80,18 @@ fn positions(run: &Run, axis: usize, label: &str) -> Panel {
     );
     let mut lines = vec![Line::new(BODY, 3.2, held)];
     lines.extend(hand(run, |frame| 1e3 * frame.hand[axis]));
-    for vertex in 0..run.body.len() {
+    let mut follow = |is_it: &dyn Fn(&ContactRecord) -> bool| {
         let touching = |frame: &Frame| {
-            let contact = frame
-                .contacts
-                .iter()
-                .find(|contact| contact.vertex == vertex);
+            let contact = frame.contacts.iter().find(|contact| is_it(contact));
             contact.map_or(f64::NAN, |contact| 1e3 * contact.point[axis])
         };
         lines.push(Line::new(FRICTION, 2.4, values(run, |_| true, touching)));
+    };
+    for vertex in 0..run.body.len() {
+        follow(&|contact| contact.vertex() == Some(vertex));
+    }
+    for corner in run.touched_corners() {
+        follow(&|contact| contact.corner() == Some(corner));
     }
     Panel {
         label: label.to_owned(),

@@ -54,11 +54,11 @@ impl Bounds {
         }
     }
 
-    fn contains(&self, (x, y): (f64, f64)) -> bool {
+    pub(super) fn contains(&self, (x, y): (f64, f64)) -> bool {
         self.x.contains(&x) && self.y.contains(&y)
     }
 
-    fn corners(&self) -> [(f64, f64); 4] {
+    pub(super) fn corners(&self) -> [(f64, f64); 4] {
         let Self { x, y } = self;
         [
             (x.start, y.start),
@@ -237,12 +237,12 @@ impl<'a> View<'a> {
 }
 
 /// Height of a point above a surface [m]; negative inside.
-fn height(surface: &SurfaceInfo, (x, y): (f64, f64)) -> f64 {
+pub(super) fn height(surface: &SurfaceInfo, (x, y): (f64, f64)) -> f64 {
     surface.normal[0] * x + surface.normal[1] * y - surface.offset
 }
 
 /// The part of a convex polygon where `depth`, an affine function, is not negative.
-fn clip(corners: &[(f64, f64)], depth: impl Fn((f64, f64)) -> f64) -> Vec<(f64, f64)> {
+pub(super) fn clip(corners: &[(f64, f64)], depth: impl Fn((f64, f64)) -> f64) -> Vec<(f64, f64)> {
     let mut kept = Vec::new();
     for (index, &a) in corners.iter().enumerate() {
         let b = corners[(index + 1) % corners.len()];

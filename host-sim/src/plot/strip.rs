@@ -4,6 +4,7 @@
 use super::instants::choose;
 use super::legend::{Entry, Heading, Mark};
 use super::notes::tally;
+use super::obstacles::Solids;
 use super::plane::{Bounds, View, corners, hand_angle, length_unit};
 use super::sheet::{self, Area, Drawn, part, px, stroke};
 use super::style::*;
@@ -124,7 +125,11 @@ fn scale_bar(one: f64, unit: &str) -> Entry {
 fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
     let centre = extent(run, frame).centre();
     let view = View::new(area, Bounds::centred(centre, scale.window, scale.window))?;
-    view.surfaces(&run.surfaces)?;
+    view.solids(&Solids {
+        surfaces: &run.surfaces,
+        obstacles: &run.obstacles,
+    })?;
+    view.names(&run.obstacles, false)?;
     let body = corners(&run.body, frame.pose);
     view.fill(&body, BODY.mix(0.14))?;
     view.outline(&body, BODY, 2.0)?;
@@ -137,10 +142,7 @@ fn snapshot(area: &Area, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
 /// The reactions at the contacts.
 fn forces(view: &View, run: &Run, frame: &Frame, scale: &Scale) -> Drawn {
     for contact in &frame.contacts {
-        let Some(surface) = run.surfaces.get(contact.surface) else {
-            continue;
-        };
-        let [nx, ny] = surface.normal;
+        let [nx, ny] = contact.normal_among(&run.surfaces);
         let point = contact.point.into();
         let normal = contact.normal * scale.per_newton;
         let friction = contact.friction * scale.per_newton;

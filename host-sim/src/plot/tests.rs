@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::record::{ContactRecord, Frame};
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::Document;
-use stiction_core::{Event, Evolution, StateKind, Status};
+use stiction_core::{Event, Evolution, StateKind, Status, Touch};
 use stiction_scene::SurfaceInfo;
 
 mod slides;
@@ -36,8 +36,8 @@ fn drag(count: usize) -> Run {
         let x = 0.01 * (20.0 * t).floor();
         let (normal, friction) = (10.0, -3.0 - 2.0 * phase);
         let contact = |vertex, x| ContactRecord {
-            vertex,
-            surface: 0,
+            touch: Touch::Surface { vertex, surface: 0 },
+            direction: None,
             point: [x, 0.0],
             normal: 0.5 * normal,
             friction: 0.5 * friction,
@@ -78,6 +78,7 @@ fn drag(count: usize) -> Run {
             surface("floor", [0.0, 1.0], 0.0),
             surface("wall", [-1.0, 0.0], -0.3),
         ],
+        obstacles: Vec::new(),
         stiffness_translation: 500.0,
         stiffness_rotation: 0.5,
         weight: 0.0,

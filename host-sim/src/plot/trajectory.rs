@@ -2,6 +2,7 @@
 //! the end, and the surfaces.
 
 use super::legend::{Entry, Heading, Mark};
+use super::obstacles::{self, Solids};
 use super::plane::{Bounds, View, corners, length_unit};
 use super::series::sparse;
 use super::sheet::{self, Area, Drawn, part, px, stroke};
@@ -33,8 +34,12 @@ pub(super) fn svg(run: &Run) -> Drawn<String> {
         heading.draw(area)?;
         let inner = part(area, (LEFT, top), (INNER, height));
         let view = View::new(&inner, bounds.clone())?;
-        view.surfaces(&run.surfaces)?;
+        view.solids(&Solids {
+            surfaces: &run.surfaces,
+            obstacles: &run.obstacles,
+        })?;
         axes(&part(area, (0.0, top), (WIDTH, height + AXIS)), &bounds)?;
+        view.names(&run.obstacles, true)?;
         bodies(&view, run)?;
         paths(&view, run)
     })
@@ -52,8 +57,11 @@ fn entries(run: &Run) -> Vec<Entry> {
     if run.frames.iter().any(|frame| !frame.held) {
         entries.insert(1, Entry::new(Mark::Line(OPEN_HAND, 1.4), "hand, open"));
     }
-    if run.frames.iter().any(|frame| !frame.contacts.is_empty()) {
+    if contacts(run).any(|contact| contact.vertex().is_some()) {
         entries.push(Entry::new(Mark::Dot(FRICTION), "vertices in contact"));
+    }
+    if contacts(run).any(|contact| contact.vertex().is_none()) {
+        entries.push(Entry::new(Mark::Ring(FRICTION), "corners in contact"));
     }
     entries
 }
@@ -78,6 +86,7 @@ fn bounds(run: &Run) -> Bounds {
     let contacts = contacts(run).map(|contact| contact.point.into());
     let bounds = Bounds::around(bodies.chain(hands).chain(holding_points).chain(contacts))
         .unwrap_or_else(|| Bounds::centred((0.0, 0.0), 0.0, 0.0));
+    let bounds = with_corners_near(run, bounds);
     let extent = bounds.width().max(bounds.height());
     let margin = if extent > 0.0 { 0.06 * extent } else { 0.5 };
     Bounds::centred(
@@ -85,6 +94,19 @@ fn bounds(run: &Run) -> Bounds {
         bounds.width() + 2.0 * margin,
         bounds.height() + 2.0 * margin,
     )
+}
+
+/// The corners of obstacles are seen that are not far away.
+fn with_corners_near(run: &Run, bounds: Bounds) -> Bounds {
+    let extent = bounds.width().max(bounds.height());
+    let (width, height) = (
+        bounds.width() + 0.5 * extent,
+        bounds.height() + 0.5 * extent,
+    );
+    let near = Bounds::centred(bounds.centre(), width, height);
+    let corners = run.obstacles.iter().flat_map(obstacles::corners);
+    let corners = corners.filter(|&corner| near.contains(corner));
+    Bounds::around(bounds.corners().into_iter().chain(corners)).unwrap_or(bounds)
 }
 
 fn axes(area: &Area, bounds: &Bounds) -> Drawn {
@@ -125,10 +147,15 @@ fn bodies(view: &View, run: &Run) -> Drawn {
 
 fn paths(view: &View, run: &Run) -> Drawn {
     for vertex in 0..run.body.len() {
-        let contacts = contacts(run).filter(|contact| contact.vertex == vertex);
+        let contacts = contacts(run).filter(|contact| contact.vertex() == Some(vertex));
         let points: Vec<_> = contacts.map(|contact| contact.point.into()).collect();
         for point in sparse(&points, 0.8 * view.pixel, MOST_DOTS / run.body.len()) {
             view.dot(point, 2.2, FRICTION)?;
+        }
+    }
+    for [obstacle, corner] in run.touched_corners() {
+        if let Some(&[x, y]) = run.obstacles[obstacle].vertices.get(corner) {
+            view.touched_corner((x, y), FRICTION)?;
         }
     }
     let hand = |frame: &Frame| (frame.hand[0], frame.hand[1]);

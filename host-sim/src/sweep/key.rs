@@ -16,7 +16,7 @@ enum Kind {
     Text,
 }
 
-/// Keys of a scene file; those of a surface stand behind `surface.NAME.`.
+/// Keys of a scene file; those of a surface stand behind `surface.NAME.`, those of an obstacle behind `obstacle.NAME.`.
 const SCENE: [(&str, Kind); 16] = [
     ("body.vertices", Kind::Numbers),
     ("body.rectangle", Kind::Numbers),
@@ -42,6 +42,14 @@ const SURFACE: [(&str, Kind); 5] = [
     ("dynamic", Kind::Number),
     ("memory", Kind::Number),
 ];
+const OBSTACLE: [(&str, Kind); 4] = [
+    ("vertices", Kind::Numbers),
+    ("static", Kind::Number),
+    ("dynamic", Kind::Number),
+    ("memory", Kind::Number),
+];
+/// Sections of which a file has several, and their keys.
+const NAMED: [(&str, &[(&str, Kind)]); 2] = [("surface", &SURFACE), ("obstacle", &OBSTACLE)];
 const RUN: [(&str, Dial); 5] = [
     ("run.hand", Dial::Hand),
     ("run.number", Dial::Number),
@@ -70,7 +78,7 @@ pub(super) struct Key {
 #[derive(Clone, Debug)]
 enum Place {
     Run(Dial),
-    /// Names of tables, names or indices of surfaces, indices into arrays.
+    /// Names of tables, names or indices of surfaces and obstacles, indices into arrays.
     Scene(Vec<String>, Kind),
 }
 
@@ -78,10 +86,10 @@ enum Place {
 pub(super) fn all() -> String {
     let run = RUN.iter().map(|(name, _)| (*name).to_owned());
     let scene = SCENE.iter().map(|(name, _)| (*name).to_owned());
-    let surface = SURFACE
-        .iter()
-        .map(|(name, _)| format!("surface.NAME.{name}"));
-    let names: Vec<String> = scene.chain(surface).chain(run).collect();
+    let named = NAMED.iter().flat_map(|(section, keys)| {
+        (keys.iter()).map(move |(name, _)| format!("{section}.NAME.{name}"))
+    });
+    let names: Vec<String> = scene.chain(named).chain(run).collect();
     format!("{}, and .0, .1, ... behind arrays", names.join(", "))
 }
 
@@ -194,10 +202,13 @@ fn scene_place(name: &str) -> Option<Place> {
 }
 
 fn whole_place(name: &str) -> Option<(Vec<&str>, Kind)> {
-    if let Some(rest) = name.strip_prefix("surface.") {
-        let (surface, key) = rest.rsplit_once('.')?;
-        let (_, kind) = SURFACE.iter().find(|(known, _)| *known == key)?;
-        return Some((vec!["surface", surface, key], *kind));
+    for (section, keys) in NAMED {
+        let rest = name.strip_prefix(section);
+        if let Some(rest) = rest.and_then(|rest| rest.strip_prefix('.')) {
+            let (one, key) = rest.rsplit_once('.')?;
+            let (_, kind) = keys.iter().find(|(known, _)| *known == key)?;
+            return Some((vec![section, one, key], *kind));
+        }
     }
     let (_, kind) = SCENE.iter().find(|(known, _)| *known == name)?;
     Some((name.split('.').collect(), *kind))

@@ -8,9 +8,30 @@ use super::{ContactEntry, Record, Value};
 
 /// Contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
-const CONTACT_COLUMNS: [&str; 7] = [
-    "vertex", "surface", "x", "y", "normal", "friction", "sliding",
+/// The columns of a contact; the others are there only where the scene has obstacles.
+const CONTACT_COLUMNS: [(&str, Shown); 13] = [
+    ("vertex", Shown::Always),
+    ("surface", Shown::Always),
+    ("obstacle", Shown::AmongObstacles),
+    ("side", Shown::AmongObstacles),
+    ("corner", Shown::AmongObstacles),
+    ("body_side", Shown::AmongObstacles),
+    ("x", Shown::Always),
+    ("y", Shown::Always),
+    ("normal", Shown::Always),
+    ("friction", Shown::Always),
+    ("sliding", Shown::Always),
+    ("direction_x", Shown::AmongObstacles),
+    ("direction_y", Shown::AmongObstacles),
 ];
+
+/// In which traces a column is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    Always,
+    AmongObstacles,
+}
+
 const COLUMNS: [&str; 17] = [
     "t",
     "hand_x",
@@ -39,19 +60,21 @@ const BEHIND: &str = "behind";
 pub(super) struct Writer {
     rows: csv::Writer<NamedTempFile>,
     has_header: bool,
+    has_obstacles: bool,
 }
 
 impl Writer {
-    pub(super) fn new(file: NamedTempFile) -> Self {
+    pub(super) fn new(file: NamedTempFile, has_obstacles: bool) -> Self {
         Self {
             rows: csv::Writer::from_writer(file),
             has_header: false,
+            has_obstacles,
         }
     }
 
     pub(super) fn write(&mut self, record: &Record<'_>) -> io::Result<()> {
         self.begin(record.behind.is_some())?;
-        Ok(self.rows.write_record(row(record))?)
+        Ok(self.rows.write_record(row(record, self.has_obstacles))?)
     }
 
     /// The whole table; a header is there without a row, too.
@@ -65,22 +88,30 @@ impl Writer {
             return Ok(());
         }
         self.has_header = true;
-        Ok(self.rows.write_record(header(has_budget))?)
+        let header = header(has_budget, self.has_obstacles);
+        Ok(self.rows.write_record(header)?)
     }
 }
 
 /// The names of the columns.
-fn header(has_budget: bool) -> Vec<String> {
+fn header(has_budget: bool, has_obstacles: bool) -> Vec<String> {
     let mut names: Vec<String> = COLUMNS.map(String::from).to_vec();
     for contact in 0..CONTACTS {
-        names.extend(CONTACT_COLUMNS.map(|column| format!("c{contact}_{column}")));
+        let columns = shown(has_obstacles).map(|k| CONTACT_COLUMNS[k].0);
+        names.extend(columns.map(|column| format!("c{contact}_{column}")));
     }
     names.extend(has_budget.then(|| BEHIND.to_owned()));
     names
 }
 
+/// The columns of a contact that are there.
+fn shown(has_obstacles: bool) -> impl Iterator<Item = usize> {
+    let is_shown = move |k: &usize| has_obstacles || CONTACT_COLUMNS[*k].1 == Shown::Always;
+    (0..CONTACT_COLUMNS.len()).filter(is_shown)
+}
+
 /// The columns of a record.
-fn row(record: &Record<'_>) -> Vec<String> {
+fn row(record: &Record<'_>, has_obstacles: bool) -> Vec<String> {
     let mut row = vec![format!("{:?}", record.t)];
     row.extend(record.hand.map(digits));
     row.push(record.held.to_string());
@@ -93,26 +124,36 @@ fn row(record: &Record<'_>) -> Vec<String> {
     row.push(record.status.to_owned());
     row.push(record.contacts.len().to_string());
     for contact in record.contacts.iter().take(CONTACTS) {
-        row.extend(contact_columns(contact));
+        let columns = contact_columns(contact);
+        row.extend(shown(has_obstacles).map(|k| columns[k].clone()));
     }
-    row.resize(
-        COLUMNS.len() + CONTACTS * CONTACT_COLUMNS.len(),
-        String::new(),
-    );
+    let width = shown(has_obstacles).count();
+    row.resize(COLUMNS.len() + CONTACTS * width, String::new());
     row.extend(record.behind.map(digits));
     row
 }
 
 fn contact_columns(contact: &ContactEntry<'_>) -> [String; CONTACT_COLUMNS.len()] {
     let [x, y] = contact.point;
+    let index = |index: Option<usize>| index.map_or_else(String::new, |k| k.to_string());
+    let [direction_x, direction_y] = match contact.direction {
+        Some(direction) => direction.map(digits),
+        None => [const { String::new() }; 2],
+    };
     [
-        contact.vertex.to_string(),
-        contact.surface.to_owned(),
+        index(contact.vertex),
+        contact.surface.unwrap_or_default().to_owned(),
+        contact.obstacle.unwrap_or_default().to_owned(),
+        index(contact.side),
+        index(contact.corner),
+        index(contact.body_side),
         digits(x),
         digits(y),
         digits(contact.normal),
         digits(contact.friction),
         contact.sliding.to_string(),
+        direction_x,
+        direction_y,
     ]
 }
 

@@ -110,10 +110,7 @@ impl Suite {
     pub fn new(recorded: Option<&Path>, quick: bool) -> Result<Self, InputError> {
         let extent = if quick { QUICK } else { WHOLE };
         let mut cases = Vec::new();
-        for (name, text) in scenes::ALL
-            .iter()
-            .filter(|(name, _)| (extent.bundled)(name))
-        {
+        for (name, text) in scenes::without_obstacles().filter(|(name, _)| (extent.bundled)(name)) {
             cases.push(Case::new(Group::Bundled, format!("{name}.toml"), text)?);
         }
         let mut random = random::Random::new(1);

@@ -329,6 +329,6 @@ impl Engine {
 /// The names of the scenes that can be shown.
 pub(super) fn scene_names(own: Option<&Stage>) -> Vec<String> {
     let own = own.map(|own| own.scene.title.clone());
-    let bundled = scenes::ALL.iter().map(|(name, _)| (*name).to_owned());
+    let bundled = scenes::without_obstacles().map(|(name, _)| (*name).to_owned());
     own.into_iter().chain(bundled).collect()
 }

@@ -116,10 +116,11 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
         message("wrench", frame.wrench.map(float).to_vec()),
     ];
     for contact in &frame.contacts {
-        let surface = scene.surfaces.get(contact.surface);
+        let surface = contact.surface().and_then(|k| scene.surfaces.get(k));
+        let vertex = contact.vertex().and_then(|k| i32::try_from(k).ok());
         let [x, y] = contact.point.map(float);
         let args = vec![
-            OscType::Int(i32::try_from(contact.vertex).unwrap_or(i32::MAX)),
+            OscType::Int(vertex.unwrap_or(i32::MAX)),
             text(surface.map_or("", |surface| &surface.name)),
             x,
             y,

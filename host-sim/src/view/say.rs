@@ -13,7 +13,7 @@ use super::free::Springs;
 use super::pair::{Comparison, SlipMark};
 use super::stage::Stage;
 use crate::board::{Fares, Identity};
-use crate::record::Frame;
+use crate::record::{Frame, Names};
 use crate::trace::Record;
 
 /// Of the protocol.
@@ -209,10 +209,16 @@ impl News {
     pub(super) fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
-        let names: Vec<String> = scene.surfaces.iter().map(|s| s.name.clone()).collect();
+        let names = Names {
+            surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
+            ..Names::default()
+        };
         let springs = Springs::of(scene, &latest.frame);
         let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
-        let strip = self.since.iter().map(|frame| strip(frame, names.len()));
+        let strip = self
+            .since
+            .iter()
+            .map(|frame| strip(frame, scene.surfaces.len()));
         text(&FrameMessage {
             r#type: "frame",
             tick: latest.tick,
@@ -237,7 +243,10 @@ fn strip(frame: &Frame, surfaces: usize) -> Vec<f64> {
     let mut row = vec![0.0; 1 + 2 * surfaces];
     row[0] = frame.t;
     for contact in &frame.contacts {
-        let place = 1 + 2 * contact.surface;
+        let Some(surface) = contact.surface() else {
+            continue;
+        };
+        let place = 1 + 2 * surface;
         if let Some([normal, friction]) = row.get_mut(place..place + 2) {
             *normal += contact.normal;
             *friction += contact.friction;

@@ -6,7 +6,7 @@ use super::folder;
 /// What is below `scenes` and `[vary]`, and what the message must hold.
 #[rustfmt::skip]
 const IN_VARY: &[(&str, &[&str])] = &[
-    ("\"friction.sttic\" = [0.5]", &["line 3", "`friction.sttic`", "friction.static", "surface.NAME.static", "run.number"]),
+    ("\"friction.sttic\" = [0.5]", &["line 3", "`friction.sttic`", "friction.static", "surface.NAME.static", "obstacle.NAME.vertices", "run.number"]),
     ("frictoin.static = [0.5]", &["line 3", "`frictoin.static`"]),
     ("friction = [0.5]", &["line 3", "`friction`"]),
     ("friction.static = []", &["line 3", "`friction.static`", "empty", "at least one"]),

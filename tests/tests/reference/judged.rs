@@ -161,8 +161,8 @@ fn random_worlds_are_lawful() {
 type Fault = fn(&Scene, &mut Frame, usize) -> bool;
 
 fn moved(frame: &mut Frame, way: [f64; 2], by: f64) {
-    for k in 0..2 {
-        frame.pose[k] += by * way[k];
+    for (place, way) in frame.pose.iter_mut().zip(way) {
+        *place += by * way;
     }
 }
 
@@ -183,8 +183,8 @@ fn off_its_end(scene: &Scene, frame: &mut Frame, k: usize) -> bool {
     let length = way[0].hypot(way[1]);
     let by = 1.0 + 0.01 / length;
     moved(frame, way, by);
-    for k in 0..2 {
-        frame.hand[k] += by * way[k];
+    for (place, way) in frame.hand.iter_mut().zip(way) {
+        *place += by * way;
     }
     for contact in &mut frame.contacts {
         contact.point = [0, 1].map(|k| contact.point[k] + by * way[k]);

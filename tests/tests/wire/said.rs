@@ -329,6 +329,8 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Parameter::FrictionDynamic(i) => (13, [i, 0]),
         Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
         Parameter::Memory(i) => (15, [i, 0]),
+        // No command brings obstacles.
+        _ => (0, [0; 2]),
     }
 }
 

@@ -141,19 +141,18 @@ pub(super) fn cover_hollows<R: Real>(corners: &mut [Corner<R>], sides: &[Side<R:
                 [begins, ends].into_iter().flatten()
             })
         };
-        // A direction is known to the rounding of its ends.
-        let at_size = near::<R>(at.length_bound());
-        let known = |length: R::Si| at_size / length;
-        // In a tip all sides that leave it are on one side of one of them.
-        let is_tip = leaves().any(|(one, length)| {
-            let turned =
-                |(other, of): (Vec2<R::Si>, R::Si)| (one.cross(other), known(length) + known(of));
-            let is_left = |(sine, off): (R::Si, R::Si)| sine >= -off;
-            let is_right = |(sine, off): (R::Si, R::Si)| sine <= off;
-            leaves().map(turned).all(is_left) || leaves().map(turned).all(is_right)
-        });
-        corner.covered |= !is_tip;
+        corner.covered |= !is_tip(leaves, near::<R>(at.length_bound()));
     }
+}
+
+/// All sides that leave a place, given by direction and length, are on one side of one of them. A direction is known to what its end is
+/// known to, `near`.
+fn is_tip<F: Real, I: Iterator<Item = (Vec2<F>, F)>>(leaves: impl Fn() -> I, near: F) -> bool {
+    leaves().any(|(one, length)| {
+        let turned = |(other, of): (Vec2<F>, F)| (one.cross(other), near / length + near / of);
+        leaves().map(turned).all(|(sine, off)| sine >= -off)
+            || leaves().map(turned).all(|(sine, off)| sine <= off)
+    })
 }
 
 /// An obstacle that may cover corners of others.

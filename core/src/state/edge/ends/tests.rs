@@ -62,7 +62,9 @@ fn c(corner: u8) -> Pair {
 }
 
 /// Tables and what the box lies on with its middle at 0.
-fn lies() -> [(std::vec::Vec<[[f64; 2]; 4]>, [Pair; 2]); 5] {
+type Lies = (std::vec::Vec<[[f64; 2]; 4]>, [Pair; 2]);
+
+fn lies() -> [Lies; 5] {
     [
         ([table([-2.0, 2.0])].into(), [v(0, 2), v(1, 2)]),
         ([table([-2.0, 0.2])].into(), [v(0, 2), c(2)]),

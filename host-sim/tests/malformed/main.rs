@@ -1,6 +1,8 @@
 //! Input that cannot be used: exit status 2, a message that names the key, column or line, and no output file.
 
+#[path = "../common/mod.rs"]
 mod common;
+mod obstacles;
 
 use std::fs;
 

@@ -1,0 +1,34 @@
+//! Draws the pictures of the README's section on obstacles: the snapshots of the bundled scenes with obstacles, each beside its scene.
+//!
+//! ```sh
+//! cargo run --release -p stiction-host-sim --example pictures
+//! ```
+
+use std::error::Error;
+use std::fs;
+
+use clap::Parser;
+use stiction_host_sim::run::{RunArgs, run};
+use stiction_host_sim::scenes;
+use stiction_tools::workspace;
+
+/// As on the command line.
+#[derive(Parser)]
+struct Options {
+    #[command(flatten)]
+    run: RunArgs,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let place = workspace().join("host-sim/scenes");
+    let folder = tempfile::tempdir()?;
+    let plots = folder.path().to_string_lossy().into_owned();
+    for (name, _) in scenes::with_obstacles() {
+        let arguments = ["run", name, "--quiet", "--plot", &plots];
+        run(&Options::try_parse_from(arguments)?.run)?;
+        let picture = place.join(name).with_extension("png");
+        fs::copy(folder.path().join("strip.png"), &picture)?;
+        println!("{}", picture.display());
+    }
+    Ok(())
+}

@@ -1,0 +1,91 @@
+//! Friction as a file gives it: `[friction]` for all, and the flat keys of a surface or an obstacle, which go before it.
+
+use std::ops::Range;
+
+use crate::check::Check;
+use crate::document::{Document, Number};
+use crate::source::InputError;
+
+/// What static friction may be.
+const STATIC_FRICTION: &str = "not less than the dynamic friction";
+
+/// mu_s, mu_d and the memory length of `[friction]`, as far as they are given.
+#[derive(Clone, Copy)]
+pub(crate) struct Fallback {
+    stick: Option<f64>,
+    slip: Option<f64>,
+    memory: Option<f64>,
+}
+
+/// The friction of a surface or an obstacle.
+pub(crate) struct Friction {
+    /// mu_s
+    pub(crate) stick: f64,
+    /// mu_d
+    pub(crate) slip: f64,
+    /// Memory length (m); `None` where the file gives none.
+    pub(crate) memory: Option<f64>,
+}
+
+/// What has friction of its own: `surface` or `obstacle` and its number, where it stands, and its keys.
+pub(crate) struct Owner<'a> {
+    pub(crate) kind: &'a str,
+    pub(crate) index: usize,
+    pub(crate) span: Range<usize>,
+    pub(crate) stick: Option<&'a Number>,
+    pub(crate) slip: Option<&'a Number>,
+    pub(crate) memory: Option<&'a Number>,
+}
+
+impl Fallback {
+    /// Of a file.
+    pub(crate) fn new(check: Check<'_>, document: &Document) -> Result<Self, InputError> {
+        let default = &document.friction;
+        let fallback = Self {
+            stick: coefficient(check, "friction.static", default.stick.as_ref())?,
+            slip: coefficient(check, "friction.dynamic", default.slip.as_ref())?,
+            memory: coefficient(check, "friction.memory", default.memory.as_ref())?,
+        };
+        match (fallback.stick, fallback.slip, &default.stick) {
+            (Some(stick), Some(slip), Some(given)) if stick < slip => {
+                Err(check.error("friction.static", given, STATIC_FRICTION))
+            }
+            _ => Ok(fallback),
+        }
+    }
+
+    /// Of one that may have its own.
+    pub(crate) fn of(self, check: Check<'_>, owner: &Owner<'_>) -> Result<Friction, InputError> {
+        let (kind, index) = (owner.kind, owner.index);
+        let own = |name: &str, given| coefficient(check, &format!("{kind}[{index}].{name}"), given);
+        let needed = |name: &str, given, default: Option<f64>| {
+            own(name, given)?.or(default).ok_or_else(|| {
+                let problem = format!(
+                    "{kind} {index} has no `{name}` friction, allowed: `{name}` here or in [friction]"
+                );
+                check.source().error_at(owner.span.start, problem)
+            })
+        };
+        Ok(Friction {
+            stick: needed("static", owner.stick, self.stick)?,
+            slip: needed("dynamic", owner.slip, self.slip)?,
+            memory: own("memory", owner.memory)?.or(self.memory),
+        })
+    }
+}
+
+/// A number of 0 or more.
+fn coefficient(
+    check: Check<'_>,
+    key: &str,
+    given: Option<&Number>,
+) -> Result<Option<f64>, InputError> {
+    let Some(given) = given else {
+        return Ok(None);
+    };
+    let value = check.number(key, given)?;
+    if value < 0.0 {
+        return Err(check.error(key, given, "0 or more"));
+    }
+    Ok(Some(value))
+}

@@ -1,0 +1,60 @@
+//! The models of the solver on a computer: half-planes alone, or obstacles with corners, too. From a written scene to a scene of
+//! either, and from a state to what touches what in it.
+
+use stiction_core::{Full, Model, Parts, Real, Scene, SiFloat, State, Touches, WithObstacles};
+
+use crate::clip::{Indices, clipped};
+use crate::scene_file::{HostScene, HostSolver};
+use crate::source::InputError;
+use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
+
+/// A model with obstacles, with the capacities of the host.
+pub type Among<M = Full> = WithObstacles<OBSTACLES, CORNERS, M>;
+
+/// What differs between scenes with obstacles and scenes without.
+pub trait HostModel: Model {
+    /// The scene for a solver, and what its indices of obstacles mean, where they are not those of the file.
+    ///
+    /// # Errors
+    /// The numbers do not make a scene, or the model lacks what it needs.
+    fn scene<R: Real<Si: SiFloat>>(
+        written: &WrittenScene,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError>;
+
+    /// What touches what, and where it faces; `None` without obstacles, where the contacts say all.
+    fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>>;
+}
+
+impl<const FRICTION: bool, const WEIGHT: bool> HostModel for Parts<FRICTION, WEIGHT> {
+    fn scene<R: Real<Si: SiFloat>>(
+        written: &WrittenScene,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
+        Ok((written.scene_in()?, None))
+    }
+
+    fn touches<R: Real>(_: &HostSolver<R, Self>, _: &State<R>) -> Option<Touches<R::Si>> {
+        None
+    }
+}
+
+impl<M: Model> HostModel for Among<M> {
+    fn scene<R: Real<Si: SiFloat>>(
+        written: &WrittenScene,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
+        let (obstacles, indices) = clipped::<R>(written);
+        let scene = written.described(|description| {
+            WrittenScene::described_obstacles(&obstacles, |obstacles| {
+                Scene::among(description, obstacles)
+            })
+        });
+        let explained = scene.map_err(|error| {
+            let error = indices.as_ref().map_or(error, |known| known.error(error));
+            written.explain(&error, [VERTICES, SURFACES])
+        });
+        Ok((explained?, indices))
+    }
+
+    fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>> {
+        Some(solver.touches(state))
+    }
+}

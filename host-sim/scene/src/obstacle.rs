@@ -1,0 +1,83 @@
+//! `[[obstacle]]`, checked: convex polygons, thin walls and pins with a name, both coefficients and the memory length. Whether the
+//! corners make a convex polygon is for the solver to say.
+
+use toml::Spanned;
+
+use crate::check::Check;
+use crate::document::{self, Document};
+use crate::friction::{Fallback, Friction, Owner};
+use crate::name::Names;
+use crate::source::InputError;
+
+/// A fixed obstacle with corners.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ObstacleInfo {
+    /// Its name in traces.
+    pub name: String,
+    /// Its corners (m), world frame, counter-clockwise; two: a thin wall, one: a pin.
+    pub vertices: Vec<[f64; 2]>,
+    /// mu_s
+    pub friction_static: f64,
+    /// mu_d
+    pub friction_dynamic: f64,
+    /// Memory length (m); `None` where the file gives none.
+    pub memory: Option<f64>,
+}
+
+/// The obstacles of a file.
+pub(crate) fn obstacles(
+    check: Check<'_>,
+    document: &Document,
+    fallback: Fallback,
+    names: &mut Names,
+) -> Result<Vec<ObstacleInfo>, InputError> {
+    let mut checked = Vec::with_capacity(document.obstacle.len());
+    for (i, given) in document.obstacle.iter().enumerate() {
+        let obstacle = obstacle(check, i, given, fallback)?;
+        let name = given.get_ref().name.as_ref();
+        names.take(check, ("obstacle", i), &obstacle.name, (name, given.span()))?;
+        checked.push(obstacle);
+    }
+    Ok(checked)
+}
+
+fn obstacle(
+    check: Check<'_>,
+    i: usize,
+    given: &Spanned<document::Obstacle>,
+    fallback: Fallback,
+) -> Result<ObstacleInfo, InputError> {
+    let obstacle = given.get_ref();
+    let list = &obstacle.vertices;
+    if list.get_ref().is_empty() {
+        let problem = format!("`obstacle[{i}].vertices` is empty, allowed: at least one corner");
+        return Err(check.source().error_at(list.span().start, problem));
+    }
+    let corner =
+        |(k, corner)| check.numbers(&format!("obstacle[{i}].vertices[{k}]"), corner, "x and y");
+    let vertices = list.get_ref().iter().enumerate().map(corner);
+    let vertices = vertices.collect::<Result<_, _>>()?;
+    let owner = Owner {
+        kind: "obstacle",
+        index: i,
+        span: given.span(),
+        stick: obstacle.stick.as_ref(),
+        slip: obstacle.slip.as_ref(),
+        memory: obstacle.memory.as_ref(),
+    };
+    let Friction {
+        stick,
+        slip,
+        memory,
+    } = fallback.of(check, &owner)?;
+    Ok(ObstacleInfo {
+        name: match &obstacle.name {
+            Some(name) => name.get_ref().clone(),
+            None => i.to_string(),
+        },
+        vertices,
+        friction_static: stick,
+        friction_dynamic: slip,
+        memory,
+    })
+}
