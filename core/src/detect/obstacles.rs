@@ -45,6 +45,8 @@ fn longest_turn<R: Real>() -> R {
 
 /// So many axes are watched one after the other on a piece of a motion.
 const MOST_AXES: usize = 12;
+/// The way of a piece is no more than two to this times its width, or it is found less well.
+const MOST_DOUBLINGS: usize = 24;
 /// So many pieces of a motion are looked at before it is taken for as long as that.
 const MOST_PIECES: usize = 400;
 
@@ -182,13 +184,16 @@ struct Beside<'a, R> {
     left: &'a [Pair],
     /// The direction from the obstacle of the axis along which it was apart last.
     last: Option<Vec2<R>>,
+    /// Gaps up to this are closed: a touch, and what a search may have gone beyond it.
+    near: R,
 }
 
-impl<R> Beside<'_, R> {
+impl<R: Real> Beside<'_, R> {
     /// It is not known.
     const UNKNOWN: Self = Self {
         left: &[],
         last: None,
+        near: R::TOUCH,
     };
 }
 
@@ -395,7 +400,7 @@ fn widest<R: Real, W: World<R>>(
             continue;
         }
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
-        let touches = gap.abs() <= R::TOUCH;
+        let touches = gap.abs() <= beside.near;
         let is_beside = || beside.last.is_none_or(|last| faces(way, last));
         if touches && !(all_face(beside.left, way) && is_beside()) {
             continue;
@@ -405,7 +410,7 @@ fn widest<R: Real, W: World<R>>(
         } else {
             R::ZERO
         };
-        let is_wider = if touches && found.1.abs() <= R::TOUCH && rate != opens {
+        let is_wider = if touches && found.1.abs() <= beside.near && rate != opens {
             rate > opens
         } else {
             gap > found.1
@@ -874,6 +879,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             let beside = Beside {
                 left: if x == R::ZERO { left } else { &[] },
                 last: last.map(|&(_, last)| last),
+                near: R::TOUCH,
             };
             match closes(scene, obstacle, (before, beside), piece, at) {
                 Closing::Nothing => {}
@@ -930,19 +936,35 @@ fn falls<R: Real>(
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
 ) -> Option<Place<R>> {
     let width = to.0 - from.0;
-    let found = first_fall((width, width), |x| {
+    // A place is found to a rounding of the way there, however fast the body goes.
+    let way = (to.1.placed.point - from.1.placed.point).length_bound();
+    let (mut end, mut unit) = (width, R::ONE);
+    for _ in 0..MOST_DOUBLINGS {
+        if end.doubled() <= way {
+            (end, unit) = (end.doubled(), unit.doubled());
+        }
+    }
+    let found = first_fall((end, end), |x| {
         let body = if x == R::ZERO {
             from.1
-        } else if x == width {
+        } else if x == end {
             to.1
         } else {
-            at(from.0 + x)
+            at(from.0 + x / unit)
         };
-        [Some(Level::new(gap(&body), body.placed.rounding()))]
+        let gap = gap(&body);
+        let gap = Sloped {
+            slope: gap.slope / unit,
+            ..gap
+        };
+        [Some(Level::new(gap, body.placed.rounding()))]
     });
     match found {
         Found::Nothing { .. } => None,
-        Found::Zero { x, .. } | Found::Unsure { x, .. } => Some((from.0 + x, at(from.0 + x))),
+        Found::Zero { x, .. } | Found::Unsure { x, .. } => {
+            let x = from.0 + x / unit;
+            Some((x, at(x)))
+        }
     }
 }
 
@@ -985,9 +1007,10 @@ fn closes<R: Real, W: World<R>>(
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),
+            near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
-        if gap <= R::TOUCH
+        if gap <= beside.near
             && let Some(contact) =
                 touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
         {
