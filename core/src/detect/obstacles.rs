@@ -197,12 +197,20 @@ impl<R: Real> Beside<'_, R> {
     };
 }
 
-/// The directions in which the sides of obstacles but two leave a place at which they have a corner.
+/// A side that leaves a place at which its obstacle has a corner.
+#[derive(Clone, Copy)]
+struct Leaving<R> {
+    direction: Vec2<R>,
+    /// Its outward normal; of a thin wall, which has two, none.
+    normal: Vec2<R>,
+}
+
+/// The sides of obstacles but two that leave a place.
 fn leaving<R: Real, W: World<R>>(
     scene: &W,
     place: Vec2<R>,
     but: [u8; 2],
-) -> impl Iterator<Item = Vec2<R>> + Clone + '_ {
+) -> impl Iterator<Item = Leaving<R>> + Clone + '_ {
     let first = scene.surface_indices().end;
     let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
         let is_here = (corner.place - place).length_bound() <= together();
@@ -210,10 +218,17 @@ fn leaving<R: Real, W: World<R>>(
     });
     others.flat_map(move |(index, corner)| {
         let own = corners(scene, usize::from(corner.obstacle));
-        let has_sides = own.len() > 1;
-        let before = scene.surface(beside(&own, index, false)).tangent;
-        let both = has_sides.then_some([-scene.surface(index).tangent, before]);
-        both.into_iter().flatten()
+        let (has_sides, has_inside) = (own.len() > 1, own.len() > 2);
+        let [after, before] = [index, beside(&own, index, false)].map(|side| scene.surface(side));
+        let both = [
+            (-after.tangent, after.normal),
+            (before.tangent, before.normal),
+        ];
+        let both = both.map(|(direction, normal)| Leaving {
+            direction,
+            normal: if has_inside { normal } else { Vec2::ZERO },
+        });
+        both.into_iter().filter(move |_| has_sides)
     })
 }
 
@@ -514,7 +529,7 @@ impl<R: Real> Placed<R> {
         if contact.is_corner() {
             return leaving
                 .clone()
-                .all(|side| surface.normal.dot(side) <= R::MICRO);
+                .all(|side| surface.normal.dot(side.direction) <= R::MICRO);
         }
         // Of a rod it is not known on which side of it what lies flat on a side in between is.
         let flat = if scene.vertices().len() > 2 {
@@ -530,8 +545,14 @@ impl<R: Real> Placed<R> {
             let body = body.map(|other| angle(self.arm(scene, other) - arm));
             let nearest = body.reduce(R::min);
             leaving.clone().all(|side| {
-                let is_ahead = surface.normal.dot(side) > R::MICRO;
-                !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
+                let rises = surface.normal.dot(side.direction);
+                let is_ahead = rises > R::MICRO;
+                // The side of another obstacle lies on this one.
+                let is_shut = rises.abs() <= R::MICRO
+                    && along.dot(side.direction) > R::ZERO
+                    && surface.normal.dot(side.normal) < R::ZERO;
+                let is_in_front = |nearest| angle(side.direction) > nearest + flat;
+                !is_shut && (!is_ahead || nearest.is_none_or(is_in_front))
             })
         };
         // At an end of the side there is only the way back.
@@ -749,7 +770,7 @@ impl<R: Real> Placed<R> {
         };
         along_a.dot(second.normal) < -R::MICRO
             || along_b.dot(first.normal) < -R::MICRO
-            || leaving(scene, point, [of_a, of_b]).any(is_between)
+            || leaving(scene, point, [of_a, of_b]).any(|side| is_between(side.direction))
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.
