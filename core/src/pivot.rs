@@ -104,6 +104,15 @@ impl<R: Real> Pivot<R> {
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
+    /// A vertex goes no farther beyond the end of its side than where it leaves it, however far rounding of the load takes it: there
+    /// another wall may begin.
+    pub(crate) fn stay_on_side<W: World<R>>(&mut self, scene: &W) {
+        if W::CORNERS && !self.contact.is_corner() {
+            let [low, high] = scene.reach(self.contact);
+            self.foot = self.foot.max(low - R::TOUCH).min(high + R::TOUCH);
+        }
+    }
+
     /// The same pivot after a slide along t and a turn. Once in an image.
     #[inline(never)]
     pub(crate) fn moved(&self, slide: R, turn: R) -> Self {

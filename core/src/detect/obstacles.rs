@@ -45,6 +45,8 @@ fn longest_turn<R: Real>() -> R {
 
 /// So many axes are watched one after the other on a piece of a motion.
 const MOST_AXES: usize = 12;
+/// The way of a piece is no more than two to this times its width, or it is found less well.
+const MOST_DOUBLINGS: usize = 24;
 /// So many pieces of a motion are looked at before it is taken for as long as that.
 const MOST_PIECES: usize = 400;
 
@@ -182,22 +184,33 @@ struct Beside<'a, R> {
     left: &'a [Pair],
     /// The direction from the obstacle of the axis along which it was apart last.
     last: Option<Vec2<R>>,
+    /// Gaps up to this are closed: a touch, and what a search may have gone beyond it.
+    near: R,
 }
 
-impl<R> Beside<'_, R> {
+impl<R: Real> Beside<'_, R> {
     /// It is not known.
     const UNKNOWN: Self = Self {
         left: &[],
         last: None,
+        near: R::TOUCH,
     };
 }
 
-/// The directions in which the sides of obstacles but two leave a place at which they have a corner.
+/// A side that leaves a place at which its obstacle has a corner.
+#[derive(Clone, Copy)]
+struct Leaving<R> {
+    direction: Vec2<R>,
+    /// Its outward normal; of a thin wall, which has two, none.
+    normal: Vec2<R>,
+}
+
+/// The sides of obstacles but two that leave a place.
 fn leaving<R: Real, W: World<R>>(
     scene: &W,
     place: Vec2<R>,
     but: [u8; 2],
-) -> impl Iterator<Item = Vec2<R>> + Clone + '_ {
+) -> impl Iterator<Item = Leaving<R>> + Clone + '_ {
     let first = scene.surface_indices().end;
     let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
         let is_here = (corner.place - place).length_bound() <= together();
@@ -205,10 +218,17 @@ fn leaving<R: Real, W: World<R>>(
     });
     others.flat_map(move |(index, corner)| {
         let own = corners(scene, usize::from(corner.obstacle));
-        let has_sides = own.len() > 1;
-        let before = scene.surface(beside(&own, index, false)).tangent;
-        let both = has_sides.then_some([-scene.surface(index).tangent, before]);
-        both.into_iter().flatten()
+        let (has_sides, has_inside) = (own.len() > 1, own.len() > 2);
+        let [after, before] = [index, beside(&own, index, false)].map(|side| scene.surface(side));
+        let both = [
+            (-after.tangent, after.normal),
+            (before.tangent, before.normal),
+        ];
+        let both = both.map(|(direction, normal)| Leaving {
+            direction,
+            normal: if has_inside { normal } else { Vec2::ZERO },
+        });
+        both.into_iter().filter(move |_| has_sides)
     })
 }
 
@@ -395,7 +415,7 @@ fn widest<R: Real, W: World<R>>(
             continue;
         }
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
-        let touches = gap.abs() <= R::TOUCH;
+        let touches = gap.abs() <= beside.near;
         let is_beside = || beside.last.is_none_or(|last| faces(way, last));
         if touches && !(all_face(beside.left, way) && is_beside()) {
             continue;
@@ -405,7 +425,7 @@ fn widest<R: Real, W: World<R>>(
         } else {
             R::ZERO
         };
-        let is_wider = if touches && found.1.abs() <= R::TOUCH && rate != opens {
+        let is_wider = if touches && found.1.abs() <= beside.near && rate != opens {
             rate > opens
         } else {
             gap > found.1
@@ -509,7 +529,7 @@ impl<R: Real> Placed<R> {
         if contact.is_corner() {
             return leaving
                 .clone()
-                .all(|side| surface.normal.dot(side) <= R::MICRO);
+                .all(|side| surface.normal.dot(side.direction) <= R::MICRO);
         }
         // Of a rod it is not known on which side of it what lies flat on a side in between is.
         let flat = if scene.vertices().len() > 2 {
@@ -525,8 +545,14 @@ impl<R: Real> Placed<R> {
             let body = body.map(|other| angle(self.arm(scene, other) - arm));
             let nearest = body.reduce(R::min);
             leaving.clone().all(|side| {
-                let is_ahead = surface.normal.dot(side) > R::MICRO;
-                !is_ahead || nearest.is_none_or(|nearest| angle(side) > nearest + flat)
+                let rises = surface.normal.dot(side.direction);
+                let is_ahead = rises > R::MICRO;
+                // The side of another obstacle lies on this one.
+                let is_shut = rises.abs() <= R::MICRO
+                    && along.dot(side.direction) > R::ZERO
+                    && surface.normal.dot(side.normal) < R::ZERO;
+                let is_in_front = |nearest| angle(side.direction) > nearest + flat;
+                !is_shut && (!is_ahead || nearest.is_none_or(is_in_front))
             })
         };
         // At an end of the side there is only the way back.
@@ -744,7 +770,7 @@ impl<R: Real> Placed<R> {
         };
         along_a.dot(second.normal) < -R::MICRO
             || along_b.dot(first.normal) < -R::MICRO
-            || leaving(scene, point, [of_a, of_b]).any(is_between)
+            || leaving(scene, point, [of_a, of_b]).any(|side| is_between(side.direction))
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.
@@ -874,6 +900,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             let beside = Beside {
                 left: if x == R::ZERO { left } else { &[] },
                 last: last.map(|&(_, last)| last),
+                near: R::TOUCH,
             };
             match closes(scene, obstacle, (before, beside), piece, at) {
                 Closing::Nothing => {}
@@ -930,19 +957,35 @@ fn falls<R: Real>(
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
 ) -> Option<Place<R>> {
     let width = to.0 - from.0;
-    let found = first_fall((width, width), |x| {
+    // A place is found to a rounding of the way there, however fast the body goes.
+    let way = (to.1.placed.point - from.1.placed.point).length_bound();
+    let (mut end, mut unit) = (width, R::ONE);
+    for _ in 0..MOST_DOUBLINGS {
+        if end.doubled() <= way {
+            (end, unit) = (end.doubled(), unit.doubled());
+        }
+    }
+    let found = first_fall((end, end), |x| {
         let body = if x == R::ZERO {
             from.1
-        } else if x == width {
+        } else if x == end {
             to.1
         } else {
-            at(from.0 + x)
+            at(from.0 + x / unit)
         };
-        [Some(Level::new(gap(&body), body.placed.rounding()))]
+        let gap = gap(&body);
+        let gap = Sloped {
+            slope: gap.slope / unit,
+            ..gap
+        };
+        [Some(Level::new(gap, body.placed.rounding()))]
     });
     match found {
         Found::Nothing { .. } => None,
-        Found::Zero { x, .. } | Found::Unsure { x, .. } => Some((from.0 + x, at(from.0 + x))),
+        Found::Zero { x, .. } | Found::Unsure { x, .. } => {
+            let x = from.0 + x / unit;
+            Some((x, at(x)))
+        }
     }
 }
 
@@ -985,9 +1028,10 @@ fn closes<R: Real, W: World<R>>(
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),
+            near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
-        if gap <= R::TOUCH
+        if gap <= beside.near
             && let Some(contact) =
                 touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
         {

@@ -158,3 +158,14 @@ fn contacts_at_one_place_bound_one_free_place() {
     assert!(flat.are_one(&boxed, [v(1, 4), v(0, 3)]));
     assert!(!flat.are_one(&boxed, [v(1, 4), v(0, 4)]));
 }
+
+/// Where two boxes meet side on side, a point touches none of these two sides.
+#[test]
+fn nothing_touches_between_sides_that_lie_on_each_other() {
+    let left: [[f64; 2]; 4] = [[-1.0, -1.0], [0.0, -1.0], [0.0, 0.0], [-1.0, 0.5]];
+    let right: [[f64; 2]; 4] = [[0.0, -1.0], [1.0, -1.0], [1.0, 0.5], [0.0, 0.0]];
+    let boxed = scene(&POINT, &[&left, &right]);
+    let mut list = Pairs::new();
+    placed(0.0, 0.0, 0.0).touching_obstacles(&boxed, 1e-10, &mut list);
+    assert_eq!(list, [v(0, 2), v(0, 6)]);
+}
