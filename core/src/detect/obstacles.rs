@@ -287,6 +287,27 @@ fn opening_along<R: Real, W: World<R>>(
     })
 }
 
+/// A contact that lasts is on the other side of a rod or of a thin wall: along this axis they are not apart, though there is nothing in
+/// between.
+fn is_behind<R: Real, W: World<R>>(
+    scene: &W,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> bool {
+    let own = corners(scene, obstacle);
+    let is_on_other = |pair: &Pair| match axis {
+        Axis::BodySide(side) if scene.vertices().len() == 2 => {
+            pair.is_corner() && own.contains(&pair.surface) && pair.body_side() != side
+        }
+        Axis::Side(side) if own.len() == 2 => {
+            let line = line_of(scene, side);
+            !pair.is_corner() && own.contains(&pair.surface) && pair.surface != line
+        }
+        _ => false,
+    };
+    lasting.iter().any(is_on_other)
+}
+
 /// The axis along which the body is farthest from an obstacle, and the gap along it. Of several along which it touches, as a body that
 /// turns out of a flat contact, or a point and a wall which have no inside together, the one that opens fastest.
 fn widest<R: Real, W: World<R>>(
@@ -302,6 +323,9 @@ fn widest<R: Real, W: World<R>>(
         return (None, R::HUGE);
     }
     for axis in axes(scene, obstacle) {
+        if is_behind(scene, (obstacle, axis), lasting) {
+            continue;
+        }
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         let touches = gap.abs() <= R::TOUCH;
         let rate = if touches {
@@ -622,7 +646,8 @@ impl<R: Real> Placed<R> {
     }
 
     /// Of two contacts with obstacles only one can be: of one obstacle, at one place or facing away from each other, as convex shapes touch
-    /// in one line at most; of two obstacles, where their corners meet in a tip.
+    /// in one line at most; of two obstacles, where their corners meet in a tip, or as sides that look to
+    /// either side of a bent wall.
     pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
         let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
         let (Some(of_a), Some(of_b)) = (obstacle(a), obstacle(b)) else {
@@ -646,7 +671,7 @@ impl<R: Real> Placed<R> {
         };
         let is_tip = || match (off_end(a, first.tangent), off_end(b, second.tangent)) {
             (Some(off_a), Some(off_b)) => {
-                off_a.dot(second.normal) > R::MICRO && off_b.dot(first.normal) > R::MICRO
+                off_a.dot(second.normal) > R::MICRO || off_b.dot(first.normal) > R::MICRO
             }
             _ => false,
         };
