@@ -740,7 +740,8 @@ impl<R: Real> Placed<R> {
     }
 
     /// Of two contacts with obstacles only one can be: of one obstacle, at one place or facing away from each other, as convex shapes touch
-    /// in one line at most; of two obstacles, where their corners meet in a tip.
+    /// in one line at most; of two obstacles, where their corners meet in a tip, or as sides that look to
+    /// either side of a bent wall.
     pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
         let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
         let (Some(of_a), Some(of_b)) = (obstacle(a), obstacle(b)) else {
