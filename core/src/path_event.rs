@@ -270,7 +270,11 @@ fn opens<R: Real, W: World<R>>(
         // What turns about a contact that sticks is in balance where the others let go.
         return match state {
             _ if kind == StateKind::Edge => Outcome::Next(Next::Rest),
-            ContactState::SingleVertex(s) if sliding.is_none() && s.is_found(scene, path.0) => {
+            ContactState::SingleVertex(s)
+                if sliding.is_none()
+                    && s.is_found(scene, path.0)
+                    && (!W::CORNERS || s.is_in_cone(scene, path.0)) =>
+            {
                 // Out of its cone it slips at the frozen hand.
                 Outcome::Next(if s.is_in_cone(scene, path.0) {
                     Next::Rest
@@ -301,6 +305,14 @@ fn opens<R: Real, W: World<R>>(
         }
         if s.regime.slide().is_none() {
             return Outcome::Next(Next::Rest);
+        }
+        if W::CORNERS && kind == StateKind::TwoVertex && s.topples(scene, path.0, along).is_some() {
+            // Alone its slide is not stable: it slips out of the way of the other one.
+            let mut senses = [along, -along].into_iter();
+            if let Some(sign) = senses.find(|&sign| s.slips_off(scene, path.0, (other, sign))) {
+                s.regime = Regime::LOOSE;
+                return Outcome::Next(Next::Slip(sign));
+            }
         }
         if kind == StateKind::TwoVertex && !s.opens(scene, path, (other, along)) {
             // It cannot leave: both stick.

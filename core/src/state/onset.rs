@@ -151,6 +151,31 @@ impl<R: Real> SingleVertex<R> {
             other.normal.dot(velocity) >= R::ZERO
         })
     }
+
+    /// True if a slip along sign·t is not held by friction, to what its beginning is found to, and the gap of another contact opens in it.
+    pub(crate) fn slips_off(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (other, sign): (Pair, R),
+    ) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let surface = self.pivot.surface(scene);
+        let (normal, friction) = surface.reaction(load.force);
+        let tangent = surface.tangent * sign;
+        let mut pull = load.lever;
+        if self.is_corner(scene) {
+            // The normal of a corner turns with the body (E16).
+            pull = pull + load.force;
+        }
+        let turn = tangent.cross(pull) / load.stability();
+        let velocity = tangent + load.placed.arm_to(scene, other).turned() * turn;
+        let gap = scene.face(other, load.placed.orientation.rotation());
+        let off = -Self::found_to(&load);
+        load.stability() > R::ZERO
+            && (surface.friction).is_driven(normal, friction, sign, off)
+            && gap.normal.dot(velocity) > R::ZERO
+    }
 }
 
 impl<R: Real> Edge<R> {
