@@ -754,7 +754,10 @@ impl<R: Real> Placed<R> {
                 first.normal.dot(second.normal),
                 first.normal.cross(second.normal),
             );
-            return is_here || along <= R::ZERO || across.abs() > R::MICRO;
+            // In one line both gaps are closed to a touch or so.
+            let apart = (self.arm_to(scene, a) - self.arm_to(scene, b)).length_bound();
+            let is_tilted = across.abs() * apart > R::from_int(8) * R::TOUCH;
+            return is_here || along <= R::ZERO || is_tilted;
         }
         if !is_here || a.is_corner() || b.is_corner() {
             return is_here;
@@ -1062,7 +1065,8 @@ fn touched<R: Real, W: World<R>>(
         // An overlap that short goes on as its other end.
         let closed = before.gap(scene, pair) > R::TOUCH;
         let is_taken = |&other: &Pair| {
-            let replaces = closed && owner(other) == owner(pair);
+            let is_here = now.are_at_one_place(scene, [other, pair]);
+            let replaces = closed && is_here && owner(other) == owner(pair);
             !replaces && now.are_one(scene, [other, pair])
         };
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)
