@@ -9,6 +9,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::sign::Sign;
 use crate::state::{ContactState, Free, Slip};
+use crate::thresholds::Thresholds;
 use crate::transition::{
     Transition, clear_arm, fold_arm, halt_arm, keep_arm, rest_arm, slide_arm, slip_arm, touch_arm,
 };
@@ -313,6 +314,11 @@ fn pass_on<R: Real, W: World<R>>(
     if sign == R::ZERO {
         return turn_on(scene, state, (left, &others));
     }
+    if let Some((at_end, pair)) = wall_ahead(scene, state, (left, sign)) {
+        *state = at_end;
+        touch(scene, state, pair, log);
+        return on(sign);
+    }
     let next = placed.next_contact(scene, (left, sign), &contacts);
     let pose = state.pose(scene);
     let pressed = next.filter(|&next| {
@@ -335,6 +341,31 @@ fn pass_on<R: Real, W: World<R>>(
         StateKind::SingleVertex => Next::Slip(sign),
         _ => Next::Relax(Some(sign)),
     }
+}
+
+/// Where a wall rises from the end of a side, a slide along sign·t ends in a touch, though a search in few digits has found the end of the
+/// side first: the state there, and the contact.
+fn wall_ahead<R: Real, W: World<R>>(
+    scene: &W,
+    state: &ContactState<R>,
+    (left, sign): (Pair, R),
+) -> Option<(ContactState<R>, Pair)> {
+    let mut at_end = state.clone();
+    if let ContactState::SingleVertex(s) = &mut at_end {
+        s.pivot.stay_on_side(scene);
+    }
+    let placed = at_end.placed(scene);
+    let contacts = at_end.contacts();
+    let rotation = placed.orientation.rotation();
+    let ahead = scene.face(left, rotation).tangent * sign;
+    let touching = placed.touching(scene, R::met_before());
+    let mut walls = touching.into_iter().filter(|&pair| {
+        let is_taken = |&other: &Pair| other == pair || placed.are_one(scene, [other, pair]);
+        let normal = scene.face(pair, rotation).normal;
+        normal.dot(ahead) < -R::MICRO && !contacts.iter().any(is_taken)
+    });
+    let pair = walls.next()?;
+    Some((at_end, pair))
 }
 
 /// A body that turns about a contact at the end of a side has turned to the end of what supports it: the contact at the same place whose
