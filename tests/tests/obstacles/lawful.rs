@@ -29,24 +29,32 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
     }
 }
 
+/// Scenes that break a law today: number type, evolution, number.
+const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
+const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
+
+/// No scene has a fault but those that are known, and these have one: who mends it takes it off the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
-    let count = match scenes {
-        Kind::Worlds => SCENES,
-        Kind::Rooms => ROOMS,
+    let (count, known) = match scenes {
+        Kind::Worlds => (SCENES, KNOWN_WORLDS),
+        Kind::Rooms => (ROOMS, KNOWN_ROOMS),
     };
-    let mut faults = 0;
+    let mut odd = 0;
     for evolution in Evolution::ALL {
         for number in 0..count {
-            if faults >= MOST {
+            if odd >= MOST {
                 break;
             }
-            if let Some(fault) = fault::<R>((scenes, number), evolution) {
+            let is_known = known.contains(&(R::NAME, evolution.name(), number));
+            let fault = fault::<R>((scenes, number), evolution);
+            if fault.is_some() != is_known {
+                let fault = fault.unwrap_or("is lawful now".to_owned());
                 println!("{} {} scene {number}: {fault}", R::NAME, evolution.name());
-                faults += 1;
+                odd += 1;
             }
         }
     }
-    assert_eq!(faults, 0, "scenes with an unlawful frame in {}", R::NAME);
+    assert_eq!(odd, 0, "scenes with an unlawful frame in {}", R::NAME);
 }
 
 #[test]
