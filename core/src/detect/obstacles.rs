@@ -683,8 +683,10 @@ impl<R: Real> Placed<R> {
             let next = scene.face(pair, rotation).normal;
             next.dot(ahead).atan2(next.dot(normal))
         };
+        // It has gone beyond the end by a touch.
+        let near = together::<R>() + R::TOUCH;
         let mut list = Pairs::new();
-        self.touching_obstacles(scene, together(), &mut list);
+        self.touching_obstacles(scene, near, &mut list);
         let mut found: Option<(R, Pair)> = None;
         for pair in list {
             let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
@@ -695,7 +697,7 @@ impl<R: Real> Placed<R> {
                 -R::in_plane()
             };
             let turn = turn(pair);
-            let is_here = apart.length_bound() <= together() && !contacts.contains(&pair);
+            let is_here = apart.length_bound() <= near && !contacts.contains(&pair);
             if is_here && turn > least && found.is_none_or(|(first, _)| turn < first) {
                 found = Some((turn, pair));
             }
