@@ -752,14 +752,11 @@ impl<R: Real> Placed<R> {
         let [first, second] = [a, b].map(|pair| scene.face(pair, self.orientation.rotation()));
         let is_here = self.are_at_one_place(scene, [a, b]);
         if of_a == of_b {
-            let (along, across) = (
-                first.normal.dot(second.normal),
-                first.normal.cross(second.normal),
-            );
-            // In one line both gaps are closed to a touch or so.
-            let apart = (self.arm_to(scene, a) - self.arm_to(scene, b)).length_bound();
-            let is_tilted = across.abs() * apart > R::from_int(8) * R::TOUCH;
-            return is_here || along <= R::ZERO || is_tilted;
+            let apart = self.arm_to(scene, b) - self.arm_to(scene, a);
+            // By the heights: the tilt of what touches flat, but for a touch at either end, is more over a short side.
+            let is_off = |normal: Vec2<R>| normal.dot(apart).abs() > R::from_int(4) * R::MICRO;
+            let faces_away = first.normal.dot(second.normal) <= R::ZERO;
+            return is_here || faces_away || is_off(first.normal) || is_off(second.normal);
         }
         if !is_here || a.is_corner() || b.is_corner() {
             return is_here;

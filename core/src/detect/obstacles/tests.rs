@@ -169,3 +169,12 @@ fn nothing_touches_between_sides_that_lie_on_each_other() {
     placed(0.0, 0.0, 0.0).touching_obstacles(&boxed, 1e-10, &mut list);
     assert_eq!(list, [v(0, 2), v(0, 6)]);
 }
+
+/// Flat on a box but for a touch at either end, over a short overlap, is in two contacts still.
+#[test]
+fn what_touches_flat_has_two_contacts() {
+    let box_of: [[f64; 2]; 4] = [[0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [0.0, 0.0]];
+    let boxed = scene(&ROD, &[&box_of]);
+    let tilted = placed(-0.8, -9e-6, 1e-5);
+    assert!(!tilted.are_one(&boxed, [Pair::of_corner(3, 0), v(1, 2)]));
+}
