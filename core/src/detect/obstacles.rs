@@ -163,7 +163,9 @@ fn side_of<R: Real, W: World<R>>(
         return Some(surface.normal);
     }
     // Between the side of another obstacle and this one, which leaves its end in front of it, the body is on that side.
-    let along = placed.from_end(scene, pair).filter(|_| !pair.is_corner())?;
+    let along = placed
+        .way_from_end(scene, pair)
+        .filter(|_| !pair.is_corner())?;
     let point = placed.point + placed.arm_to(scene, pair);
     let beyond = |corner: u8| scene.corner(corner).map(|corner| corner.place - point);
     let is_here = (own.clone().filter_map(beyond)).any(|at| at.length_bound() <= together());
@@ -761,7 +763,8 @@ impl<R: Real> Placed<R> {
         if !is_here || a.is_corner() || b.is_corner() {
             return is_here;
         }
-        let (Some(along_a), Some(along_b)) = (self.from_end(scene, a), self.from_end(scene, b))
+        let (Some(along_a), Some(along_b)) =
+            (self.way_from_end(scene, a), self.way_from_end(scene, b))
         else {
             return false;
         };
@@ -777,7 +780,7 @@ impl<R: Real> Placed<R> {
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.
-    fn from_end<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Vec2<R>> {
+    fn way_from_end<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Vec2<R>> {
         let tangent = scene.face(contact, self.orientation.rotation()).tangent;
         let [low, high] = scene.reach(contact);
         let foot = self.foot(scene, contact);
