@@ -2,9 +2,12 @@
 
 extern crate std;
 
+use super::super::Placed;
 use super::*;
-use crate::geometry::{Angle, Orientation};
+use crate::contact::{Pair, Pairs};
+use crate::geometry::{Angle, Orientation, Vec2};
 use crate::model::WithObstacles;
+use crate::motion::Instant;
 use crate::scene::{Description, ObstacleDescription, Scene};
 use std::vec::Vec;
 

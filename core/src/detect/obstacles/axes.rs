@@ -1,0 +1,357 @@
+//! The axes along which body and obstacle may be apart, the gaps along them, and the axis of the largest gap.
+
+use super::super::Placed;
+use super::{corners, ends, line_of, sides, together};
+use crate::bounded::Sloped;
+use crate::contact::Pair;
+use crate::geometry::Vec2;
+use crate::motion::Instant;
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use crate::world::World;
+use core::ops::Range;
+
+/// A direction in which body and obstacle may be apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// The normal of this side of the obstacle.
+    Side(u8),
+    /// The normal of this side of the body.
+    BodySide(u8),
+    /// The direction in which a thin wall ends at this corner.
+    End(u8),
+    /// The direction in which a rod ends at this vertex.
+    BodyEnd(u8),
+}
+
+/// All axes between the body and an obstacle.
+pub(super) fn axes<R: Real, W: World<R>>(
+    scene: &W,
+    obstacle: usize,
+) -> impl Iterator<Item = Axis> + use<R, W> {
+    let own = corners(scene, obstacle);
+    let body = scene.vertex_indices();
+    (sides(own.clone()).map(Axis::Side))
+        .chain(sides(body.clone()).map(Axis::BodySide))
+        .chain(ends(own).map(Axis::End))
+        .chain(ends(body).map(Axis::BodyEnd))
+}
+
+/// What of the other shape may be nearest along an axis: the vertices of the body, or the corners of the obstacle.
+pub(super) fn features<R: Real, W: World<R>>(
+    scene: &W,
+    (obstacle, axis): (usize, Axis),
+) -> Range<u8> {
+    match axis {
+        Axis::Side(_) | Axis::End(_) => scene.vertex_indices(),
+        Axis::BodySide(_) | Axis::BodyEnd(_) => corners(scene, obstacle),
+    }
+}
+
+/// The contact of a feature along an axis, if it is one.
+pub(super) fn contact<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Option<Pair> {
+    match axis {
+        Axis::Side(side) => Some(Pair {
+            vertex: feature,
+            surface: line_of(scene, side),
+        }),
+        Axis::BodySide(side) => Some(Pair::of_corner(feature, side)),
+        Axis::End(_) | Axis::BodyEnd(_) => None,
+    }
+}
+
+/// A contact is one of those that last, or a corner at the place of one of these.
+pub(super) fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair]) -> bool {
+    let place = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.place);
+    let is_at = |other: &Pair| {
+        other.is_corner()
+            && other.body_side() == pair.body_side()
+            && place(*other)
+                .zip(place(pair))
+                .is_some_and(|(a, b)| (a - b).length_bound() <= together())
+    };
+    lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_at)
+}
+
+/// The direction of an axis, from the obstacle to the body.
+pub(super) fn direction<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    axis: Axis,
+) -> Vec2<R> {
+    let outward = |side: u8| {
+        let normal = scene.body_normal(side);
+        placed.orientation.rotation().apply(normal)
+    };
+    match axis {
+        Axis::Side(side) => scene.surface(side).normal,
+        Axis::End(corner) => scene.surface(corner).tangent,
+        Axis::BodySide(side) => -outward(side),
+        Axis::BodyEnd(vertex) => -outward(vertex).turned(),
+    }
+}
+
+/// A contact that lasts, or has just opened, says on which side of an obstacle the body is: in which direction from it. Of a wall and a
+/// rod or a point, which have no inside together, the gaps do not tell.
+pub(super) fn side_of<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    obstacle: usize,
+    pair: Pair,
+) -> Option<Vec2<R>> {
+    let own = corners(scene, obstacle);
+    let mut lines = own.clone().map(|corner| line_of(scene, corner));
+    let surface = scene.face(pair, placed.orientation.rotation());
+    if own.contains(&pair.surface) || !pair.is_corner() && lines.any(|line| line == pair.surface) {
+        return Some(surface.normal);
+    }
+    // Between the side of another obstacle and this one, which leaves its end in front of it, the body is on that side.
+    let along = placed
+        .way_from_end(scene, pair)
+        .filter(|_| !pair.is_corner())?;
+    let point = placed.point + placed.arm_to(scene, pair);
+    let beyond = |corner: u8| scene.corner(corner).map(|corner| corner.place - point);
+    let is_here = (own.clone().filter_map(beyond)).any(|at| at.length_bound() <= together());
+    let mut ahead = own.filter_map(beyond);
+    let is_between = is_here && ahead.any(|at| surface.normal.dot(at) > R::MICRO);
+    is_between.then_some(along)
+}
+
+/// An axis does not face away from where the body is.
+pub(super) fn faces<R: Real>(direction: Vec2<R>, side: Vec2<R>) -> bool {
+    direction.dot(side) >= -R::in_plane()
+}
+
+/// On which side of an obstacle a body is that touches it along several axes.
+#[derive(Clone, Copy)]
+pub(super) struct Beside<'a, R> {
+    /// The contacts that have just opened there.
+    pub(super) left: &'a [Pair],
+    /// The direction from the obstacle of the axis along which it was apart last.
+    pub(super) last: Option<Vec2<R>>,
+    /// Gaps up to this are closed: a touch, and what a search may have gone beyond it.
+    pub(super) near: R,
+}
+
+impl<R: Real> Beside<'_, R> {
+    /// It is not known.
+    pub(super) const UNKNOWN: Self = Self {
+        left: &[],
+        last: None,
+        near: R::TOUCH,
+    };
+}
+
+/// How far a feature is off along an axis.
+pub(super) fn off<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    axis: Axis,
+    feature: u8,
+) -> Sloped<R> {
+    if let Some(pair) = contact(scene, axis, feature) {
+        return body.gap(scene, pair);
+    }
+    let place = |corner: u8| scene.corner(corner).map_or(Vec2::ZERO, |c| c.place);
+    let placed = &body.placed;
+    match axis {
+        Axis::End(corner) => {
+            let away = scene.surface(corner).tangent;
+            let arm = placed.arm(scene, feature);
+            Sloped {
+                value: away.dot(placed.point + arm - place(corner)),
+                slope: away.dot(body.velocity_at(arm)),
+            }
+        }
+        Axis::BodyEnd(vertex) => {
+            let outward = scene.body_normal(vertex);
+            let away = -placed.orientation.rotation().apply(outward.turned());
+            let arm = placed.arm(scene, vertex);
+            let beyond = place(feature) - (placed.point + arm);
+            Sloped {
+                value: away.dot(beyond),
+                slope: away.turned().dot(beyond) * body.turn - away.dot(body.velocity_at(arm)),
+            }
+        }
+        Axis::Side(_) | Axis::BodySide(_) => Sloped {
+            value: R::HUGE,
+            slope: R::ZERO,
+        },
+    }
+}
+
+/// Body and obstacle touch along this axis in two contacts: then they are apart, and what else is in that line is so by rounding only.
+pub(super) fn is_flat_on<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> bool {
+    let own = corners(scene, obstacle);
+    let is_along = |pair: &Pair| match axis {
+        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Axis::BodySide(side) => {
+            pair.is_corner() && pair.body_side() == side && own.contains(&pair.surface)
+        }
+        Axis::End(_) | Axis::BodyEnd(_) => false,
+    };
+    lasting.len() > 1
+        && lasting.iter().filter(|pair| is_along(pair)).any(|&pair| {
+            let mut others = lasting.iter().filter(|&&other| other != pair);
+            others.any(|&other| scene.lie_in_line([pair, other], placed))
+        })
+}
+
+/// The side of the body that lies in the line of two contacts.
+pub(super) fn flat_side<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    lasting: &[Pair],
+) -> Option<u8> {
+    let (&first, others) = lasting.split_first()?;
+    let mut others = others.iter().copied();
+    let other = others.find(|&other| scene.lie_in_line([first, other], placed))?;
+    if let Some(corner) = [first, other].into_iter().find(|pair| pair.is_corner()) {
+        return Some(corner.body_side());
+    }
+    let rotation = placed.orientation.rotation();
+    let normal = rotation.undo(scene.face(first, rotation).normal);
+    let against = |side: u8| normal.dot(scene.body_normal(side));
+    let [one, two] = [first, other].map(|pair| pair.vertex);
+    Some(if against(one) < against(two) {
+        one
+    } else {
+        two
+    })
+}
+
+/// A body that lies flat on two contacts lies over this obstacle as well, and touches it in their line: sliding on in that line it does
+/// not reach it.
+pub(super) fn lies_over<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    obstacle: usize,
+    lasting: &[Pair],
+) -> bool {
+    flat_side(scene, placed, lasting).is_some_and(|side| {
+        let body = Instant::at_rest(*placed);
+        let gap = gap_along(scene, &body, (obstacle, Axis::BodySide(side)), &[]);
+        gap.abs() <= R::TOUCH.doubled() && placed.separation(scene, obstacle) <= R::TOUCH.doubled()
+    })
+}
+
+/// The least gap along an axis, but for contacts that last.
+pub(super) fn gap_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        least.min(off(scene, body, axis, feature).value)
+    })
+}
+
+/// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
+/// turns with it, the gap of a corner that is far from the placed point closes faster.
+pub(super) fn room_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> R {
+    if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let gap = off(scene, body, axis, feature).value;
+        let place = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
+            Axis::Side(_) | Axis::End(_) => None,
+        };
+        let far = place.map_or(R::ONE, |place| (place - body.placed.point).length_bound());
+        least.min(if gap > R::ZERO && far > R::ONE {
+            gap / far
+        } else {
+            gap
+        })
+    })
+}
+
+/// How fast the gap along an axis opens where it is the least, to what counts as a touch, but for contacts that last.
+pub(super) fn opening_along<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    (obstacle, axis): (usize, Axis),
+    (lasting, gap): (&[Pair], R),
+) -> R {
+    let others = features(scene, (obstacle, axis)).filter(|&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
+    });
+    others.fold(R::HUGE, |least, feature| {
+        let off = off(scene, body, axis, feature);
+        if off.value <= gap + R::TOUCH {
+            least.min(off.slope)
+        } else {
+            least
+        }
+    })
+}
+
+/// The axis along which the body is farthest from an obstacle, and the gap along it: none that faces away from where a contact that lasts
+/// has it. Of several along which it touches, as a body that turns out of a flat contact, or a point and a wall which have no inside
+/// together, the one that opens fastest of those on the side where it is.
+pub(super) fn widest<R: Real, W: World<R>>(
+    scene: &W,
+    body: &Instant<R>,
+    obstacle: usize,
+    (lasting, beside): (&[Pair], Beside<'_, R>),
+) -> (Option<Axis>, R) {
+    let mut found = (None, R::LEAST);
+    let mut opens = R::LEAST;
+    if (corners(scene, obstacle).len(), scene.vertices().len()) == (1, 1) {
+        // A point and a pin have no axis: they do not touch.
+        return (None, R::HUGE);
+    }
+    let all_face = |pairs: &[Pair], way: Vec2<R>| {
+        let mut sides = pairs
+            .iter()
+            .map(|&pair| side_of(scene, &body.placed, obstacle, pair));
+        sides.all(|side| side.is_none_or(|side| faces(way, side)))
+    };
+    for axis in axes(scene, obstacle) {
+        let way = direction(scene, &body.placed, axis);
+        if !all_face(lasting, way) {
+            continue;
+        }
+        let gap = gap_along(scene, body, (obstacle, axis), lasting);
+        let touches = gap.abs() <= beside.near;
+        let is_beside = || beside.last.is_none_or(|last| faces(way, last));
+        if touches && !(all_face(beside.left, way) && is_beside()) {
+            continue;
+        }
+        let rate = if touches {
+            opening_along(scene, body, (obstacle, axis), (lasting, gap))
+        } else {
+            R::ZERO
+        };
+        let is_wider = if touches && found.1.abs() <= beside.near && rate != opens {
+            rate > opens
+        } else {
+            gap > found.1
+        };
+        if is_wider {
+            (found, opens) = ((Some(axis), gap), rate);
+        }
+    }
+    found
+}

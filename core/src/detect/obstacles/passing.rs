@@ -1,0 +1,158 @@
+//! The contact that follows one at the end of a side: past the end of a slide, at the other end of an edge, and where a body has turned
+//! about a corner at which it stands with a vertex.
+
+use super::super::Placed;
+use super::{beside, corners, line_of, together};
+use crate::contact::{Pair, Pairs};
+use crate::obstacle::Corner;
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use crate::world::World;
+
+/// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
+pub(crate) struct Tip {
+    /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
+    pub(crate) neighbour: Pair,
+    /// The contact at the same place whose normal comes next.
+    pub(crate) next: Pair,
+}
+
+impl<R: Real> Placed<R> {
+    /// Where a contact is at the end of its side, the body that turns about it lies flat beyond that end and touches nothing more: there
+    /// the normal begins to turn, with the body or with it no more (STATICS 12.4).
+    pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> [Option<Tip>; 2] {
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        if to_low > together() && to_high > together() {
+            return [None, None];
+        }
+        let surface = scene.face(contact, self.orientation.rotation());
+        let is_high = to_high < to_low;
+        let arm = self.arm_to(scene, contact);
+        // Beyond the end, as a vertex and as a corner see it.
+        let off = if is_high == contact.is_corner() {
+            -surface.tangent
+        } else {
+            surface.tangent
+        };
+        if contact.is_corner() {
+            let obstacle = scene.corner(contact.surface).map(|corner| corner.obstacle);
+            let own = corners(scene, usize::from(obstacle.unwrap_or_default()));
+            let side = contact.body_side();
+            let [after, _] = scene.neighbours(side);
+            let vertex = if is_high { side } else { after };
+            [true, false].map(|ahead| {
+                let other = beside(&own, contact.surface, ahead);
+                let neighbour = Pair::of_corner(other, side);
+                let line = if ahead { contact.surface } else { other };
+                let surface = line_of(scene, line);
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                (own.len() > 1 && is_off).then_some(Tip {
+                    neighbour,
+                    next: Pair { vertex, surface },
+                })
+            })
+        } else {
+            let is_here = |corner: &Corner<R>| {
+                let apart = corner.place - (self.point + arm);
+                !corner.covered && apart.length_bound() <= together()
+            };
+            let first = scene.surface_indices().end;
+            let mut here = (first..)
+                .zip(scene.corners())
+                .filter(|(_, corner)| is_here(corner));
+            let corner = here.next().map(|(corner, _)| corner);
+            let [after, before] = scene.neighbours(contact.vertex);
+            [(after, contact.vertex), (before, before)].map(|(other, side)| {
+                let neighbour = Pair {
+                    vertex: other,
+                    ..contact
+                };
+                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
+                let next = Pair::of_corner(corner?, side);
+                (other != contact.vertex && is_off).then_some(Tip { neighbour, next })
+            })
+        }
+    }
+
+    /// The contact that comes next where a body has turned to the end of what supports one.
+    pub(crate) fn next_at_tip<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Pair> {
+        let tips = self.tips(scene, contact).into_iter().flatten();
+        let gap = |tip: &Tip| self.gap(scene, tip.neighbour);
+        let next = tips.reduce(|least, tip| if gap(&tip) < gap(&least) { tip } else { least });
+        next.map(|tip| tip.next)
+    }
+
+    /// The contact at the place of one that has left its side along sign·t whose normal comes next as the normal turns towards the slide.
+    pub(crate) fn next_contact<W: World<R>>(
+        &self,
+        scene: &W,
+        (left, sign): (Pair, R),
+        contacts: &[Pair],
+    ) -> Option<Pair> {
+        let rotation = self.orientation.rotation();
+        let surface = scene.face(left, rotation);
+        let (normal, ahead) = (surface.normal, surface.tangent * sign);
+        let turn = |pair: Pair| {
+            let next = scene.face(pair, rotation).normal;
+            next.dot(ahead).atan2(next.dot(normal))
+        };
+        // It has gone beyond the end by a touch.
+        let near = together::<R>() + R::TOUCH;
+        let mut list = Pairs::new();
+        self.touching_obstacles(scene, near, &mut list);
+        let mut found: Option<(R, Pair)> = None;
+        for pair in list {
+            let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
+            let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+            let least = if obstacle(pair) == obstacle(left) {
+                R::in_plane()
+            } else {
+                -R::in_plane()
+            };
+            let turn = turn(pair);
+            let is_here = apart.length_bound() <= near && !contacts.contains(&pair);
+            if is_here && turn > least && found.is_none_or(|(first, _)| turn < first) {
+                found = Some((turn, pair));
+            }
+        }
+        found.map(|(_, pair)| pair)
+    }
+
+    /// Where an edge that slides along sign·t ends once one of its contacts has left its side: at the farthest in line with what lasts
+    /// that does not leave its side as well.
+    pub(crate) fn next_end<W: World<R>>(
+        &self,
+        scene: &W,
+        (left, sign): (Pair, R),
+        lasting: &[Pair],
+    ) -> Option<Pair> {
+        let &kept = lasting.first()?;
+        let tangent = scene.face(kept, self.orientation.rotation()).tangent;
+        let along = |pair: Pair| tangent.dot(self.arm_to(scene, pair) - self.arm_to(scene, kept));
+        let way = along(left).sign();
+        let mut list = Pairs::new();
+        self.touching_obstacles(scene, together(), &mut list);
+        let is_end = |&pair: &Pair| {
+            let [low, high] = scene.reach(pair);
+            let foot = self.foot(scene, pair);
+            let ahead = if sign < R::ZERO {
+                foot - low
+            } else {
+                high - foot
+            };
+            let differs = pair != left && pair != kept;
+            differs && ahead > together() && scene.lie_in_line([kept, pair], self)
+        };
+        let ends = list.iter().copied().filter(is_end);
+        let mut found: Option<(R, Pair)> = None;
+        for pair in ends {
+            let far = along(pair) * way;
+            if far > together() && found.is_none_or(|(farthest, _)| far > farthest) {
+                found = Some((far, pair));
+            }
+        }
+        found.map(|(_, pair)| pair)
+    }
+}

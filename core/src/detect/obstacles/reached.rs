@@ -1,0 +1,311 @@
+//! The first obstacle that a motion reaches, and the contact there.
+
+use super::super::Placed;
+use super::axes::{
+    Beside, contact, direction, faces, features, gap_along, is_flat_on, lasts, lies_over, off,
+    widest,
+};
+use super::{corners, line_of};
+use crate::bounded::Sloped;
+use crate::contact::{Pair, Pairs};
+use crate::falls::{Level, first_fall};
+use crate::geometry::Vec2;
+use crate::motion::Instant;
+use crate::real::Real;
+use crate::search::Found;
+use crate::world::World;
+use heapless::Vec;
+
+/// Where a motion reaches an obstacle.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reached<R> {
+    pub(crate) x: R,
+    pub(crate) contact: Pair,
+    /// The search came no farther: up to there nothing is reached.
+    pub(crate) unsure: bool,
+}
+
+/// What a motion may reach.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Among {
+    /// Obstacles alone: the half-planes are looked at elsewhere.
+    Obstacles,
+    /// Half-planes, too.
+    All,
+}
+
+/// What is known of a motion before it begins.
+#[derive(Clone, Copy)]
+pub(crate) struct Known<'a> {
+    /// The contacts that last.
+    pub(crate) lasting: &'a [Pair],
+    /// Those that have just opened.
+    pub(crate) left: &'a [Pair],
+}
+
+impl<'a> Known<'a> {
+    /// Of contacts that last.
+    pub(crate) fn of(lasting: &'a [Pair]) -> Self {
+        Self { lasting, left: &[] }
+    }
+}
+
+/// On a piece of a motion on which the body turns by no more than this (rad), a gap lies above its chord or above its tangents.
+fn longest_turn<R: Real>() -> R {
+    R::HALF.halved().halved()
+}
+
+/// So many axes are watched one after the other on a piece of a motion.
+const MOST_AXES: usize = 12;
+
+/// The way of a piece is no more than two to this times its width, or it is found less well.
+const MOST_DOUBLINGS: usize = 24;
+
+/// So many pieces of a motion are looked at before it is taken for as long as that.
+const MOST_PIECES: usize = 400;
+
+/// A place of a motion, and the body there.
+type Place<R> = (R, Instant<R>);
+
+/// Obstacles that a body touches, and on which side.
+type Nearby<R> = Vec<(usize, Vec2<R>), 8>;
+
+/// What happens with an obstacle on a piece of a motion.
+enum Closing<R> {
+    Nothing,
+    /// It is touched in the end where it is not reached, with the body on this side.
+    Near(Vec2<R>),
+    /// It is reached: where, and in which contact; no contact where what is watched changes too often.
+    At(Place<R>, Option<Pair>),
+}
+
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
+/// motion.
+pub(crate) fn first_reached<R: Real, W: World<R>>(
+    scene: &W,
+    (known, among): (Known<'_>, Among),
+    end: R,
+    at: &dyn Fn(R) -> Instant<R>,
+) -> Option<Reached<R>> {
+    let Known { lasting, left } = known;
+    let start = at(R::ZERO);
+    let (mut x, mut here) = (R::ZERO, start);
+    let mut step = end;
+    // The obstacles that it touches there, and on which side.
+    let mut near: Nearby<R> = Nearby::new();
+    for _ in 0..MOST_PIECES {
+        let mut to = end.min(x + step);
+        let mut there = at(to);
+        for _ in 0..64 {
+            let turn = (there.placed.orientation.angle()).minus(here.placed.orientation.angle());
+            let shift = (there.placed.point - here.placed.point).length_bound();
+            if turn.abs() * R::ONE.max(shift) <= longest_turn() {
+                break;
+            }
+            to = x + (to - x).halved();
+            there = at(to);
+        }
+        step = (to - x).doubled();
+        let mut first = None;
+        if among == Among::All {
+            let surfaces = scene.surface_indices();
+            let pairs = surfaces.flat_map(|surface| {
+                (scene.vertex_indices()).map(move |vertex| Pair { vertex, surface })
+            });
+            for pair in pairs.filter(|pair| !lasting.contains(pair)) {
+                let gap = |body: &Instant<R>| body.gap(scene, pair);
+                if let Some(end) = falls([(x, here), (to, there)], at, gap) {
+                    (to, there) = end;
+                    first = Some((end.0, Some(pair)));
+                }
+            }
+        }
+        let way = (there.placed.point - here.placed.point)
+            .length_bound()
+            .doubled();
+        let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
+        let mut now_near: Nearby<R> = Nearby::new();
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            let is_over =
+                || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
+            if here.placed.apart(round) > reach || is_over() {
+                continue;
+            }
+            let piece = [(x, here), (to, there)];
+            let before = (&start.placed, lasting);
+            let last = near.iter().find(|(index, _)| *index == obstacle);
+            let beside = Beside {
+                left: if x == R::ZERO { left } else { &[] },
+                last: last.map(|&(_, last)| last),
+                near: R::TOUCH,
+            };
+            match closes(scene, obstacle, (before, beside), piece, at) {
+                Closing::Nothing => {}
+                Closing::Near(side) => {
+                    // Of more than there is room for it is not known.
+                    let _ = now_near.push((obstacle, side));
+                }
+                Closing::At(end, contact) => {
+                    (to, there) = end;
+                    first = Some((to, contact));
+                }
+            }
+        }
+        near = now_near;
+        if let Some((x, contact)) = first {
+            return Some(Reached {
+                x,
+                contact: contact.unwrap_or_default(),
+                // Nothing is reached yet, but what is watched there changes too often.
+                unsure: contact.is_none(),
+            });
+        }
+        (x, here) = (to, there);
+        if x >= end {
+            return None;
+        }
+    }
+    Some(Reached {
+        x,
+        contact: Pair::default(),
+        unsure: true,
+    })
+}
+
+/// Where a gap closes on a piece of a motion.
+fn falls<R: Real>(
+    [from, to]: [Place<R>; 2],
+    at: &dyn Fn(R) -> Instant<R>,
+    gap: impl Fn(&Instant<R>) -> Sloped<R>,
+) -> Option<Place<R>> {
+    let width = to.0 - from.0;
+    // A place is found to a rounding of the way there, however fast the body goes.
+    let way = (to.1.placed.point - from.1.placed.point).length_bound();
+    let (mut end, mut unit) = (width, R::ONE);
+    for _ in 0..MOST_DOUBLINGS {
+        if end.doubled() <= way {
+            (end, unit) = (end.doubled(), unit.doubled());
+        }
+    }
+    let found = first_fall((end, end), |x| {
+        let body = if x == R::ZERO {
+            from.1
+        } else if x == end {
+            to.1
+        } else {
+            at(from.0 + x / unit)
+        };
+        let gap = gap(&body);
+        let gap = Sloped {
+            slope: gap.slope / unit,
+            ..gap
+        };
+        [Some(Level::new(gap, body.placed.rounding()))]
+    });
+    match found {
+        Found::Nothing { .. } => None,
+        Found::Zero { x, .. } | Found::Unsure { x, .. } => {
+            let x = from.0 + x / unit;
+            Some((x, at(x)))
+        }
+    }
+}
+
+/// Where an obstacle is reached on a piece of a motion.
+fn closes<R: Real, W: World<R>>(
+    scene: &W,
+    obstacle: usize,
+    ((before, lasting), mut beside): ((&Placed<R>, &[Pair]), Beside<'_, R>),
+    [mut from, to]: [Place<R>; 2],
+    at: &dyn Fn(R) -> Instant<R>,
+) -> Closing<R> {
+    for _ in 0..MOST_AXES {
+        let (Some(axis), _) = widest(scene, &from.1, obstacle, (lasting, beside)) else {
+            return Closing::Nothing;
+        };
+        if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
+            return Closing::Nothing;
+        }
+        let mut end = to;
+        let mut found = false;
+        for feature in features(scene, (obstacle, axis)) {
+            if contact(scene, axis, feature).is_some_and(|pair| lasts(scene, pair, lasting)) {
+                continue;
+            }
+            let gap = |body: &Instant<R>| off(scene, body, axis, feature);
+            if let Some(first) = falls([from, end], at, gap) {
+                end = first;
+                found = true;
+            }
+        }
+        let side = direction(scene, &end.1.placed, axis);
+        if !found {
+            let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
+            return if gap <= R::TOUCH {
+                Closing::Near(side)
+            } else {
+                Closing::Nothing
+            };
+        }
+        beside = Beside {
+            left: if end.0 > R::ZERO { &[] } else { beside.left },
+            last: Some(side),
+            near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
+        };
+        let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
+        if gap <= beside.near
+            && let Some(contact) =
+                touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
+        {
+            return Closing::At(end, Some(contact));
+        }
+        // It is apart along another axis, or touches where it does already.
+        from = end;
+    }
+    Closing::At(from, None)
+}
+
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
+/// obstacle's own corner is covered, it is one of another obstacle.
+fn touched<R: Real, W: World<R>>(
+    scene: &W,
+    lasting: &[Pair],
+    (obstacle, side): (usize, Vec2<R>),
+    (before, now): (&Placed<R>, &Placed<R>),
+) -> Option<Pair> {
+    let own = corners(scene, obstacle);
+    let is_own = |pair: Pair| {
+        let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
+        own.contains(&pair.surface) || own.clone().any(side)
+    };
+    let owner = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+    let is_new = |pair: Pair| {
+        // An overlap that short goes on as its other end.
+        let closed = before.gap(scene, pair) > R::TOUCH;
+        let is_taken = |&other: &Pair| {
+            let is_here = now.are_at_one_place(scene, [other, pair]);
+            let replaces = closed && is_here && owner(other) == owner(pair);
+            !replaces && now.are_one(scene, [other, pair])
+        };
+        !lasting.contains(&pair) && !lasting.iter().any(is_taken)
+    };
+    let mut near = R::TOUCH;
+    for _ in 0..4 {
+        let mut list = Pairs::new();
+        now.touching_obstacles(scene, near, &mut list);
+        let mut latest: Option<(bool, R, Pair)> = None;
+        for pair in list.into_iter().filter(|&pair| is_new(pair)) {
+            let normal = scene.face(pair, now.orientation.rotation()).normal;
+            let is_beside = is_own(pair) && faces(normal, side);
+            let this = (is_beside, before.gap(scene, pair), pair);
+            if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
+                latest = Some(this);
+            }
+        }
+        if let Some((.., pair)) = latest {
+            return Some(pair);
+        }
+        near = near * R::from_int(8);
+    }
+    None
+}

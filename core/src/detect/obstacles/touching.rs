@@ -1,0 +1,285 @@
+//! What of the body touches obstacles at a pose, and which of these contacts can be at once.
+
+use super::super::Placed;
+use super::axes::{Beside, axes, lies_over, room_along, widest};
+use super::{beside, corners, line_of, sides, together};
+use crate::contact::{Pair, Pairs};
+use crate::geometry::Vec2;
+use crate::motion::Instant;
+use crate::obstacle::Round;
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use crate::world::World;
+
+/// A side that leaves a place at which its obstacle has a corner.
+#[derive(Clone, Copy)]
+pub(super) struct Leaving<R> {
+    pub(super) direction: Vec2<R>,
+    /// Its outward normal; of a thin wall, which has two, none.
+    pub(super) normal: Vec2<R>,
+}
+
+/// The sides of obstacles but two that leave a place.
+pub(super) fn leaving<R: Real, W: World<R>>(
+    scene: &W,
+    place: Vec2<R>,
+    but: [u8; 2],
+) -> impl Iterator<Item = Leaving<R>> + Clone + '_ {
+    let first = scene.surface_indices().end;
+    let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
+        let is_here = (corner.place - place).length_bound() <= together();
+        is_here && !but.contains(&corner.obstacle)
+    });
+    others.flat_map(move |(index, corner)| {
+        let own = corners(scene, usize::from(corner.obstacle));
+        let (has_sides, has_inside) = (own.len() > 1, own.len() > 2);
+        let [after, before] = [index, beside(&own, index, false)].map(|side| scene.surface(side));
+        let both = [
+            (-after.tangent, after.normal),
+            (before.tangent, before.normal),
+        ];
+        let both = both.map(|(direction, normal)| Leaving {
+            direction,
+            normal: if has_inside { normal } else { Vec2::ZERO },
+        });
+        both.into_iter().filter(move |_| has_sides)
+    })
+}
+
+impl<R: Real> Placed<R> {
+    /// The rounding of a gap to an obstacle near the body.
+    pub(in crate::detect) fn rounding(&self) -> R {
+        R::of_coordinates() * (R::TWO + self.point.length_bound())
+    }
+
+    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
+    /// no more, together; less what counts as a touch and the rounding.
+    pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
+        let body = Instant::at_rest(*self);
+        let radius = self.radius(scene, None);
+        let mut least = R::HUGE;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            let apart = self.apart(round) - radius;
+            if apart > R::ONE {
+                least = least.min(apart);
+                continue;
+            }
+            if lies_over(scene, self, obstacle, lasting) {
+                continue;
+            }
+            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
+            // A point and a pin have no axis.
+            let room = axes(scene, obstacle).map(along).reduce(R::max);
+            let room = room.unwrap_or(R::HUGE);
+            least = least.min(room - self.rounding().doubled() - R::TOUCH);
+        }
+        least
+    }
+
+    /// A lower bound of the distance of the point from a circle.
+    pub(super) fn apart(&self, round: &Round<R>) -> R {
+        let between = self.point - round.center;
+        between.x.abs().max(between.y.abs()) - round.radius
+    }
+
+    /// How far the body and an obstacle are apart, or minus how deep one is in the other.
+    pub(crate) fn separation<W: World<R>>(&self, scene: &W, obstacle: usize) -> R {
+        widest(
+            scene,
+            &Instant::at_rest(*self),
+            obstacle,
+            (&[], Beside::UNKNOWN),
+        )
+        .1
+    }
+
+    /// The body is deeper in an obstacle than this.
+    pub(crate) fn is_in_obstacle<W: World<R>>(&self, scene: &W, depth: R) -> bool {
+        (0..scene.firsts().len()).any(|obstacle| self.separation(scene, obstacle) < -depth)
+    }
+
+    /// How far a contact is beyond the end of its side; negative on it.
+    pub(crate) fn beyond<W: World<R>>(&self, scene: &W, contact: Pair) -> R {
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        (low - foot).max(foot - high)
+    }
+
+    /// The sides next to a vertex or corner lead away from the side that it touches, or no deeper than this.
+    pub(super) fn supports<W: World<R>>(&self, scene: &W, contact: Pair, depth: R) -> bool {
+        let normal = scene.face(contact, self.orientation.rotation()).normal;
+        if contact.is_corner() {
+            let Some(corner) = scene.corner(contact.surface) else {
+                return false;
+            };
+            let own = corners(scene, usize::from(corner.obstacle));
+            [true, false].into_iter().all(|next| {
+                let other = scene.corner(beside(&own, contact.surface, next));
+                other.is_none_or(|other| normal.dot(other.place - corner.place) <= depth)
+            })
+        } else {
+            let arm = self.arm(scene, contact.vertex);
+            let others = scene.neighbours(contact.vertex).into_iter();
+            let mut others = others.map(|other| self.arm(scene, other));
+            others.all(|other| normal.dot(other - arm) >= -depth)
+        }
+    }
+
+    /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and no other obstacle in between; and
+    /// a side of the body has all of them behind.
+    pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair) -> bool {
+        let own = scene.corner(contact.surface).map(|corner| corner.obstacle);
+        let arm = self.arm_to(scene, contact);
+        let point = self.point + arm;
+        let surface = scene.face(contact, self.orientation.rotation());
+        let leaving = own
+            .into_iter()
+            .flat_map(|own| leaving(scene, point, [own; 2]));
+        if contact.is_corner() {
+            return leaving
+                .clone()
+                .all(|side| surface.normal.dot(side.direction) <= R::MICRO);
+        }
+        // Of a rod it is not known on which side of it what lies flat on a side in between is.
+        let flat = if scene.vertices().len() > 2 {
+            R::MICRO
+        } else {
+            -R::MICRO
+        };
+        // Seen from a way along the side, nothing is in front of the body.
+        let is_in_front = |along: Vec2<R>| {
+            let angle = |side: Vec2<R>| surface.normal.dot(side).atan2(along.dot(side));
+            let body = scene.neighbours(contact.vertex).into_iter();
+            let body = body.filter(|&other| other != contact.vertex);
+            let body = body.map(|other| angle(self.arm(scene, other) - arm));
+            let nearest = body.reduce(R::min);
+            leaving.clone().all(|side| {
+                let rises = surface.normal.dot(side.direction);
+                let is_ahead = rises > R::MICRO;
+                // The side of another obstacle lies on this one.
+                let is_shut = rises.abs() <= R::MICRO
+                    && along.dot(side.direction) > R::ZERO
+                    && surface.normal.dot(side.normal) < R::ZERO;
+                let is_in_front = |nearest| angle(side.direction) > nearest + flat;
+                !is_shut && (!is_ahead || nearest.is_none_or(is_in_front))
+            })
+        };
+        // At an end of the side there is only the way back.
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let (to_low, to_high) = (foot - low, high - foot);
+        let least = together::<R>().min(to_low.max(to_high));
+        let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
+        let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
+        ways.any(|(_, along)| is_in_front(along))
+    }
+
+    /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.
+    pub(in crate::detect) fn touching_obstacles<W: World<R>>(
+        &self,
+        scene: &W,
+        tolerance: R,
+        list: &mut Pairs,
+    ) {
+        let radius = self.radius(scene, None) + tolerance;
+        for (obstacle, round) in scene.rounds().iter().enumerate() {
+            if self.apart(round) > radius || self.separation(scene, obstacle) > tolerance {
+                continue;
+            }
+            let own = corners(scene, obstacle);
+            let vertices = sides(own.clone()).flat_map(|side| {
+                let surface = line_of(scene, side);
+                scene
+                    .vertex_indices()
+                    .map(move |vertex| Pair { vertex, surface })
+            });
+            let is_bare = |&corner: &u8| scene.corner(corner).is_some_and(|c| !c.covered);
+            let corners = own.filter(is_bare).flat_map(|corner| {
+                sides(scene.vertex_indices()).map(move |side| Pair::of_corner(corner, side))
+            });
+            let pairs = vertices.chain(corners).filter(|&pair| {
+                self.gap(scene, pair).abs() <= tolerance
+                    && self.beyond(scene, pair) <= tolerance
+                    && self.supports(scene, pair, tolerance)
+                    && self.meets(scene, pair)
+            });
+            for pair in pairs {
+                if !list.contains(&pair) {
+                    // More than there is room for is not counted.
+                    let _ = list.push(pair);
+                }
+            }
+        }
+    }
+
+    /// Of two contacts with obstacles only one can be: of one obstacle, at one place or facing away from each other, as convex shapes touch
+    /// in one line at most; of two obstacles, where their corners meet in a tip, or as sides that look to
+    /// either side of a bent wall.
+    pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
+        let (Some(of_a), Some(of_b)) = (obstacle(a), obstacle(b)) else {
+            return false;
+        };
+        let [first, second] = [a, b].map(|pair| scene.face(pair, self.orientation.rotation()));
+        let is_here = self.are_at_one_place(scene, [a, b]);
+        if of_a == of_b {
+            let apart = self.arm_to(scene, b) - self.arm_to(scene, a);
+            // By the heights: the tilt of what touches flat, but for a touch at either end, is more over a short side.
+            let is_off = |normal: Vec2<R>| normal.dot(apart).abs() > R::from_int(4) * R::MICRO;
+            let faces_away = first.normal.dot(second.normal) <= R::ZERO;
+            return is_here || faces_away || is_off(first.normal) || is_off(second.normal);
+        }
+        if !is_here || a.is_corner() || b.is_corner() {
+            return is_here;
+        }
+        let (Some(along_a), Some(along_b)) =
+            (self.way_from_end(scene, a), self.way_from_end(scene, b))
+        else {
+            return false;
+        };
+        // Sides that end at one place bound what is free there where each is in front of the other, and nothing else in between.
+        let point = self.point + self.arm_to(scene, a);
+        let is_between = |side: Vec2<R>| {
+            let angle = |side: Vec2<R>| first.normal.dot(side).atan2(along_a.dot(side));
+            first.normal.dot(side) > R::MICRO && angle(side) + R::MICRO < angle(along_b)
+        };
+        along_a.dot(second.normal) < -R::MICRO
+            || along_b.dot(first.normal) < -R::MICRO
+            || leaving(scene, point, [of_a, of_b]).any(|side| is_between(side.direction))
+    }
+
+    /// The direction in which the side of a contact goes on from its end, if it is there.
+    pub(super) fn way_from_end<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Vec2<R>> {
+        let tangent = scene.face(contact, self.orientation.rotation()).tangent;
+        let [low, high] = scene.reach(contact);
+        let foot = self.foot(scene, contact);
+        let along = if foot - low < high - foot {
+            tangent
+        } else {
+            -tangent
+        };
+        (self.beyond(scene, contact) > -together::<R>()).then_some(along)
+    }
+
+    pub(super) fn are_at_one_place<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
+        let apart = self.arm_to(scene, a) - self.arm_to(scene, b);
+        apart.length_bound() <= together()
+    }
+
+    /// Of contacts in one line the outermost two.
+    pub(crate) fn outermost<W: World<R>>(&self, scene: &W, contacts: &Pairs) -> Pairs {
+        let is_inner = |&pair: &Pair| {
+            let tangent = scene.face(pair, self.orientation.rotation()).tangent;
+            let arm = self.arm_to(scene, pair);
+            let in_line = |&&other: &&Pair| other != pair && scene.lie_in_line([pair, other], self);
+            let along = |other: &Pair| tangent.dot(self.arm_to(scene, *other) - arm);
+            let others = || contacts.iter().filter(in_line).map(along);
+            others().any(|x| x > R::ZERO) && others().any(|x| x < R::ZERO)
+        };
+        contacts
+            .iter()
+            .copied()
+            .filter(|pair| !is_inner(pair))
+            .collect()
+    }
+}
