@@ -1,5 +1,5 @@
 //! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
-//! of the solver's type is chosen here, [`with_solver`].
+//! of the solver's type is chosen here, `with_solver`.
 
 use std::time::{Duration, Instant};
 
