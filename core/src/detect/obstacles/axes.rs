@@ -48,6 +48,17 @@ pub(super) fn features<R: Real, W: World<R>>(
     }
 }
 
+/// Those whose gap may change, as they are in no contact that lasts.
+pub(super) fn moving<R: Real, W: World<R>>(
+    scene: &W,
+    (obstacle, axis): (usize, Axis),
+    lasting: &[Pair],
+) -> impl Iterator<Item = u8> {
+    features(scene, (obstacle, axis)).filter(move |&feature| {
+        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
+    })
+}
+
 /// The contact of a feature along an axis, if it is one.
 pub(super) fn contact<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Option<Pair> {
     match axis {
@@ -250,10 +261,7 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
-    let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
-    });
-    others.fold(R::HUGE, |least, feature| {
+    moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
         least.min(off(scene, body, axis, feature).value)
     })
 }
@@ -269,10 +277,7 @@ pub(super) fn room_along<R: Real, W: World<R>>(
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
-    let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
-    });
-    others.fold(R::HUGE, |least, feature| {
+    moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
         let gap = off(scene, body, axis, feature).value;
         let place = match axis {
             Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
@@ -294,10 +299,7 @@ pub(super) fn opening_along<R: Real, W: World<R>>(
     (obstacle, axis): (usize, Axis),
     (lasting, gap): (&[Pair], R),
 ) -> R {
-    let others = features(scene, (obstacle, axis)).filter(|&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
-    });
-    others.fold(R::HUGE, |least, feature| {
+    moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
         let off = off(scene, body, axis, feature);
         if off.value <= gap + R::TOUCH {
             least.min(off.slope)

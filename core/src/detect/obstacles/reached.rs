@@ -2,8 +2,7 @@
 
 use super::super::Placed;
 use super::axes::{
-    Beside, contact, direction, faces, features, gap_along, is_flat_on, lasts, lies_over, off,
-    widest,
+    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, widest,
 };
 use super::{corners, line_of};
 use crate::bounded::Sloped;
@@ -228,10 +227,7 @@ fn closes<R: Real, W: World<R>>(
         }
         let mut end = to;
         let mut found = false;
-        for feature in features(scene, (obstacle, axis)) {
-            if contact(scene, axis, feature).is_some_and(|pair| lasts(scene, pair, lasting)) {
-                continue;
-            }
+        for feature in moving(scene, (obstacle, axis), lasting) {
             let gap = |body: &Instant<R>| off(scene, body, axis, feature);
             if let Some(first) = falls([from, end], at, gap) {
                 end = first;
