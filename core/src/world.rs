@@ -100,6 +100,11 @@ pub(crate) trait World<R: Real>: Sized {
         (self.corners()).get(usize::from(index.checked_sub(first)?))
     }
 
+    /// The obstacle of a contact; a half-plane is of none.
+    fn obstacle_of(&self, contact: Pair) -> Option<u8> {
+        self.corner(contact.surface).map(|corner| corner.obstacle)
+    }
+
     /// The surface of a contact in an orientation of the body: of a corner the line of the body's side, which turns with the body.
     fn face(&self, contact: Pair, rotation: Rotation<R>) -> Surface<R> {
         let surface = self.surface(contact.surface);

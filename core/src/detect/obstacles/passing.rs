@@ -37,7 +37,7 @@ impl<R: Real> Placed<R> {
             surface.tangent
         };
         if contact.is_corner() {
-            let obstacle = scene.corner(contact.surface).map(|corner| corner.obstacle);
+            let obstacle = scene.obstacle_of(contact);
             let own = corners(scene, usize::from(obstacle.unwrap_or_default()));
             let side = contact.body_side();
             let [after, _] = scene.neighbours(side);
@@ -105,8 +105,7 @@ impl<R: Real> Placed<R> {
         let mut found: Option<(R, Pair)> = None;
         for pair in list {
             let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
-            let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
-            let least = if obstacle(pair) == obstacle(left) {
+            let least = if scene.obstacle_of(pair) == scene.obstacle_of(left) {
                 R::in_plane()
             } else {
                 -R::in_plane()

@@ -274,13 +274,12 @@ fn touched<R: Real, W: World<R>>(
         let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
         own.contains(&pair.surface) || own.clone().any(side)
     };
-    let owner = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
     let is_new = |pair: Pair| {
         // An overlap that short goes on as its other end.
         let closed = before.gap(scene, pair) > R::TOUCH;
         let is_taken = |&other: &Pair| {
             let is_here = now.are_at_one_place(scene, [other, pair]);
-            let replaces = closed && is_here && owner(other) == owner(pair);
+            let replaces = closed && is_here && scene.obstacle_of(other) == scene.obstacle_of(pair);
             !replaces && now.are_one(scene, [other, pair])
         };
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)

@@ -128,7 +128,7 @@ impl<R: Real> Placed<R> {
     /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and no other obstacle in between; and
     /// a side of the body has all of them behind.
     pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair) -> bool {
-        let own = scene.corner(contact.surface).map(|corner| corner.obstacle);
+        let own = scene.obstacle_of(contact);
         let arm = self.arm_to(scene, contact);
         let point = self.point + arm;
         let surface = scene.face(contact, self.orientation.rotation());
@@ -216,8 +216,7 @@ impl<R: Real> Placed<R> {
     /// in one line at most; of two obstacles, where their corners meet in a tip, or as sides that look to
     /// either side of a bent wall.
     pub(crate) fn are_one<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
-        let obstacle = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.obstacle);
-        let (Some(of_a), Some(of_b)) = (obstacle(a), obstacle(b)) else {
+        let (Some(of_a), Some(of_b)) = (scene.obstacle_of(a), scene.obstacle_of(b)) else {
             return false;
         };
         let [first, second] = [a, b].map(|pair| scene.face(pair, self.orientation.rotation()));
