@@ -226,7 +226,7 @@ fn leaves<R: Real, W: World<R>>(
         ContactState::SingleVertex(s) => {
             let topples = s.topples_free(scene, path.0);
             // On its way to where it hangs a body that is so near would touch the same corner again.
-            let found_to = if W::CORNERS {
+            let found_to = if s.is_corner(scene) {
                 s.found_to_at(scene, path.0)
             } else {
                 R::ZERO

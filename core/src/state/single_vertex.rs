@@ -50,7 +50,7 @@ impl<R: Real> SingleVertex<R> {
     }
 
     /// A corner of an obstacle on a side of the body.
-    pub(super) fn is_corner<W: World<R>>(&self, _: &W) -> bool {
+    pub(crate) fn is_corner<W: World<R>>(&self, _: &W) -> bool {
         W::CORNERS && self.pivot.contact.is_corner()
     }
 
