@@ -12,6 +12,7 @@ use crate::geometry::Vec2;
 use crate::motion::Instant;
 use crate::real::Real;
 use crate::search::Found;
+use crate::thresholds::Thresholds;
 use crate::world::World;
 use heapless::Vec;
 
@@ -136,7 +137,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             let beside = Beside {
                 left: if x == R::ZERO { left } else { &[] },
                 last: last.map(|&(_, last)| last),
-                near: R::TOUCH,
+                near: near_at(&here.placed),
             };
             match closes(scene, obstacle, (before, beside), piece, at) {
                 Closing::Nothing => {}
@@ -210,6 +211,11 @@ fn falls<R: Real>(
     }
 }
 
+/// Gaps up to this are closed: a touch, or what rounding makes of a place so far from the origin.
+fn near_at<R: Real>(placed: &Placed<R>) -> R {
+    R::TOUCH.max(placed.rounding())
+}
+
 /// Where an obstacle is reached on a piece of a motion.
 fn closes<R: Real, W: World<R>>(
     scene: &W,
@@ -237,7 +243,7 @@ fn closes<R: Real, W: World<R>>(
         let side = direction(scene, &end.1.placed, axis);
         if !found {
             let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
-            return if gap <= R::TOUCH {
+            return if gap <= near_at(&end.1.placed) {
                 Closing::Near(side)
             } else {
                 Closing::Nothing
@@ -246,12 +252,12 @@ fn closes<R: Real, W: World<R>>(
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),
-            near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
+            near: near_at(&end.1.placed)
+                - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
         if gap <= beside.near
-            && let Some(contact) =
-                touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
+            && let Some(contact) = touched(scene, lasting, (obstacle, side), (before, &end.1))
         {
             return Closing::At(end, Some(contact));
         }
@@ -261,14 +267,16 @@ fn closes<R: Real, W: World<R>>(
     Closing::At(from, None)
 }
 
-/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
-/// obstacle's own corner is covered, it is one of another obstacle.
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before, and of
+/// those whose gaps were closed before the one whose gap closes slowest. Where the obstacle's own corner is covered, it is one of
+/// another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
     lasting: &[Pair],
     (obstacle, side): (usize, Vec2<R>),
-    (before, now): (&Placed<R>, &Placed<R>),
+    (before, body): (&Placed<R>, &Instant<R>),
 ) -> Option<Pair> {
+    let now = &body.placed;
     let own = corners(scene, obstacle);
     let is_own = |pair: Pair| {
         let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
@@ -288,16 +296,17 @@ fn touched<R: Real, W: World<R>>(
     for _ in 0..4 {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
-        let mut latest: Option<(bool, R, Pair)> = None;
+        let mut latest: Option<((bool, R, R), Pair)> = None;
         for pair in list.into_iter().filter(|&pair| is_new(pair)) {
             let normal = scene.face(pair, now.orientation.rotation()).normal;
             let is_beside = is_own(pair) && faces(normal, side);
-            let this = (is_beside, before.gap(scene, pair), pair);
-            if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
-                latest = Some(this);
+            let gap = before.gap(scene, pair).max(R::met_before());
+            let order = (is_beside, gap, body.gap(scene, pair).slope);
+            if latest.is_none_or(|(most, _)| order > most) {
+                latest = Some((order, pair));
             }
         }
-        if let Some((.., pair)) = latest {
+        if let Some((_, pair)) = latest {
             return Some(pair);
         }
         near = near * R::from_int(8);
