@@ -98,17 +98,25 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         }
     }
 
+    /// How the moment falls across the direction ahead: as steeply as can be in the beginning, not at all where the curve has turned by a
+    /// right angle.
+    fn falls(&self, spot: &Spot<R>) -> R {
+        let (a, b) = self.ahead;
+        spot.rates.stability * b + spot.rates.drive * a
+    }
+
     /// At a place of the curve: as far ahead, and in balance.
     fn along(&self, x: R) -> Spot<R> {
         let (a, b) = self.ahead;
         let mut aside = R::ZERO;
         let mut spot = self.at((a * x, b * x));
         for _ in 0..MAX_CORRECTIONS {
-            let falls = spot.rates.stability * b + spot.rates.drive * a;
-            if falls.abs() <= R::EPSILON {
+            let falls = self.falls(&spot);
+            if falls <= R::EPSILON {
                 break;
             }
-            let step = spot.rates.moment / falls;
+            // The curve is no farther aside than ahead.
+            let step = (spot.rates.moment / falls).max(-x).min(x);
             aside = aside - step;
             spot = self.at((a * x - b * aside, b * x + a * aside));
             if step.abs() <= R::EPSILON {
@@ -116,7 +124,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             }
         }
         let rates = &spot.rates;
-        let falls = rates.stability * b + rates.drive * a;
+        let falls = self.falls(&spot).max(R::EPSILON);
         let aside_rate = (rates.stability * a - rates.drive * b) / falls;
         spot.turn_rate = a - b * aside_rate;
         spot.part_rate = b + a * aside_rate;
@@ -400,11 +408,12 @@ impl<R: Real> SingleVertex<R> {
         if turn.abs() * end > eighth {
             end = eighth / turn.abs();
         }
-        // Not so far that its places are not found any more.
+        // Not so far that its places are not found any more, or that the curve turns by more than 60 degrees.
         for _ in 0..MAX_HALVINGS {
             let spot = slide.along(end);
             let load = spot.pivot.load(scene, &path.0.lerp(path.1, spot.part));
-            if spot.rates.moment.abs() <= Self::found_to(&load) {
+            let is_found = spot.rates.moment.abs() <= Self::found_to(&load);
+            if is_found && slide.falls(&spot).doubled() > size {
                 break;
             }
             end = end.halved();
