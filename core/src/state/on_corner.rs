@@ -158,10 +158,10 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         let coulomb = self.scene.surface(contact.surface).friction;
         let slack = SingleVertex::<R>::slack(&displacement);
         let advances = along(self.sign, spot.foot_rate) + slack * spot.part_rate.abs();
-        let steady = |value: R, rounding: R| Level {
+        let steady = |value: R| Level {
             value,
             slope: R::ZERO,
-            rounding,
+            rounding: R::EPSILON,
         };
         let loosens = Sloped {
             value: coulomb.threshold() - bears.normal.value,
@@ -171,8 +171,8 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             Some(Level::new(bears.normal, rounding)),
             Some(room_ahead(self.scene, &body, (contact, self.sign))),
             (coulomb.threshold() < R::HUGE).then(|| Level::new(loosens, rounding)),
-            Some(steady(advances, R::ZERO)),
-            Some(steady(spot.part_rate, R::ZERO)),
+            Some(steady(advances)),
+            Some(steady(spot.part_rate)),
             Some(Level {
                 value: R::ONE - spot.part,
                 slope: -spot.part_rate,
