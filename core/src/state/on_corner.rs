@@ -8,6 +8,7 @@ use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
+use crate::contact::Pair;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::friction::SlidingEdge;
@@ -171,6 +172,39 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
                 rounding: R::EPSILON,
             }),
         ]
+    }
+
+    /// A place of the curve is in balance, to what a search finds.
+    fn finds(&self, x: R) -> bool {
+        let (from, to) = self.path;
+        let spot = self.along(x);
+        let load = spot.pivot.load(self.scene, &from.lerp(to, spot.part));
+        spot.rates.moment.abs() <= SingleVertex::found_to(&load)
+    }
+
+    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther.
+    fn piece(&self, contacts: &[Pair], end: R) -> (R, Trigger<R>, bool) {
+        let found = first_fall((end, end), |x| self.ends(&self.along(x)));
+        let (x, which, unsure) = match found {
+            Found::Nothing { .. } => (end, None, false),
+            Found::Zero { x, which } => (x, Some(which), false),
+            Found::Unsure { x, which } => (x, Some(which), true),
+        };
+        let sign = self.sign;
+        let trigger = match which {
+            None => Trigger::GoesOn,
+            Some(0) => Trigger::Clear,
+            Some(1) => Trigger::Off { contact: 0, sign },
+            Some(2) => Trigger::Pressed,
+            Some(3) => Trigger::Halts,
+            Some(4) => Trigger::Fold(sign),
+            Some(_) => Trigger::Balanced,
+        };
+        let at = |x: R| self.instant(&self.along(x));
+        match first_reached(self.scene, (Known::of(contacts), Among::All), x, &at) {
+            Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
+            None => (x, trigger, unsure),
+        }
     }
 }
 
@@ -401,36 +435,20 @@ impl<R: Real> SingleVertex<R> {
             end = eighth / turn.abs();
         }
         // Not so far that its places are not found any more.
+        let contacts = self.contacts();
+        let mut piece = None;
         for _ in 0..MAX_HALVINGS {
-            let spot = slide.along(end);
-            let load = spot.pivot.load(scene, &path.0.lerp(path.1, spot.part));
-            if spot.rates.moment.abs() <= Self::found_to(&load) {
+            if slide.finds(end) {
+                let found = slide.piece(&contacts, end);
+                end = found.0;
+                piece = Some(found).filter(|_| slide.finds(end));
+            }
+            if piece.is_some() {
                 break;
             }
             end = end.halved();
         }
-        let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
-        let (mut x, which, mut unsure) = match found {
-            Found::Nothing { .. } => (end, None, false),
-            Found::Zero { x, which } => (x, Some(which), false),
-            Found::Unsure { x, which } => (x, Some(which), true),
-        };
-        let mut trigger = match which {
-            None => Trigger::GoesOn,
-            Some(0) => Trigger::Clear,
-            Some(1) => Trigger::Off { contact: 0, sign },
-            Some(2) => Trigger::Pressed,
-            Some(3) => Trigger::Halts,
-            Some(4) => Trigger::Fold(sign),
-            Some(_) => Trigger::Balanced,
-        };
-        let at = |x: R| slide.instant(&slide.along(x));
-        if let Some(reached) =
-            first_reached(scene, (Known::of(&self.contacts()), Among::All), x, &at)
-        {
-            Reached { x, unsure, .. } = reached;
-            trigger = Trigger::Touch(reached.contact);
-        }
+        let (x, trigger, unsure) = piece.unwrap_or_else(|| slide.piece(&contacts, end));
         let spot = slide.along(x);
         self.pivot = spot.pivot;
         let arrives = trigger == Trigger::Balanced && !unsure;
