@@ -48,7 +48,7 @@ pub(super) fn leaving<R: Real, W: World<R>>(
 
 impl<R: Real> Placed<R> {
     /// The rounding of a gap to an obstacle near the body.
-    pub(in crate::detect) fn rounding(&self) -> R {
+    pub(crate) fn rounding(&self) -> R {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
