@@ -8,6 +8,7 @@ use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
+use crate::contact::Pair;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::friction::SlidingEdge;
@@ -60,6 +61,8 @@ struct CornerSlide<'a, R, W> {
     sign: R,
     /// The direction in which it begins: turn and part, of length 1.
     ahead: (R, R),
+    /// How the moment falls there across that direction.
+    steepness: R,
 }
 
 /// A place of it.
@@ -179,6 +182,40 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
                 rounding: R::EPSILON,
             }),
         ]
+    }
+
+    /// A place of the curve is in balance, to what a search finds, and the curve has turned by less than 60 degrees.
+    fn finds(&self, x: R) -> bool {
+        let (from, to) = self.path;
+        let spot = self.along(x);
+        let load = spot.pivot.load(self.scene, &from.lerp(to, spot.part));
+        spot.rates.moment.abs() <= SingleVertex::found_to(&load)
+            && self.falls(&spot).doubled() > self.steepness
+    }
+
+    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther.
+    fn piece(&self, contacts: &[Pair], end: R) -> (R, Trigger<R>, bool) {
+        let found = first_fall((end, end), |x| self.ends(&self.along(x)));
+        let (x, which, unsure) = match found {
+            Found::Nothing { .. } => (end, None, false),
+            Found::Zero { x, which } => (x, Some(which), false),
+            Found::Unsure { x, which } => (x, Some(which), true),
+        };
+        let sign = self.sign;
+        let trigger = match which {
+            None => Trigger::GoesOn,
+            Some(0) => Trigger::Clear,
+            Some(1) => Trigger::Off { contact: 0, sign },
+            Some(2) => Trigger::Pressed,
+            Some(3) => Trigger::Halts,
+            Some(4) => Trigger::Fold(sign),
+            Some(_) => Trigger::Balanced,
+        };
+        let at = |x: R| self.instant(&self.along(x));
+        match first_reached(self.scene, (Known::of(contacts), Among::All), x, &at) {
+            Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
+            None => (x, trigger, unsure),
+        }
     }
 }
 
@@ -306,6 +343,7 @@ impl<R: Real> SingleVertex<R> {
             path,
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let displacement = path.0.displacement_to(path.1);
         let (before, mut spot) = (slide.at((R::ZERO, R::ZERO)), slide.at((R::ZERO, R::ONE)));
@@ -388,6 +426,7 @@ impl<R: Real> SingleVertex<R> {
             path,
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let start = slide.at((R::ZERO, R::ZERO));
         let SlideRates {
@@ -401,45 +440,28 @@ impl<R: Real> SingleVertex<R> {
         }
         let size = stability.hypot(drive);
         let (turn, part) = (drive / size, stability / size);
-        slide.ahead = (turn, part);
+        (slide.ahead, slide.steepness) = ((turn, part), size);
         // A turn of an eighth at most, and beyond the end of the displacement.
         let eighth = R::HALF.halved().halved();
         let mut end = (R::ONE + eighth) / part.max(R::MICRO);
         if turn.abs() * end > eighth {
             end = eighth / turn.abs();
         }
-        // Not so far that its places are not found any more, or that the curve turns by more than 60 degrees.
+        // Not so far that its places are not found any more.
+        let contacts = self.contacts();
+        let mut piece = None;
         for _ in 0..MAX_HALVINGS {
-            let spot = slide.along(end);
-            let load = spot.pivot.load(scene, &path.0.lerp(path.1, spot.part));
-            let is_found = spot.rates.moment.abs() <= Self::found_to(&load);
-            if is_found && slide.falls(&spot).doubled() > size {
+            if slide.finds(end) {
+                let found = slide.piece(&contacts, end);
+                end = found.0;
+                piece = Some(found).filter(|_| slide.finds(end));
+            }
+            if piece.is_some() {
                 break;
             }
             end = end.halved();
         }
-        let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
-        let (mut x, which, mut unsure) = match found {
-            Found::Nothing { .. } => (end, None, false),
-            Found::Zero { x, which } => (x, Some(which), false),
-            Found::Unsure { x, which } => (x, Some(which), true),
-        };
-        let mut trigger = match which {
-            None => Trigger::GoesOn,
-            Some(0) => Trigger::Clear,
-            Some(1) => Trigger::Off { contact: 0, sign },
-            Some(2) => Trigger::Pressed,
-            Some(3) => Trigger::Halts,
-            Some(4) => Trigger::Fold(sign),
-            Some(_) => Trigger::Balanced,
-        };
-        let at = |x: R| slide.instant(&slide.along(x));
-        if let Some(reached) =
-            first_reached(scene, (Known::of(&self.contacts()), Among::All), x, &at)
-        {
-            Reached { x, unsure, .. } = reached;
-            trigger = Trigger::Touch(reached.contact);
-        }
+        let (x, trigger, unsure) = piece.unwrap_or_else(|| slide.piece(&contacts, end));
         let spot = slide.along(x);
         self.pivot = spot.pivot;
         let arrives = trigger == Trigger::Balanced && !unsure;
@@ -471,6 +493,7 @@ impl<R: Real> SingleVertex<R> {
             path: (grip, grip),
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let mut turn = R::ZERO;
         let mut spot = slide.at((turn, R::ZERO));

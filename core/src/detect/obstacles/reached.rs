@@ -266,14 +266,14 @@ fn closes<R: Real, W: World<R>>(
                 - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
-        if gap <= beside.near
-            && let Some(contact) = touched(scene, lasting, (obstacle, side), (before, &end.1))
-        {
-            return Closing::At(end, Some(contact));
-        }
         if gap < -farthest_look::<R>() {
             let gap = |place: &Place<R>| widest(scene, &place.1, obstacle, (lasting, beside)).1;
             return Closing::At(before_leap([from, end], at, gap), None);
+        }
+        if gap <= beside.near
+            && let Some(contact) = touched(scene, (lasting, beside), obstacle, (before, &end.1))
+        {
+            return Closing::At(end, Some(contact));
         }
         // It is apart along another axis, or touches where it does already.
         from = end;
@@ -307,8 +307,8 @@ fn before_leap<R: Real>(
 /// another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
-    lasting: &[Pair],
-    (obstacle, side): (usize, Vec2<R>),
+    (lasting, beside): (&[Pair], Beside<'_, R>),
+    obstacle: usize,
     (before, body): (&Placed<R>, &Instant<R>),
 ) -> Option<Pair> {
     let now = &body.placed;
@@ -327,14 +327,14 @@ fn touched<R: Real, W: World<R>>(
         };
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)
     };
-    let mut near = R::TOUCH;
+    let mut near = beside.near;
     for _ in 0..WIDENINGS {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<((bool, R, R), Pair)> = None;
         for pair in list.into_iter().filter(|&pair| is_new(pair)) {
             let normal = scene.face(pair, now.orientation.rotation()).normal;
-            let is_beside = is_own(pair) && faces(normal, side);
+            let is_beside = is_own(pair) && beside.last.is_none_or(|side| faces(normal, side));
             let gap = before.gap(scene, pair).max(R::met_before());
             let order = (is_beside, gap, body.gap(scene, pair).slope);
             if latest.is_none_or(|(most, _)| order > most) {
