@@ -13,7 +13,7 @@ use super::free::Springs;
 use super::pair::{Comparison, SlipMark};
 use super::stage::Stage;
 use crate::board::{Fares, Identity};
-use crate::record::{Frame, Names};
+use crate::record::{Frame, Scenery};
 use crate::trace::Record;
 
 /// Of the protocol.
@@ -209,9 +209,9 @@ impl News {
     pub(super) fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
-        let names = Names {
+        let scenery = Scenery {
             surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
-            ..Names::default()
+            ..Scenery::default()
         };
         let springs = Springs::of(scene, &latest.frame);
         let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
@@ -223,7 +223,7 @@ impl News {
             r#type: "frame",
             tick: latest.tick,
             skipped,
-            frame: Record::new(&latest.frame, &names, latest.single),
+            frame: Record::new(&latest.frame, &scenery, latest.single),
             holding: springs.holding,
             ghost: springs.ghost,
             echo: echo.map(|(_, sent)| sent),
