@@ -92,6 +92,12 @@ impl CommandAmong<'_> {
     }
 }
 
+impl<'a> From<Command<'a>> for CommandAmong<'a> {
+    fn from(command: Command<'a>) -> Self {
+        Self::Common(command)
+    }
+}
+
 impl<'a> Wire<'a> for CommandAmong<'a> {
     const NEWEST: u8 = VERSION_AMONG;
 

@@ -158,18 +158,21 @@ impl<'a> Reply<'a> {
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
-        self.write_about(subject_code(self.subject), sink);
+        self.write_about(subject_code, sink);
     }
 
     /// As [`Self::write`], of a board with room for obstacles.
     pub(super) fn write_among(&self, sink: &mut impl Sink) {
-        let of_obstacles = obstacle_code(self.subject);
-        self.write_about(of_obstacles.unwrap_or(subject_code(self.subject)), sink);
+        self.write_about(
+            |subject| obstacle_code(subject).unwrap_or(subject_code(subject)),
+            sink,
+        );
     }
 
-    fn write_about(&self, (code, [first, second]): (u8, [usize; 2]), sink: &mut impl Sink) {
+    fn write_about(&self, code: impl FnOnce(Subject) -> (u8, [usize; 2]), sink: &mut impl Sink) {
         self.command.write(sink);
         sink.code(&Reason::ALL, &self.reason);
+        let (code, [first, second]) = code(self.subject);
         sink.byte(code);
         sink.count(first);
         sink.count(second);

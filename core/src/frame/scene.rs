@@ -135,6 +135,7 @@ impl<'a> SceneCommand<'a> {
     }
 
     /// What comes after the lengths of the lists, without these.
+    #[inline(always)]
     pub(super) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         let given = fields.flag()?;
         let (start, weight) = (fields.f32s(), fields.f32());
@@ -153,6 +154,7 @@ impl<'a> SceneCommand<'a> {
     }
 
     /// With so many vertices and surfaces, which come next.
+    #[inline(always)]
     pub(super) fn take_lists(
         self,
         fields: &mut Fields<'a>,

@@ -2,9 +2,12 @@
 
 use super::refusal::Trouble;
 use crate::device::Settings;
+use crate::model::BoardModel;
 use crate::safety::{Limits, Passivity};
-use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
-use stiction_core::{Description, Model, Real, Scene};
+use stiction_core::frame::{
+    Mode, NumberType, Reason, Stepping, Subject, frame_bytes, scene_bytes, wire_bytes,
+};
+use stiction_core::{Description, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -32,14 +35,17 @@ pub struct Setup {
 /// What a compiled-in scene says by its type: how much of the solver is in the image.
 pub trait SceneType {
     /// Its model.
-    type Model: Model;
+    type Model: BoardModel;
     /// Room for so many vertices.
     const VERTICES: usize;
     /// Room for so many surfaces.
     const SURFACES: usize;
+    /// Bytes of the longest frame that brings a scene.
+    const FRAME: usize =
+        frame_bytes(scene_bytes(Self::VERTICES, Self::SURFACES) + Self::Model::OBSTACLE_BYTES);
 }
 
-impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V, S, M> {
+impl<R: Real, const V: usize, const S: usize, M: BoardModel> SceneType for Scene<R, V, S, M> {
     type Model = M;
     const VERTICES: usize = V;
     const SURFACES: usize = S;
