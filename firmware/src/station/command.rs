@@ -170,7 +170,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     }
 
     fn set_mode(&mut self, mode: &Mode) -> Result<(), Trouble> {
-        self.setup.check(mode)?;
+        self.setup.check::<M>(mode)?;
         self.controller
             .set_settings(&self.setup.settings(mode))
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;

@@ -3,7 +3,7 @@
 
 use stiction_core::{Full, Model, Parts, Real, Scene, SiFloat, State, Touches, WithObstacles};
 
-use crate::clip::{Indices, clipped};
+use crate::clip::Indices;
 use crate::scene_file::{HostScene, HostSolver};
 use crate::source::InputError;
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
@@ -41,12 +41,7 @@ impl<M: Model> HostModel for Among<M> {
     fn scene<R: Real<Si: SiFloat>>(
         written: &WrittenScene,
     ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
-        let (obstacles, indices) = clipped::<R>(written);
-        let scene = written.described(|description| {
-            WrittenScene::described_obstacles(&obstacles, |obstacles| {
-                Scene::among(description, obstacles)
-            })
-        });
+        let (scene, indices) = written.described_among::<R, _>(Scene::among);
         let explained = scene.map_err(|error| {
             let error = indices.as_ref().map_or(error, |known| known.error(error));
             written.explain(&error, [VERTICES, SURFACES])
