@@ -2,6 +2,7 @@
 //! the cases before the judge of traces.
 
 mod cases;
+mod exchange;
 mod judge;
 mod judged;
 mod lawful;
