@@ -392,16 +392,8 @@ impl<R: Real> SingleVertex<R> {
         // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
         let off = Self::found_to(&load);
         let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
-        let is_balanced = self.is_balanced(&load);
-        let unbalanced = !is_balanced || drives(sign) || drives(-sign);
-        if W::CORNERS && !is_balanced && matches!(moved.trigger, Trigger::Fold(_)) {
-            // No branch of balance ends here: it turns as its moment is.
-            return Moved {
-                unbalanced,
-                trigger: Trigger::Stopped,
-                ..moved
-            };
-        }
+        let folds = matches!(moved.trigger, Trigger::Fold(_));
+        let unbalanced = !self.is_balanced(&load) || !folds && (drives(sign) || drives(-sign));
         if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
             self.end_slip(scene, grip, sign);
         }
