@@ -1,4 +1,5 @@
-//! Draws the pictures of the README's section on obstacles: the snapshots of the bundled scenes with obstacles, each beside its scene.
+//! Draws the pictures of the README's section on obstacles: the snapshots of the bundled scenes with obstacles, each beside its scene,
+//! and the insertion of a peg.
 //!
 //! ```sh
 //! cargo run --release -p stiction-host-sim --example pictures
@@ -29,6 +30,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let picture = place.join(name).with_extension("png");
         fs::copy(folder.path().join("strip.png"), &picture)?;
         println!("{}", picture.display());
+        let insertion = folder.path().join("insertion.png");
+        if insertion.exists() {
+            let picture = place.join(format!("{name}-insertion.png"));
+            fs::rename(insertion, &picture)?;
+            println!("{}", picture.display());
+        }
     }
     Ok(())
 }

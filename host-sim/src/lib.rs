@@ -32,6 +32,7 @@ pub mod emulator;
 mod files;
 pub mod footprint;
 mod input;
+mod meter;
 pub mod number;
 mod options;
 mod plot;

@@ -1,8 +1,10 @@
 //! The pictures of a run, each as SVG and PNG: the paths in the plane, the forces over time, the motion over time, and a
-//! strip of snapshots. From a recorded run in SI units, world frame, to files that need no font on the machine.
+//! strip of snapshots; and the
+//! insertion of a peg. From a recorded run in SI units, world frame, to files that need no font on the machine.
 
 mod forces;
 pub(crate) mod fronts;
+mod insertion;
 mod instants;
 mod legend;
 mod motion;
@@ -64,7 +66,7 @@ pub enum PlotError {
 /// A picture: from a run to the text of an SVG.
 type Picture = fn(&Run) -> sheet::Drawn<String>;
 
-/// All pictures by the stem of their file names.
+/// The pictures of any run by the stems of their file names.
 const PICTURES: [(&str, Picture); 4] = [
     ("trajectory", trajectory::svg),
     ("forces", forces::svg),
@@ -72,13 +74,22 @@ const PICTURES: [(&str, Picture); 4] = [
     ("strip", strip::svg),
 ];
 
-/// The files that [`write`] writes into `dir`.
-pub(crate) fn places(dir: &Path) -> Vec<PathBuf> {
-    let both = |(name, _)| ["svg", "png"].map(|extension| dir.join(name).with_extension(extension));
-    PICTURES.into_iter().flat_map(both).collect()
+/// That of a peg and a hole.
+const INSERTION: (&str, Picture) = ("insertion", insertion::svg);
+
+/// The pictures of a run.
+fn pictures(run: &Run) -> impl Iterator<Item = (&'static str, Picture)> {
+    let insertion = run.meter.is_some().then_some(INSERTION);
+    PICTURES.into_iter().chain(insertion)
 }
 
-/// Writes `trajectory`, `forces`, `motion` and `strip`, each as `.svg` and `.png`, into `dir`, which is created where it is
+/// The files that [`write`] writes into `dir` of this run.
+pub(crate) fn places(run: &Run, dir: &Path) -> Vec<PathBuf> {
+    let both = |(name, _)| ["svg", "png"].map(|extension| dir.join(name).with_extension(extension));
+    pictures(run).flat_map(both).collect()
+}
+
+/// Writes `trajectory`, `forces`, `motion`, `strip` and, of a peg and a hole, `insertion`, each as `.svg` and `.png`, into `dir`, which is created where it is
 /// missing. Gives the paths of the files in that order.
 ///
 /// # Errors
@@ -92,8 +103,8 @@ pub(crate) fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
         source,
     })?;
     let rasterizer = sheet::Rasterizer::new();
-    let mut files = Vec::with_capacity(2 * PICTURES.len());
-    for (name, picture) in PICTURES {
+    let mut files = Vec::new();
+    for (name, picture) in pictures(run) {
         let drawing = |reason| PlotError::Drawing { name, reason };
         let svg = picture(run).map_err(|error| drawing(error.to_string()))?;
         files.push(save(dir.join(name).with_extension("svg"), svg.as_bytes())?);

@@ -4,8 +4,10 @@
 use std::collections::BTreeSet;
 
 use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch};
+use stiction_insertion::Meter;
 use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
+use crate::meter;
 use crate::number::Number;
 
 /// A recorded run.
@@ -27,6 +29,8 @@ pub struct Run {
     pub weight: f64,
     /// The initial holding point (m), body frame; `None`: taken from the hand at the grasp.
     pub holding_point: Option<[f64; 2]>,
+    /// Whitney's meter, where the scene has a peg and a hole.
+    pub meter: Option<Meter>,
     /// The number type of the solver.
     pub number: Number,
     /// The evolution within a frame.
@@ -47,6 +51,7 @@ impl Run {
             stiffness_rotation: scene.stiffness_rotation,
             weight: scene.weight,
             holding_point: scene.holding_point,
+            meter: meter::of_scene(scene),
             number,
             evolution,
             frames: Vec::new(),
@@ -59,15 +64,20 @@ impl Run {
         contacts.filter_map(ContactRecord::corner).collect()
     }
 
-    /// The names in its trace.
-    pub(crate) fn names(&self) -> Names {
-        let surfaces = self.surfaces.iter().map(|surface| surface.name.clone());
-        let obstacles = self.obstacles.iter().map(|obstacle| obstacle.name.clone());
-        Names {
-            surfaces: surfaces.collect(),
-            obstacles: obstacles.collect(),
+    /// What its trace has of the scene.
+    pub(crate) fn scenery(&self) -> Scenery {
+        Scenery {
+            names: Names::of(&self.surfaces, &self.obstacles),
+            meter: self.meter.clone(),
         }
     }
+}
+
+/// What a trace has of the scene: names, and the meter of a peg in a hole.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scenery {
+    pub(crate) names: Names,
+    pub(crate) meter: Option<Meter>,
 }
 
 /// The names of surfaces and obstacles.
@@ -75,6 +85,18 @@ impl Run {
 pub(crate) struct Names {
     pub(crate) surfaces: Vec<String>,
     pub(crate) obstacles: Vec<String>,
+}
+
+impl Names {
+    /// Of those of a scene.
+    pub(crate) fn of(surfaces: &[SurfaceInfo], obstacles: &[ObstacleInfo]) -> Self {
+        let surfaces = surfaces.iter().map(|surface| surface.name.clone());
+        let obstacles = obstacles.iter().map(|obstacle| obstacle.name.clone());
+        Self {
+            surfaces: surfaces.collect(),
+            obstacles: obstacles.collect(),
+        }
+    }
 }
 
 /// One hand frame and the equilibrium at its end.

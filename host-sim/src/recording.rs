@@ -23,7 +23,7 @@ use stiction_scene::{Sample, SceneFile};
 use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
-use crate::record::{Frame, Names, Run};
+use crate::record::{Frame, Run, Scenery};
 use crate::settings::Settings;
 use crate::trace::Record;
 use line::{End, LineIn, LineOut, Written};
@@ -112,7 +112,7 @@ impl Head {
 #[derive(Debug)]
 pub(crate) struct RecordingWriter {
     place: PathBuf,
-    names: Names,
+    scenery: Scenery,
     single: bool,
     samples: u64,
     writer: BufWriter<NamedTempFile>,
@@ -129,7 +129,7 @@ impl RecordingWriter {
         writer.write_all(b"\n")?;
         Ok(Self {
             place: place.to_owned(),
-            names: run.names(),
+            scenery: run.scenery(),
             single: run.number.is_single(),
             samples: 0,
             writer,
@@ -143,7 +143,7 @@ impl RecordingWriter {
     pub(crate) fn write(&mut self, sample: &Sample, answer: Option<&Frame>) -> io::Result<()> {
         let line = LineOut {
             sample: Written::new(sample),
-            answer: answer.map(|frame| Record::new(frame, &self.names, self.single)),
+            answer: answer.map(|frame| Record::new(frame, &self.scenery, self.single)),
         };
         serde_json::to_writer(&mut self.writer, &line)?;
         self.samples += 1;

@@ -60,7 +60,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     let head = recording.head.clone();
     let (scene, run) = read(&recording)?;
     let mut solver = stepper(&head, &run, &scene)?;
-    let names = run.names();
+    let scenery = run.scenery();
     let head_now = Head {
         build: this_build(),
         ..head.clone()
@@ -76,7 +76,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
         count += 1;
         if let Some(recorded) = recorded {
             compared += 1;
-            let record = Record::new(&frame, &names, run.number.is_single());
+            let record = Record::new(&frame, &scenery, run.number.is_single());
             let differs = || difference(&recorded, &record);
             first = first.or_else(|| Some((recording.line(), sample.t, differs()?)));
         }

@@ -62,7 +62,9 @@ pub enum RunError {
 pub fn run(args: &RunArgs) -> Result<(), RunError> {
     let settings = &args.settings;
     let scene = open_scene(&args.scene, settings.number)?;
-    let plots = args.plot.as_deref().map_or_else(Vec::new, plot::places);
+    let mut record = Run::of(&scene, settings.number, settings.evolution);
+    let plots = args.plot.as_deref();
+    let plots = plots.map_or_else(Vec::new, |folder| plot::places(&record, folder));
     let plots = plots.into_iter().map(|file| ("--plot", file));
     files::check(
         input::files(&args.scene, &scene, settings.hand.as_deref()),
@@ -70,7 +72,6 @@ pub fn run(args: &RunArgs) -> Result<(), RunError> {
     )?;
     let given = settings.rate.map(|rate| ("--rate", rate));
     let (path, rate) = open_path(&scene, settings.hand.as_deref(), given)?;
-    let mut record = Run::of(&scene, settings.number, settings.evolution);
     let mut summary = Summary::new(&record);
     let head = Head::new(&scene, settings);
     let mut files = Files::trace(args.out.as_ref(), &record)?.with_recording(

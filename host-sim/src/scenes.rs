@@ -45,7 +45,8 @@ pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static
     ALL.iter().filter(|scene| has_obstacles(scene))
 }
 
-fn has_obstacles((_, text): &(&str, &str)) -> bool {
+/// Whether a bundled scene has obstacles.
+pub(crate) fn has_obstacles((_, text): &(&str, &str)) -> bool {
     text.contains("\n[[obstacle]]")
 }
 

@@ -1,5 +1,7 @@
 //! The summary of a run: time in each state and in slides, slips, the largest force, the worst residual of the balance, what limited
-//! the answers, and the time that the solver took.
+//! the answers, the insertion of a peg, and the time that the solver took.
+
+mod insertion;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,6 +11,7 @@ use stiction_core::{StateKind, Status};
 
 use crate::balance::{Imbalance, Residual};
 use crate::record::{Frame, Run};
+use insertion::Insertions;
 
 /// What is gathered over the frames of a run.
 #[derive(Clone, Debug)]
@@ -23,6 +26,8 @@ pub(crate) struct Summary {
     pub(crate) slips: u64,
     pub(crate) longest_slip: f64,
     pub(crate) limited: BTreeMap<Status, u64>,
+    /// Of a scene that has a peg and a hole.
+    insertions: Option<Insertions>,
     solver_time: Duration,
 }
 
@@ -40,6 +45,7 @@ impl Summary {
             slips: 0,
             longest_slip: 0.0,
             limited: BTreeMap::new(),
+            insertions: run.meter.clone().map(Insertions::new),
             solver_time: Duration::ZERO,
         }
     }
@@ -64,6 +70,9 @@ impl Summary {
             *self.limited.entry(frame.status).or_default() += 1;
         }
         self.residual.add(frame);
+        if let Some(insertions) = &mut self.insertions {
+            insertions.add(frame);
+        }
     }
 
     /// From the first frame to the last (s).
@@ -125,6 +134,9 @@ impl fmt::Display for Summary {
             "frames not ok",
             kinds.join(", ")
         )?;
+        if let Some(insertions) = &self.insertions {
+            write!(f, "{insertions}")?;
+        }
         let nanoseconds = self.solver_time.as_secs_f64() * 1e9 / self.frames.max(1) as f64;
         writeln!(
             f,

@@ -8,10 +8,12 @@ use std::path::{Path, PathBuf};
 
 use serde::{Serialize, Serializer};
 use stiction_core::Touch;
+use stiction_insertion::Insertion;
 use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
-use crate::record::{ContactRecord, Frame, Names, Run};
+use crate::meter;
+use crate::record::{ContactRecord, Frame, Run, Scenery};
 
 /// The format of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,6 +69,36 @@ pub(crate) struct Record<'a> {
     /// Where a frame has a budget.
     #[serde(skip_serializing_if = "Option::is_none")]
     behind: Option<Value>,
+    /// While a peg is in its hole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    insertion: Option<InsertionEntry>,
+}
+
+/// A reading of Whitney's meter; `lambda` and `margin` are null where there is none.
+#[derive(Serialize)]
+struct InsertionEntry {
+    depth: Value,
+    fx: Value,
+    fz: Value,
+    m: Value,
+    lambda: Option<Value>,
+    margin: Option<Value>,
+    verdict: &'static str,
+}
+
+impl InsertionEntry {
+    fn new(insertion: &Insertion, single: bool) -> Self {
+        let value = |value| Value { value, single };
+        Self {
+            depth: value(insertion.depth),
+            fx: value(insertion.fx),
+            fz: value(insertion.fz),
+            m: value(insertion.m),
+            lambda: insertion.lambda.map(value),
+            margin: insertion.margin.map(value),
+            verdict: insertion.verdict.name(),
+        }
+    }
 }
 
 /// A vertex on a surface, a vertex on a side of an obstacle, or a corner of one on a side of the body.
@@ -94,7 +126,7 @@ struct ContactEntry<'a> {
 }
 
 impl<'a> ContactEntry<'a> {
-    fn new(contact: &ContactRecord, names: &'a Names, single: bool) -> Self {
+    fn new(contact: &ContactRecord, scenery: &'a Scenery, single: bool) -> Self {
         let value = |value| Value { value, single };
         let (side, corner, body_side) = match contact.touch {
             Touch::Surface { .. } => (None, None, None),
@@ -106,8 +138,10 @@ impl<'a> ContactEntry<'a> {
         Self {
             vertex: contact.vertex(),
             corner,
-            surface: contact.surface().map(|k| name(&names.surfaces, k)),
-            obstacle: contact.obstacle().map(|k| name(&names.obstacles, k)),
+            surface: contact.surface().map(|k| name(&scenery.names.surfaces, k)),
+            obstacle: contact
+                .obstacle()
+                .map(|k| name(&scenery.names.obstacles, k)),
             side,
             body_side,
             point: contact.point.map(value),
@@ -124,11 +158,15 @@ fn name(names: &[String], index: usize) -> &str {
 }
 
 impl<'a> Record<'a> {
-    /// Of a frame; `names`: of surfaces and obstacles, `single`: the numbers have the digits of f32.
-    pub(crate) fn new(frame: &Frame, names: &'a Names, single: bool) -> Self {
+    /// Of a frame; `single`: the numbers have the digits of f32.
+    pub(crate) fn new(frame: &Frame, scenery: &'a Scenery, single: bool) -> Self {
         let value = |value| Value { value, single };
         let contacts = frame.contacts.iter();
-        let contacts = contacts.map(|contact| ContactEntry::new(contact, names, single));
+        let contacts = contacts.map(|contact| ContactEntry::new(contact, scenery, single));
+        let insertion = scenery
+            .meter
+            .as_ref()
+            .and_then(|meter| meter::read(meter, frame));
         Self {
             t: frame.t,
             hand: frame.hand.map(value),
@@ -142,6 +180,7 @@ impl<'a> Record<'a> {
             events: frame.events.iter().map(|event| event.name()).collect(),
             status: frame.status.name(),
             behind: frame.behind.map(value),
+            insertion: insertion.map(|found| InsertionEntry::new(&found, single)),
         }
     }
 }
@@ -156,7 +195,7 @@ enum Writer {
 #[derive(Debug)]
 pub struct TraceWriter {
     place: PathBuf,
-    names: Names,
+    scenery: Scenery,
     single: bool,
     writer: Writer,
 }
@@ -172,12 +211,15 @@ impl TraceWriter {
             Format::JsonLines => Writer::JsonLines(BufWriter::new(file)),
             Format::Csv => Writer::Csv(Box::new(table::Writer::new(
                 file,
-                !run.obstacles.is_empty(),
+                table::Has {
+                    obstacles: !run.obstacles.is_empty(),
+                    meter: run.meter.is_some(),
+                },
             ))),
         };
         Ok(Self {
             place: place.to_owned(),
-            names: run.names(),
+            scenery: run.scenery(),
             single: run.number.is_single(),
             writer,
         })
@@ -188,7 +230,7 @@ impl TraceWriter {
     /// # Errors
     /// The file cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        let record = Record::new(frame, &self.names, self.single);
+        let record = Record::new(frame, &self.scenery, self.single);
         match &mut self.writer {
             Writer::JsonLines(writer) => {
                 serde_json::to_writer(&mut *writer, &record)?;

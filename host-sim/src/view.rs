@@ -61,7 +61,7 @@ use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::scenes;
 use crate::stop;
-use body::Setting;
+use body::{Setting, check, without_obstacles};
 use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
@@ -175,7 +175,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
     let (engine, feed) = prepared(args)?;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
-    let scenes = orders::scene_names(engine.own.as_ref());
+    let scenes = orders::scene_names(engine.own.as_ref(), board.is_some());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
@@ -214,7 +214,10 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
 fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
     let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
     // Said with the key and the line.
-    stage.scene.scene::<f64>()?;
+    match args.connect.is_wanted() {
+        true => without_obstacles(&stage.scene)?,
+        false => check(&stage.scene)?,
+    }
     let board = match args.connect.is_wanted() {
         true => {
             let board = LiveBoard::connect(&args.connect, &stage.scene, args.evolution)?;

@@ -252,7 +252,7 @@ fn commands_that_take_no_obstacles_say_so() {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     for command in [
-        "view scene.toml --headless",
+        "view scene.toml --headless --socket absent",
         "footprint scene.toml",
         "board scene.toml --socket absent",
     ] {
@@ -260,7 +260,7 @@ fn commands_that_take_no_obstacles_say_so() {
         let output = folder.stiction(&words);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{command}: {message}");
-        let expected = "scene.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check` and `sweep` take obstacles";
+        let expected = "scene.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep` and, without a board, `view` take obstacles";
         assert!(message.contains(expected), "{command}: {message}");
     }
 }

@@ -185,7 +185,7 @@ fn a_trace_without_the_key_is_checked_all_the_same() {
     assert!(text(&output.stderr).contains("`sliding` of contact 0 is 2, allowed: -1, 0, 1"));
 }
 
-/// The README's table of columns has those of a trace of a run with a budget among obstacles, with the names of all events.
+/// The README's table of columns has those of a trace of a run with a budget of a peg in its hole, with the names of all events.
 #[test]
 fn the_table_of_columns_is_that_of_a_trace() {
     let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
@@ -199,9 +199,8 @@ fn the_table_of_columns_is_that_of_a_trace() {
     let names = first.flat_map(|cell| cell.split("`, `").map(|name| name.trim_matches('`')));
     let told: Vec<&str> = names.collect();
     let folder = Folder::new();
-    let pin = "[[obstacle]]\nname = \"pin\"\nvertices = [[1.0, 1.0]]\n";
-    folder.write("scene.toml", dragged("") + pin);
-    let output = folder.stiction(&["run", "scene.toml", "--out", "trace.csv", "--budget", "1"]);
+    let run = "run peg-in-hole --rate 20 --out trace.csv --budget 1";
+    let output = folder.stiction(&run.split(' ').collect::<Vec<_>>());
     assert!(output.status.success(), "{}", text(&output.stderr));
     let trace = folder.read("trace.csv");
     let header = trace.lines().next().expect("a header");

@@ -36,24 +36,25 @@ export class Charts {
     this.drawn = [0, 0, 0];
     /** There is something that a chart does not show yet. */
     this.stale = [false, false, false];
-    /** @type {Surface[]} */
-    this.surfaces = [];
+    /** Surfaces, then obstacles. @type {(Surface | Obstacle)[]} */
+    this.solids = [];
     /** @type {StateMessage | null} */
     this.state = null;
     onTheme(() => this.plots.forEach((plot) => plot.redraw(false)));
   }
 
-  /** A state: the surfaces to choose from and their friction. @param {StateMessage} state */
+  /** A state: the surfaces and obstacles to choose from and their friction. @param {StateMessage} state */
   setState(state) {
     this.state = state;
     this.window = WINDOW * Math.min(1, Math.max(0.01, state.speed));
-    const names = state.scene.surfaces.map(({ name }) => name);
-    if (names.join("\n") !== this.surfaces.map(({ name }) => name).join("\n")) {
+    const solids = [...state.scene.surfaces, ...state.scene.obstacles ?? []];
+    const names = solids.map(({ name }) => name);
+    if (names.join("\n") !== this.solids.map(({ name }) => name).join("\n")) {
       this.picker.replaceChildren(...names.map((name, i) => new Option(name, String(i))));
       this.surface = 0;
       this.clear();
     }
-    this.surfaces = state.scene.surfaces;
+    this.solids = solids;
     this.picker.hidden = names.length < 2;
     this.friction();
   }
@@ -68,7 +69,7 @@ export class Charts {
   /** The friction of the surface that is shown. */
   friction() {
     if (!this.state) return;
-    const surface = this.surfaces[this.surface];
+    const surface = this.solids[this.surface];
     this.mu.static = surface?.static ?? this.state.parameters.static;
     this.mu.dynamic = surface?.dynamic ?? this.state.parameters.dynamic;
   }

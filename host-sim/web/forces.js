@@ -44,12 +44,12 @@ export class ForceScale {
   }
 }
 
-/** The unit tangent and normal of a surface in pixels. @param {Surface} surface */
+/** The unit tangent and normal of a surface in pixels. @param {Facing} surface */
 const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], ny: -normal[1] });
 
 /**
  * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {SceneParameters} parameters
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters
  */
 export function drawCones(ctx, view, contact, surface, parameters) {
   const { tx, ty, nx, ny } = frameOf(surface);
@@ -73,7 +73,7 @@ export function drawCones(ctx, view, contact, surface, parameters) {
 
 /**
  * The bars of a contact, the reaction as their sum, and the contact point.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
  */
 export function drawContact(ctx, view, contact, surface, perNewton) {
   const { tx, ty, nx, ny } = frameOf(surface);
@@ -93,7 +93,7 @@ export function drawContact(ctx, view, contact, surface, perNewton) {
 
 /**
  * Where a contact slides with the hand: a double arrow under it, within the surface.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
  */
 export function drawSliding(ctx, view, contact, surface) {
   if (!contact.sliding) return;
@@ -118,7 +118,7 @@ export function drawSliding(ctx, view, contact, surface) {
 
 /**
  * The values of a contact's bars beside their ends.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Surface} surface @param {number} perNewton
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {number} perNewton
  * @param {Label[]} labels those that are there already
  */
 export function labelContact(ctx, view, contact, surface, perNewton, labels) {

@@ -30,6 +30,8 @@ let board = null;
  * @type {{hello: HelloMessage | null, state: StateMessage | null}}
  */
 const server = { hello: null, state: null };
+/** The meter of a peg in its hole, from the first scene on that has one. @type {import("./insertion.js").InsertionPanel | null} */
+let insertion = null;
 let connected = false;
 let framesReceived = 0;
 
@@ -81,12 +83,24 @@ function showState(message) {
   controls.show(message);
   transport.show(message);
   readout.setState(message);
+  showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
+}
+
+/** @param {Scene} scene */
+async function showPeg(scene) {
+  if (scene.peg && !insertion) {
+    const { InsertionPanel } = await import("./insertion.js");
+    insertion ??= new InsertionPanel();
+    if (stage.state) scene = stage.state.scene;
+  }
+  insertion?.setScene(scene);
 }
 
 /** @param {FrameMessage} message */
 function showFrame(message) {
   framesReceived++;
+  insertion?.take(message);
   charts.take(message);
   transport.count();
   stage.setFrame(message);
@@ -119,8 +133,8 @@ stage.also.push(() => {
   if (!message) return;
   diagram.show(message);
   transport.take(message);
-  const words = readout.update(), lines = charts.draw(message);
-  if (words || lines) stage.ask();
+  const words = readout.update(), lines = charts.draw(message), peg = insertion?.draw() ?? false;
+  if (words || lines || peg) stage.ask();
 });
 
 /** Connects to a board or leaves it. */

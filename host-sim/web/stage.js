@@ -4,6 +4,7 @@
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
+import { drawCorners, drawObstacles } from "./obstacles.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -81,7 +82,7 @@ export class Stage {
 
   /** What holds until it is told anew. @param {StateMessage} state */
   setState(state) {
-    const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces]);
+    const key = JSON.stringify([state.scene.title, state.scene.body, state.scene.surfaces, state.scene.obstacles]);
     if (key !== this.sceneKey) {
       this.sceneKey = key;
       // The newest frame is one of the scene before.
@@ -163,6 +164,7 @@ export class Stage {
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     drawGrid(ctx, view);
+    drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -180,6 +182,7 @@ export class Stage {
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
+    drawCorners(ctx, view, frame.contacts, layers.values);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */
@@ -190,13 +193,16 @@ export class Stage {
   }
 
   /**
-   * The contacts of a frame with their surfaces.
-   * @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Surface][]}
+   * The contacts of a frame with what they are with.
+   * @param {TraceFrame} frame @param {Scene} scene @returns {[Contact, Facing][]}
    */
   contactsOf(frame, scene) {
     return frame.contacts.flatMap((contact) => {
       const surface = scene.surfaces.find(({ name }) => name === contact.surface);
-      return surface ? [/** @type {[Contact, Surface]} */ ([contact, surface])] : [];
+      const obstacle = scene.obstacles?.find(({ name }) => name === contact.obstacle);
+      const normal = contact.direction ?? surface?.normal;
+      const solid = surface ?? obstacle;
+      return solid && normal ? [/** @type {[Contact, Facing]} */ ([contact, { ...solid, normal }])] : [];
     });
   }
 }

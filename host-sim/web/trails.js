@@ -75,7 +75,7 @@ export class Trails {
   drawSlips(ctx, view, surfaces) {
     ctx.fillStyle = colors.slip;
     this.slips.forEach((slip, i) => {
-      const normal = nearest(surfaces, slip.point);
+      const normal = slip.direction ?? nearest(surfaces, slip.point);
       const nx = normal[0], ny = -normal[1];
       const x = view.px(slip.point[0]) - 4 * nx, y = view.py(slip.point[1]) - 4 * ny;
       ctx.globalAlpha = 0.25 + (0.75 * (i + 1)) / this.slips.length;

@@ -18,8 +18,16 @@ type Pose = [number, number, number];
 type StateName = "non-contact" | "single-vertex" | "edge" | "two-vertex" | "corner" | "locked";
 
 interface Contact {
-  vertex: number;
-  surface: string;
+  /** The vertex of the object that touches, on a surface or on a side of an obstacle. */
+  vertex?: number;
+  surface?: string;
+  obstacle?: string;
+  side?: number;
+  /** In place of these the corner of the obstacle, on a side of the object. */
+  corner?: number;
+  body_side?: number;
+  /** Among obstacles: the unit normal towards the object. */
+  direction?: Vec;
   point: Vec;
   normal: number;
   friction: number;
@@ -40,12 +48,27 @@ interface TraceFrame {
   slips: number;
   events: string[];
   status: string;
+  /** While a peg is in its hole. */
+  insertion?: Insertion;
+}
+
+/** The load on a peg by the walls of its hole, in the peg's frame. */
+interface Insertion {
+  depth: number;
+  fx: number;
+  fz: number;
+  m: number;
+  lambda: number | null;
+  margin: number | null;
+  verdict: "free" | "one-point" | "two-point" | "jammed" | "wedged";
 }
 
 interface Slip {
   n: number;
   t: number;
   point: Vec;
+  /** Among obstacles. */
+  direction?: Vec;
   length: number;
 }
 
@@ -83,6 +106,8 @@ interface FrameMessage {
   frame: TraceFrame;
   holding: Vec | null;
   ghost: Pose | null;
+  /** F_z of Whitney's formulas, while a peg is in its hole. */
+  small_angles?: { one_point: number | null; two_points: number | null };
   echo: number | null;
   reference: Reference | null;
   counts: Counts;
@@ -104,10 +129,33 @@ interface Surface {
   memory?: number | null;
 }
 
+/** One corner: a pin, two: a thin wall. */
+interface Obstacle {
+  name: string;
+  vertices: Vec[];
+  static?: number;
+  dynamic?: number;
+}
+
+/** What a contact is with, where it is: its normal towards the object, its friction. */
+type Facing = { name: string; normal: Vec; static?: number; dynamic?: number };
+
+/** Half the width of a peg; width, friction and length of its hole. */
+interface Peg {
+  radius: number;
+  width: number;
+  friction: number;
+  length: number;
+}
+
 interface Scene {
   title: string;
   body: Vec[];
   surfaces: Surface[];
+  /** A board has none. */
+  obstacles?: Obstacle[];
+  /** Null: no peg and hole. */
+  peg?: Peg | null;
   weight: number;
   grasp: Vec | null;
   reach: number;

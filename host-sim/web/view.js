@@ -7,6 +7,8 @@ import { reducedMotion } from "./dom.js";
 const ROOM = 0.09;
 /** What is followed may come so close to the border, as a part of the window. */
 const BORDER = 0.07;
+/** Corners of obstacles are fitted that are nearer, in sizes of the body. */
+const NEAR = 4;
 /** Part of the way that the window goes in one drawing. */
 const EASE = 0.2;
 /** Scales between which the reader zooms, as multiples of that which fits. */
@@ -45,7 +47,7 @@ export class View {
   }
 
   /**
-   * Fits the scene: the body where it starts, the hand's beginning and the surfaces beside them.
+   * Fits the scene: the body where it starts, the hand's beginning, and the surfaces and obstacles beside them.
    * @param {Scene} scene @param {Pose} pose @param {Pose} hand
    */
   fit(scene, pose, hand) {
@@ -62,6 +64,9 @@ export class View {
     for (const { normal, offset } of scene.surfaces) {
       const gap = normal[0] * pose[0] + normal[1] * pose[1] - offset;
       if (Math.abs(gap) < 6 * size) take(pose[0] - gap * normal[0], pose[1] - gap * normal[1], 0.35 * size);
+    }
+    for (const [x, y] of (scene.obstacles ?? []).flatMap(({ vertices }) => vertices)) {
+      if (Math.hypot(x - pose[0], y - pose[1]) < NEAR * size) take(x, y, 0.1 * size);
     }
     for (const { normal, offset } of scene.surfaces) clip(box, normal, offset, 0.4 * size);
     this.x = (box[0] + box[2]) / 2;

@@ -1,5 +1,6 @@
 //! Scenes among obstacles with corners: convex polygons, thin walls, pins. A scene and its runs in any number type, the cases with
-//! known answers, a judge of single frames that knows nothing but geometry and statics, random scenes, and closed rooms.
+//! known answers, a judge of single frames that knows nothing but geometry and statics, random scenes, closed rooms, and pegs
+//! in holes.
 //! SI units, world frame, unless said otherwise.
 
 pub mod before_judge;
@@ -8,6 +9,7 @@ pub mod compare;
 pub mod guard;
 pub mod judged;
 pub mod laws;
+pub mod pegs;
 pub mod rooms;
 pub mod run;
 pub mod scene;

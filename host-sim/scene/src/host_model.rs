@@ -1,9 +1,12 @@
 //! The models of the solver on a computer: half-planes alone, or obstacles with corners, too. From a written scene to a scene of
 //! either, and from a state to what touches what in it.
 
-use stiction_core::{Full, Model, Parts, Real, Scene, SiFloat, State, Touches, WithObstacles};
+use stiction_core::{
+    Description, Full, Model, Parts, Real, Scene, SceneError, SiFloat, State, Touches,
+    WithObstacles,
+};
 
-use crate::clip::{Indices, clipped};
+use crate::clip::Indices;
 use crate::scene_file::{HostScene, HostSolver};
 use crate::source::InputError;
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
@@ -21,6 +24,15 @@ pub trait HostModel: Model {
         written: &WrittenScene,
     ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError>;
 
+    /// The scene of a description, which may differ from the written one in all but obstacles, and what its indices mean.
+    ///
+    /// # Errors
+    /// The numbers do not make a scene.
+    fn build<R: Real<Si: SiFloat>>(
+        written: &WrittenScene,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>>;
+
     /// What touches what, and where it faces; `None` without obstacles, where the contacts say all.
     fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>>;
 }
@@ -32,6 +44,13 @@ impl<const FRICTION: bool, const WEIGHT: bool> HostModel for Parts<FRICTION, WEI
         Ok((written.scene_in()?, None))
     }
 
+    fn build<R: Real<Si: SiFloat>>(
+        _: &WrittenScene,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>> {
+        Ok((Scene::new(description)?, None))
+    }
+
     fn touches<R: Real>(_: &HostSolver<R, Self>, _: &State<R>) -> Option<Touches<R::Si>> {
         None
     }
@@ -41,17 +60,20 @@ impl<M: Model> HostModel for Among<M> {
     fn scene<R: Real<Si: SiFloat>>(
         written: &WrittenScene,
     ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
-        let (obstacles, indices) = clipped::<R>(written);
-        let scene = written.described(|description| {
-            WrittenScene::described_obstacles(&obstacles, |obstacles| {
-                Scene::among(description, obstacles)
-            })
-        });
-        let explained = scene.map_err(|error| {
-            let error = indices.as_ref().map_or(error, |known| known.error(error));
-            written.explain(&error, [VERTICES, SURFACES])
-        });
-        Ok((explained?, indices))
+        let built = written.described(|description| Self::build(written, description));
+        built.map_err(|error| written.explain(&error, [VERTICES, SURFACES]))
+    }
+
+    fn build<R: Real<Si: SiFloat>>(
+        written: &WrittenScene,
+        description: &Description<'_, R::Si>,
+    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>> {
+        let (scene, indices) =
+            written.obstacles_in::<R, _>(|obstacles| Scene::among(description, obstacles));
+        match scene {
+            Ok(scene) => Ok((scene, indices)),
+            Err(error) => Err(indices.as_ref().map_or(error, |known| known.error(error))),
+        }
     }
 
     fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>> {

@@ -83,6 +83,7 @@ fn drag(count: usize) -> Run {
         stiffness_rotation: 0.5,
         weight: 0.0,
         holding_point: Some([0.0, 0.02]),
+        meter: None,
         number: Number::F32,
         evolution: Evolution::Path,
         frames: (0..count).map(frame).collect(),

@@ -4,7 +4,7 @@ use std::io;
 
 use tempfile::NamedTempFile;
 
-use super::{ContactEntry, Record, Value};
+use super::{ContactEntry, InsertionEntry, Record, Value};
 
 /// Contacts in a row; columns of absent ones are empty.
 const CONTACTS: usize = 4;
@@ -55,26 +55,37 @@ const COLUMNS: [&str; 17] = [
 /// The column of what only a frame with a budget has; the last one.
 const BEHIND: &str = "behind";
 
+/// The columns of a scene that has a peg and a hole; empty while the peg is not in it.
+const INSERTION: [&str; 7] = ["depth", "fx", "fz", "m", "lambda", "margin", "verdict"];
+
+/// Which columns there are besides those of every trace.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Has {
+    pub(super) obstacles: bool,
+    /// A peg and a hole.
+    pub(super) meter: bool,
+}
+
 /// A table that is being written. Its first record says whether frames have a budget.
 #[derive(Debug)]
 pub(super) struct Writer {
     rows: csv::Writer<NamedTempFile>,
     has_header: bool,
-    has_obstacles: bool,
+    has: Has,
 }
 
 impl Writer {
-    pub(super) fn new(file: NamedTempFile, has_obstacles: bool) -> Self {
+    pub(super) fn new(file: NamedTempFile, has: Has) -> Self {
         Self {
             rows: csv::Writer::from_writer(file),
             has_header: false,
-            has_obstacles,
+            has,
         }
     }
 
     pub(super) fn write(&mut self, record: &Record<'_>) -> io::Result<()> {
         self.begin(record.behind.is_some())?;
-        Ok(self.rows.write_record(row(record, self.has_obstacles))?)
+        Ok(self.rows.write_record(row(record, self.has))?)
     }
 
     /// The whole table; a header is there without a row, too.
@@ -88,17 +99,20 @@ impl Writer {
             return Ok(());
         }
         self.has_header = true;
-        let header = header(has_budget, self.has_obstacles);
+        let header = header(has_budget, self.has);
         Ok(self.rows.write_record(header)?)
     }
 }
 
 /// The names of the columns.
-fn header(has_budget: bool, has_obstacles: bool) -> Vec<String> {
+fn header(has_budget: bool, has: Has) -> Vec<String> {
     let mut names: Vec<String> = COLUMNS.map(String::from).to_vec();
     for contact in 0..CONTACTS {
-        let columns = shown(has_obstacles).map(|k| CONTACT_COLUMNS[k].0);
+        let columns = shown(has.obstacles).map(|k| CONTACT_COLUMNS[k].0);
         names.extend(columns.map(|column| format!("c{contact}_{column}")));
+    }
+    if has.meter {
+        names.extend(INSERTION.map(|column| format!("insertion_{column}")));
     }
     names.extend(has_budget.then(|| BEHIND.to_owned()));
     names
@@ -111,7 +125,7 @@ fn shown(has_obstacles: bool) -> impl Iterator<Item = usize> {
 }
 
 /// The columns of a record.
-fn row(record: &Record<'_>, has_obstacles: bool) -> Vec<String> {
+fn row(record: &Record<'_>, has: Has) -> Vec<String> {
     let mut row = vec![format!("{:?}", record.t)];
     row.extend(record.hand.map(digits));
     row.push(record.held.to_string());
@@ -125,12 +139,31 @@ fn row(record: &Record<'_>, has_obstacles: bool) -> Vec<String> {
     row.push(record.contacts.len().to_string());
     for contact in record.contacts.iter().take(CONTACTS) {
         let columns = contact_columns(contact);
-        row.extend(shown(has_obstacles).map(|k| columns[k].clone()));
+        row.extend(shown(has.obstacles).map(|k| columns[k].clone()));
     }
-    let width = shown(has_obstacles).count();
+    let width = shown(has.obstacles).count();
     row.resize(COLUMNS.len() + CONTACTS * width, String::new());
+    if has.meter {
+        row.extend(insertion_columns(record.insertion.as_ref()));
+    }
     row.extend(record.behind.map(digits));
     row
+}
+
+fn insertion_columns(insertion: Option<&InsertionEntry>) -> [String; INSERTION.len()] {
+    let Some(insertion) = insertion else {
+        return [const { String::new() }; INSERTION.len()];
+    };
+    let optional = |value: Option<Value>| value.map_or_else(String::new, digits);
+    [
+        digits(insertion.depth),
+        digits(insertion.fx),
+        digits(insertion.fz),
+        digits(insertion.m),
+        optional(insertion.lambda),
+        optional(insertion.margin),
+        insertion.verdict.to_owned(),
+    ]
 }
 
 fn contact_columns(contact: &ContactEntry<'_>) -> [String; CONTACT_COLUMNS.len()] {

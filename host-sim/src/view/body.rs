@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use stiction_core::{
-    Angle, Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
+    Angle, Evolution, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
 };
-use stiction_scene::{HostSolver, SceneFile};
+use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFile};
 
-use super::carry::{Hold, Present, carried};
+use super::carry::{Carried, Hold, Present, carried};
 use crate::number::Number;
 use crate::record::Frame;
 
@@ -43,25 +43,59 @@ impl Setting {
 
     /// The body at its start, with the hand at its first pose: record 0 of a trace.
     pub(super) fn start(&self, hand: &Hand<f64>) -> Result<Box<dyn Body>, String> {
-        Ok(match self.number {
-            Number::F32 => Box::new(Solved::<f32>::start(self, hand)?),
-            Number::F64 => Box::new(Solved::<f64>::start(self, hand)?),
-            Number::Fixed => Box::new(Solved::<Fixed>::start(self, hand)?),
-        })
+        self.solved(&Way::Start(hand))
     }
 
     /// A body that goes on from where it is.
     pub(super) fn carry(&self, present: &Present) -> Result<Box<dyn Body>, String> {
-        Ok(match self.number {
-            Number::F32 => Box::new(Solved::<f32>::carry(self, present)?),
-            Number::F64 => Box::new(Solved::<f64>::carry(self, present)?),
-            Number::Fixed => Box::new(Solved::<Fixed>::carry(self, present)?),
+        self.solved(&Way::Carry(present))
+    }
+
+    /// By the solver that the scene needs: with obstacles only where it has some.
+    fn solved(&self, way: &Way<'_>) -> Result<Box<dyn Body>, String> {
+        let has_obstacles = !self.scene.obstacles.is_empty();
+        Ok(match (self.number, has_obstacles) {
+            (Number::F32, false) => Box::new(Solved::<f32, Full>::new(self, way)?),
+            (Number::F64, false) => Box::new(Solved::<f64, Full>::new(self, way)?),
+            (Number::Fixed, false) => Box::new(Solved::<Fixed, Full>::new(self, way)?),
+            (Number::F32, true) => Box::new(Solved::<f32, Among>::new(self, way)?),
+            (Number::F64, true) => Box::new(Solved::<f64, Among>::new(self, way)?),
+            (Number::Fixed, true) => Box::new(Solved::<Fixed, Among>::new(self, way)?),
         })
     }
 }
 
-struct Solved<R: Real> {
-    solver: Arc<HostSolver<R>>,
+/// How a body begins.
+enum Way<'a> {
+    /// At the scene's start, with this hand.
+    Start(&'a Hand<f64>),
+    /// Where it is.
+    Carry(&'a Present),
+}
+
+/// Whether a scene makes a scene of the solver that it needs, in f64.
+///
+/// # Errors
+/// It does not: the key and the line.
+pub(super) fn check(scene: &SceneFile) -> Result<(), InputError> {
+    match scene.obstacles.is_empty() {
+        true => <Full as HostModel>::scene::<f64>(scene).map(|_| ()),
+        false => <Among as HostModel>::scene::<f64>(scene).map(|_| ()),
+    }
+}
+
+/// Whether a scene is one for a board, which takes no obstacles.
+///
+/// # Errors
+/// It is not: the key and the line.
+pub(super) fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
+    scene.scene::<f64>().map(|_| ())
+}
+
+struct Solved<R: Real, M: HostModel> {
+    solver: Arc<HostSolver<R, M>>,
+    /// What the solver's indices of obstacles are in the file, where they differ.
+    indices: Option<Arc<Indices>>,
     state: State<R>,
     /// With the turns as seen from outside.
     output: Output<R::Si>,
@@ -71,43 +105,40 @@ struct Solved<R: Real> {
     stiffness: [f64; 2],
 }
 
-impl<R: Real<Si: SiFloat>> Solved<R> {
-    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Self, String> {
-        let scene = setting.scene.scene().map_err(|error| error.to_string())?;
-        let solver = Solver::new(scene, setting.evolution);
-        let (state, output) = solver.start(narrow_hand(hand));
-        Ok(Self::new(
-            setting,
-            solver,
-            (state, output),
-            (Hold::Never, 0),
-        ))
-    }
-
-    fn carry(setting: &Setting, present: &Present) -> Result<Self, String> {
-        let carried = carried(&setting.scene, setting.evolution, present)?;
-        let answer = (carried.state, carried.output);
-        let before = (present.hold, present.angle.turns);
-        Ok(Self::new(setting, carried.solver, answer, before))
-    }
-
-    fn new(
-        setting: &Setting,
-        solver: HostSolver<R>,
-        (state, output): (State<R>, Output<R::Si>),
-        (hold, turns): (Hold, i32),
-    ) -> Self {
+impl<R: Real<Si: SiFloat>, M: HostModel> Solved<R, M> {
+    fn new(setting: &Setting, way: &Way<'_>) -> Result<Self, String> {
         let scene = &setting.scene;
+        let (carried, hold, turns) = match way {
+            Way::Start(hand) => (Self::start(setting, hand)?, Hold::Never, 0),
+            Way::Carry(present) => {
+                let carried = carried(scene, setting.evolution, present)?;
+                (carried, present.hold, present.angle.turns)
+            }
+        };
         let mut body = Self {
-            solver: Arc::new(solver),
-            state,
-            output: output.clone(),
+            solver: Arc::new(carried.solver),
+            indices: carried.indices.map(Arc::new),
+            state: carried.state,
+            output: carried.output.clone(),
             hold,
             turns,
             stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
         };
-        body.accept(output);
-        body
+        body.accept(carried.output);
+        Ok(body)
+    }
+
+    fn start(setting: &Setting, hand: &Hand<f64>) -> Result<Carried<R, M>, String> {
+        let scene = M::scene::<R>(&setting.scene).map_err(|error| error.to_string())?;
+        let (scene, indices) = scene;
+        let solver = Solver::new(scene, setting.evolution);
+        let (state, output) = solver.start(narrow_hand(hand));
+        Ok(Carried {
+            solver,
+            indices,
+            state,
+            output,
+        })
     }
 
     fn accept(&mut self, mut output: Output<R::Si>) {
@@ -117,10 +148,11 @@ impl<R: Real<Si: SiFloat>> Solved<R> {
     }
 }
 
-impl<R: Real<Si: SiFloat>> Body for Solved<R>
+impl<R: Real<Si: SiFloat>, M: HostModel + 'static> Body for Solved<R, M>
 where
     R: Send + Sync,
     R::Si: Send + Sync,
+    HostSolver<R, M>: Send + Sync,
 {
     fn step(&mut self, hand: &Hand<f64>) {
         let hand = turned(hand, self.turns.saturating_neg());
@@ -133,7 +165,7 @@ where
         if self.turns != 0 {
             frame.hand[2] += std::f64::consts::TAU * f64::from(self.turns);
         }
-        frame
+        frame.with_indices(self.indices.as_deref())
     }
 
     fn present(&self) -> Present {
@@ -170,6 +202,7 @@ where
     fn copy(&self) -> Box<dyn Body> {
         Box::new(Self {
             solver: Arc::clone(&self.solver),
+            indices: self.indices.clone(),
             state: self.state.clone(),
             output: self.output.clone(),
             ..*self

@@ -5,10 +5,10 @@
 //! type to another one: what is computed in between is f64.
 
 use stiction_core::{
-    Angle, Description, Event, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State,
-    Status, Wrench, narrow_hand,
+    Angle, Description, Event, Evolution, Hand, Output, Real, SiFloat, Solver, State, Status,
+    Wrench, narrow_hand,
 };
-use stiction_scene::{HostSolver, SceneFile};
+use stiction_scene::{HostModel, HostSolver, Indices, WrittenScene};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f64 = 1e-4;
@@ -56,8 +56,9 @@ pub(super) struct Present {
 }
 
 /// A solver with the state that goes on, and the answer of the settling; its turns are those since `Present::angle.turns`.
-pub(super) struct Carried<R: Real> {
-    pub(super) solver: HostSolver<R>,
+pub(super) struct Carried<R: Real, M: HostModel> {
+    pub(super) solver: HostSolver<R, M>,
+    pub(super) indices: Option<Indices>,
     pub(super) state: State<R>,
     pub(super) output: Output<R::Si>,
 }
@@ -66,13 +67,13 @@ pub(super) struct Carried<R: Real> {
 ///
 /// # Errors
 /// Why it cannot be there, and what is allowed.
-pub(super) fn carried<R: Real<Si: SiFloat>>(
-    scene: &SceneFile,
+pub(super) fn carried<R: Real<Si: SiFloat>, M: HostModel>(
+    scene: &WrittenScene,
     evolution: Evolution,
     present: &Present,
-) -> Result<Carried<R>, String> {
+) -> Result<Carried<R, M>, String> {
     scene.described(|description| {
-        let carried = settled(description, evolution, present)?;
+        let carried = settled((scene, description), evolution, present)?;
         let output = &carried.output;
         if matches!(output.status, Status::Saturated | Status::HeldLast) {
             return Err(format!(
@@ -87,21 +88,25 @@ pub(super) fn carried<R: Real<Si: SiFloat>>(
     })
 }
 
-fn solver<R: Real<Si: SiFloat>>(
-    description: &Description<'_, R::Si>,
+/// A written scene, and its description with changes.
+type Described<'a, 'b, F> = (&'a WrittenScene, &'a Description<'b, F>);
+
+fn solver<R: Real<Si: SiFloat>, M: HostModel>(
+    (written, description): Described<'_, '_, R::Si>,
     evolution: Evolution,
-) -> Result<HostSolver<R>, String> {
-    let scene = Scene::new(description).map_err(|error| error.to_string())?;
-    Ok(Solver::new(scene, evolution))
+) -> Result<(HostSolver<R, M>, Option<Indices>), String> {
+    let built = M::build(written, description);
+    let (scene, indices) = built.map_err(|error| error.to_string())?;
+    Ok((Solver::new(scene, evolution), indices))
 }
 
 /// A holding point is for the first hold only. The state goes on in the solver that made it: the length unit of a point depends
 /// on its holding point.
-fn settled<R: Real<Si: SiFloat>>(
-    description: &Description<'_, R::Si>,
+fn settled<R: Real<Si: SiFloat>, M: HostModel>(
+    (written, description): Described<'_, '_, R::Si>,
     evolution: Evolution,
     present: &Present,
-) -> Result<Carried<R>, String> {
+) -> Result<Carried<R, M>, String> {
     let narrow = R::Si::narrow;
     let [x, y] = present.position.map(narrow);
     let mut there = Description {
@@ -112,22 +117,23 @@ fn settled<R: Real<Si: SiFloat>>(
     if present.hold != Hold::Never && !is_given {
         there.holding_point = None;
     }
-    let solver = solver(&there, evolution)?;
+    let (solver, indices) = solver((written, &there), evolution)?;
     let (state, output) = if present.held && present.hold == Hold::Taken {
-        taken_on(there, present)?
+        taken_on::<R, M>((written, there), present)?
     } else {
         solver.start(narrow_hand(&present.hand))
     };
     Ok(Carried {
         solver,
+        indices,
         state,
         output,
     })
 }
 
 /// A hold that was taken on the way goes on: a hand that pulls at nothing takes it again, and jumps to where it is.
-fn taken_on<R: Real<Si: SiFloat>>(
-    mut there: Description<'_, R::Si>,
+fn taken_on<R: Real<Si: SiFloat>, M: HostModel>(
+    (written, mut there): (&WrittenScene, Description<'_, R::Si>),
     present: &Present,
 ) -> Result<(State<R>, Output<R::Si>), String> {
     let Wrench { force, moment } = present.wrench;
@@ -144,7 +150,7 @@ fn taken_on<R: Real<Si: SiFloat>>(
     let size = coordinates.fold(0.0, |size: f64, x| size.max(x.widen().abs()));
     // The point was within reach; its rounding must not put it outside.
     there.reach = R::Si::narrow(there.reach.widen() + ROUNDING * size);
-    let solver = solver(&there, Evolution::Frame)?;
+    let (solver, _) = solver::<R, M>((written, &there), Evolution::Frame)?;
     let (mut state, taken) = solver.start(narrow_hand(&idle));
     if !taken.held {
         return Err(OUT_OF_REACH.to_owned());
@@ -160,7 +166,7 @@ mod tests {
 
     use std::sync::Arc;
 
-    use stiction_scene::Source;
+    use stiction_scene::{SceneFile, Source};
 
     use super::*;
     use crate::number::Number;

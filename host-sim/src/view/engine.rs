@@ -291,7 +291,7 @@ impl Engine {
 
     fn publish(&mut self) {
         if self.changed {
-            let message = say::state(&self.stage, &self.pair.setting, &self.status());
+            let message = say::state(&self.stage, &self.pair, &self.status());
             self.pending.state(message);
             self.changed = false;
         }
@@ -300,6 +300,7 @@ impl Engine {
             tick: self.tick,
             frame: Arc::clone(&pair.frame),
             scene: Arc::clone(&pair.setting.scene),
+            meter: pair.meter.clone(),
             single: pair.setting.number.is_single(),
             echo: self.echoes.shown().clone(),
             reference: pair.comparison,

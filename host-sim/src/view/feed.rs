@@ -4,6 +4,7 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use stiction_insertion::Meter;
 use stiction_scene::SceneFile;
 
 use super::counts::Counts;
@@ -22,6 +23,8 @@ pub(super) struct Latest {
     pub(super) tick: u64,
     pub(super) frame: Arc<Frame>,
     pub(super) scene: Arc<SceneFile>,
+    /// Whitney's meter, where the scene has a peg and a hole.
+    pub(super) meter: Option<Arc<Meter>>,
     /// The numbers have the digits of f32.
     pub(super) single: bool,
     /// A client, and what it sent with the newest sample that is in the record.

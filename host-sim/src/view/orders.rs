@@ -10,7 +10,7 @@ use stiction_core::Evolution;
 use stiction_scene::{HandPath, SceneFile};
 use tokio::sync::mpsc::Sender;
 
-use super::body::Setting;
+use super::body::{Setting, without_obstacles};
 use super::change::{Change, Reply, Run};
 use super::engine::Engine;
 use super::guide::{Guide, HandPose};
@@ -168,6 +168,9 @@ impl Engine {
                 return Err(format!("no scene {name:?}, allowed: {}", scenes::names()));
             }
         };
+        if self.board.is_some() {
+            without_obstacles(&stage.scene).map_err(|error| error.to_string())?;
+        }
         let setting = Setting {
             scene: Arc::clone(&stage.scene),
             ..self.pair.setting.clone()
@@ -232,6 +235,11 @@ impl Engine {
             put(&mut surface.friction_static, parameters.friction_static);
             put(&mut surface.friction_dynamic, parameters.friction_dynamic);
             surface.memory = parameters.memory.unwrap_or(surface.memory);
+        }
+        for obstacle in &mut written.obstacles {
+            put(&mut obstacle.friction_static, parameters.friction_static);
+            put(&mut obstacle.friction_dynamic, parameters.friction_dynamic);
+            obstacle.memory = parameters.memory.unwrap_or(obstacle.memory);
         }
         Change::Setting(setting)
     }
@@ -326,9 +334,15 @@ impl Engine {
     }
 }
 
+/// The bundled scenes that can be shown: a board takes no obstacles.
+fn shown(has_board: bool) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    let taken = scenes::ALL.iter();
+    taken.filter(move |scene| !has_board || !scenes::has_obstacles(scene))
+}
+
 /// The names of the scenes that can be shown.
-pub(super) fn scene_names(own: Option<&Stage>) -> Vec<String> {
+pub(super) fn scene_names(own: Option<&Stage>, has_board: bool) -> Vec<String> {
     let own = own.map(|own| own.scene.title.clone());
-    let bundled = scenes::without_obstacles().map(|(name, _)| (*name).to_owned());
+    let bundled = shown(has_board).map(|(name, _)| (*name).to_owned());
     own.into_iter().chain(bundled).collect()
 }

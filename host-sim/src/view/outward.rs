@@ -117,11 +117,18 @@ fn bundle(frame: &Frame, scene: &SceneFile, events: &[&'static str]) -> OscPacke
     ];
     for contact in &frame.contacts {
         let surface = contact.surface().and_then(|k| scene.surfaces.get(k));
-        let vertex = contact.vertex().and_then(|k| i32::try_from(k).ok());
+        let obstacle = contact.obstacle().and_then(|k| scene.obstacles.get(k));
+        let name = surface
+            .map(|surface| &surface.name)
+            .or(obstacle.map(|obstacle| &obstacle.name));
+        // -1: a corner of an obstacle, on a side of the body.
+        let vertex = contact
+            .vertex()
+            .map(|k| i32::try_from(k).unwrap_or(i32::MAX));
         let [x, y] = contact.point.map(float);
         let args = vec![
-            OscType::Int(vertex.unwrap_or(i32::MAX)),
-            text(surface.map_or("", |surface| &surface.name)),
+            OscType::Int(vertex.unwrap_or(-1)),
+            text(name.map_or("", String::as_str)),
             x,
             y,
             float(contact.normal),

@@ -6,11 +6,13 @@ use std::time::Instant;
 
 use serde::Serialize;
 use stiction_core::Hand;
+use stiction_insertion::Meter;
 
 use super::body::{Body, Setting};
 use super::counts::Counts;
 use super::mirror::Mirror;
 use super::step_times::StepTimes;
+use crate::meter;
 use crate::record::Frame;
 
 /// The newest slips that are kept.
@@ -24,6 +26,9 @@ pub(super) struct SlipMark {
     pub(super) t: f64,
     /// The foot (m).
     pub(super) point: [f64; 2],
+    /// The unit normal there, in a scene with obstacles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) direction: Option<[f64; 2]>,
     /// The longest slip of the tick (m).
     pub(super) length: f64,
 }
@@ -43,6 +48,10 @@ pub(super) struct Comparison {
     pub(super) since: u64,
 }
 
+fn meter_of(setting: &Setting) -> Option<Arc<Meter>> {
+    meter::of_scene(&setting.scene).map(Arc::new)
+}
+
 /// Two bodies in one hand.
 pub(super) struct Pair {
     pub(super) setting: Setting,
@@ -53,7 +62,10 @@ pub(super) struct Pair {
     pub(super) comparison: Comparison,
     pub(super) counts: Counts,
     pub(super) slips: Arc<[SlipMark]>,
-    foot: [f64; 2],
+    /// Whitney's meter, where the scene has a peg and a hole.
+    pub(super) meter: Option<Arc<Meter>>,
+    /// Where the contact with the largest N is, and where it faces.
+    foot: ([f64; 2], Option<[f64; 2]>),
 }
 
 impl Pair {
@@ -72,7 +84,8 @@ impl Pair {
             comparison: Comparison::default(),
             counts: Counts::default(),
             slips: Arc::default(),
-            foot: [0.0; 2],
+            meter: meter_of(setting),
+            foot: ([0.0; 2], None),
         };
         pair.counts.add(None, &Arc::clone(&pair.frame));
         pair.look(false);
@@ -106,6 +119,7 @@ impl Pair {
     /// The reference cannot follow: it and the comparison go on as they were.
     pub(super) fn changed(&mut self, setting: &Setting) -> Result<(), String> {
         self.setting = setting.clone();
+        self.meter = meter_of(setting);
         let reference = setting.reference().carry(&self.body.present());
         self.reference = reference.map_err(|why| {
             format!("the board has changed, the reference beside it has not: {why}")
@@ -124,6 +138,7 @@ impl Pair {
         let body = setting.carry(&present)?;
         let reference = setting.reference().carry(&present)?;
         self.setting = setting.clone();
+        self.meter = meter_of(setting);
         self.body = body;
         self.reference = reference;
         self.show(self.body.frame(self.frame.t));
@@ -140,6 +155,7 @@ impl Pair {
             reference: self.reference.copy(),
             frame: Arc::clone(&self.frame),
             slips: Arc::clone(&self.slips),
+            meter: self.meter.clone(),
             ..*self
         }
     }
@@ -149,13 +165,14 @@ impl Pair {
         self.counts.add(Some(self.frame.state), &frame);
         let contacts = frame.contacts.iter();
         if let Some(loaded) = contacts.max_by(|a, b| a.normal.total_cmp(&b.normal)) {
-            self.foot = loaded.point;
+            self.foot = (loaded.point, loaded.direction);
         }
         if frame.slips > 0 {
             let mark = SlipMark {
                 n: self.counts.slips,
                 t: frame.t,
-                point: self.foot,
+                point: self.foot.0,
+                direction: self.foot.1,
                 length: frame.longest_slip,
             };
             let beyond = (self.slips.len() + 1).saturating_sub(SLIPS);

@@ -4,16 +4,17 @@ use std::sync::Arc;
 
 use serde::Serialize;
 use serde_json::{Number as JsonNumber, json};
-use stiction_scene::{SceneFile, SurfaceInfo};
+use stiction_insertion::Meter;
+use stiction_scene::{ObstacleInfo, SurfaceInfo};
 
-use super::body::Setting;
 use super::counts::Counts;
 use super::feed::{Latest, Shown};
 use super::free::Springs;
-use super::pair::{Comparison, SlipMark};
+use super::pair::{Comparison, Pair, SlipMark};
 use super::stage::Stage;
 use crate::board::{Fares, Identity};
-use crate::record::{Frame, Names};
+use crate::meter;
+use crate::record::{Frame, Names, Scenery};
 use crate::trace::Record;
 
 /// Of the protocol.
@@ -104,18 +105,27 @@ struct State<'a> {
 }
 
 /// The state.
-pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String {
+pub(super) fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
+    let setting = &pair.setting;
     let scene = &setting.scene;
-    let first = scene.surfaces.first();
+    let of_surface = scene.surfaces.first().map(|surface| {
+        let friction = [surface.friction_static, surface.friction_dynamic];
+        (friction, surface.memory)
+    });
+    let of_obstacle = scene.obstacles.first().map(|obstacle| {
+        let friction = [obstacle.friction_static, obstacle.friction_dynamic];
+        (friction, obstacle.memory)
+    });
+    let first = of_surface.or(of_obstacle);
     let message = State {
         r#type: "state",
-        scene: described(stage, scene),
+        scene: described(stage, pair),
         parameters: json!({
             "stiffness_translation": scene.stiffness_translation,
             "stiffness_rotation": scene.stiffness_rotation,
-            "static": first.map(|surface| surface.friction_static),
-            "dynamic": first.map(|surface| surface.friction_dynamic),
-            "memory": first.and_then(|surface| surface.memory),
+            "static": first.map(|(friction, _)| friction[0]),
+            "dynamic": first.map(|(friction, _)| friction[1]),
+            "memory": first.and_then(|(_, memory)| memory),
         }),
         number: setting.number.name(),
         evolution: setting.evolution.name(),
@@ -124,7 +134,8 @@ pub(super) fn state(stage: &Stage, setting: &Setting, status: &Status) -> String
     text(&message)
 }
 
-fn described(stage: &Stage, scene: &SceneFile) -> serde_json::Value {
+fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
+    let scene = &pair.setting.scene;
     let surface = |surface: &SurfaceInfo| {
         json!({
             "name": surface.name,
@@ -135,12 +146,32 @@ fn described(stage: &Stage, scene: &SceneFile) -> serde_json::Value {
             "memory": surface.memory,
         })
     };
+    let obstacle = |obstacle: &ObstacleInfo| {
+        json!({
+            "name": obstacle.name,
+            "vertices": obstacle.vertices,
+            "static": obstacle.friction_static,
+            "dynamic": obstacle.friction_dynamic,
+            "memory": obstacle.memory,
+        })
+    };
+    let peg = |meter: &Meter| {
+        json!({
+            "radius": meter.radius,
+            "width": meter.width,
+            "friction": meter.friction,
+            "length": meter.length,
+        })
+    };
     let surfaces: Vec<_> = scene.surfaces.iter().map(surface).collect();
+    let obstacles: Vec<_> = scene.obstacles.iter().map(obstacle).collect();
     let [x, y] = stage.home.position;
     json!({
         "title": scene.title,
         "body": scene.vertices,
         "surfaces": surfaces,
+        "obstacles": obstacles,
+        "peg": pair.meter.as_deref().map(peg),
         "weight": scene.weight,
         "grasp": scene.holding_point,
         "reach": scene.reach,
@@ -157,6 +188,9 @@ struct FrameMessage<'a> {
     frame: Record<'a>,
     holding: Option<[f64; 2]>,
     ghost: Option<[f64; 3]>,
+    /// F_z by the formulas for small angles, while a peg is in its hole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    small_angles: Option<Formulas>,
     echo: Option<&'a JsonNumber>,
     reference: &'a Comparison,
     counts: &'a Counts,
@@ -165,6 +199,26 @@ struct FrameMessage<'a> {
     step: StepTime,
     board: Option<Fares>,
     position: Option<f64>,
+}
+
+/// F_z (N) of one point and of two.
+#[derive(Serialize)]
+struct Formulas {
+    one_point: Option<f64>,
+    two_points: Option<f64>,
+}
+
+impl Formulas {
+    fn of(latest: &Latest) -> Option<Self> {
+        let (meter, frame, scene) = (latest.meter.as_deref()?, &latest.frame, &latest.scene);
+        let depth = meter::read(meter, frame)?.depth;
+        let springs = [scene.stiffness_translation, scene.stiffness_rotation];
+        let small = meter::small_angles((meter, depth), frame, springs);
+        Some(Self {
+            one_point: small.one_point,
+            two_points: small.two_points,
+        })
+    }
 }
 
 #[derive(Serialize)]
@@ -209,23 +263,24 @@ impl News {
     pub(super) fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
-        let names = Names {
-            surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
-            ..Names::default()
+        let scenery = Scenery {
+            names: Names::of(&scene.surfaces, &scene.obstacles),
+            meter: latest.meter.as_deref().cloned(),
         };
         let springs = Springs::of(scene, &latest.frame);
         let echo = latest.echo.as_ref().filter(|(to, _)| *to == client);
         let strip = self
             .since
             .iter()
-            .map(|frame| strip(frame, scene.surfaces.len()));
+            .map(|frame| strip(frame, [scene.surfaces.len(), scene.obstacles.len()]));
         text(&FrameMessage {
             r#type: "frame",
             tick: latest.tick,
             skipped,
-            frame: Record::new(&latest.frame, &names, latest.single),
+            frame: Record::new(&latest.frame, &scenery, latest.single),
             holding: springs.holding,
             ghost: springs.ghost,
+            small_angles: Formulas::of(latest),
             echo: echo.map(|(_, sent)| sent),
             reference: &latest.reference,
             counts: &latest.counts,
@@ -238,15 +293,16 @@ impl News {
     }
 }
 
-/// t, and N and T of every surface.
-fn strip(frame: &Frame, surfaces: usize) -> Vec<f64> {
-    let mut row = vec![0.0; 1 + 2 * surfaces];
+/// t, and N and T of every surface and every obstacle.
+fn strip(frame: &Frame, [surfaces, obstacles]: [usize; 2]) -> Vec<f64> {
+    let mut row = vec![0.0; 1 + 2 * (surfaces + obstacles)];
     row[0] = frame.t;
     for contact in &frame.contacts {
-        let Some(surface) = contact.surface() else {
+        let of_obstacle = contact.obstacle().map(|k| surfaces + k);
+        let Some(solid) = contact.surface().or(of_obstacle) else {
             continue;
         };
-        let place = 1 + 2 * surface;
+        let place = 1 + 2 * solid;
         if let Some([normal, friction]) = row.get_mut(place..place + 2) {
             *normal += contact.normal;
             *friction += contact.friction;

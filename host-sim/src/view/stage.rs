@@ -96,6 +96,19 @@ pub(super) fn written(scene: &SceneFile) -> String {
             text += &format!("memory = {memory:?}\n");
         }
     }
+    for obstacle in &scene.obstacles {
+        let vertices: Vec<String> = obstacle.vertices.iter().map(|&v| pair(v)).collect();
+        text += &format!(
+            "\n[[obstacle]]\nname = {}\nvertices = [{}]\nstatic = {:?}\ndynamic = {:?}\n",
+            quoted(&obstacle.name),
+            vertices.join(", "),
+            obstacle.friction_static,
+            obstacle.friction_dynamic
+        );
+        if let Some(memory) = obstacle.memory {
+            text += &format!("memory = {memory:?}\n");
+        }
+    }
     text
 }
 
@@ -121,10 +134,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_written_scene_keeps_the_memory_lengths_of_its_surfaces() {
+    fn a_written_scene_keeps_its_surfaces_and_obstacles() {
         let text = "[body]\nvertices = [[0.0, 0.0]]\nstart = [0.0, 1.0, 0.0]\n[spring]\ntranslation = 1.0\nrotation = 0.0\n\
                     [friction]\nstatic = 0.5\ndynamic = 0.3\n[[surface]]\nname = \"a\"\nnormal = [0.0, 1.0]\noffset = 0.0\n\
-                    memory = 3e-5\n[[surface]]\nname = \"b\"\nnormal = [1.0, 0.0]\noffset = -1.0\n";
+                    memory = 3e-5\n[[surface]]\nname = \"b\"\nnormal = [1.0, 0.0]\noffset = -1.0\n\
+                    [[obstacle]]\nname = \"pin\"\nvertices = [[0.5, 0.5]]\nmemory = 1e-4\n\
+                    [[obstacle]]\nname = \"wall\"\nvertices = [[0.1, 0.3], [0.2, 0.7]]\nstatic = 0.7\n";
         let scene = SceneFile::parse(Source::new("point.toml", text), 1e9).expect("a scene");
         let (again, _) = reread(&scene, Number::F64).expect("the same scene");
         let lengths: Vec<_> = again
@@ -134,5 +149,7 @@ mod tests {
             .collect();
         assert_eq!(lengths, [Some(3e-5), None]);
         assert_eq!(again.surfaces, scene.surfaces);
+        assert_eq!(scene.obstacles.len(), 2);
+        assert_eq!(again.obstacles, scene.obstacles);
     }
 }

@@ -64,6 +64,16 @@ const MOST_DOUBLINGS: usize = 24;
 /// So many pieces of a motion are looked at before it is taken for as long as that.
 const MOST_PIECES: usize = 400;
 
+/// What has been reached is looked for within a touch, and so many times as far, again and again: one place of a motion in few digits may
+/// be far from the next.
+const WIDENINGS: i32 = 4;
+const WIDENING: i32 = 8;
+
+/// The farthest from contact at which what has been reached is looked for (L).
+fn farthest_look<R: Real>() -> R {
+    (1..WIDENINGS).fold(R::TOUCH, |near, _| near * R::from_int(WIDENING))
+}
+
 /// A place of a motion, and the body there.
 type Place<R> = (R, Instant<R>);
 
@@ -256,6 +266,10 @@ fn closes<R: Real, W: World<R>>(
                 - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
+        if gap < -farthest_look::<R>() {
+            let gap = |place: &Place<R>| widest(scene, &place.1, obstacle, (lasting, beside)).1;
+            return Closing::At(before_leap([from, end], at, gap), None);
+        }
         if gap <= beside.near
             && let Some(contact) = touched(scene, (lasting, beside), obstacle, (before, &end.1))
         {
@@ -265,6 +279,27 @@ fn closes<R: Real, W: World<R>>(
         from = end;
     }
     Closing::At(from, None)
+}
+
+/// The last place before one at which the body has leapt into an obstacle: as the number type sees it the motion has no place in between.
+fn before_leap<R: Real>(
+    [mut from, mut to]: [Place<R>; 2],
+    at: &dyn Fn(R) -> Instant<R>,
+    gap: impl Fn(&Place<R>) -> R,
+) -> Place<R> {
+    for _ in 0..MOST_DOUBLINGS {
+        let x = from.0 + (to.0 - from.0).halved();
+        if x <= from.0 || x >= to.0 {
+            break;
+        }
+        let place = (x, at(x));
+        if gap(&place) < -R::TOUCH {
+            to = place;
+        } else {
+            from = place;
+        }
+    }
+    from
 }
 
 /// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before, and of
@@ -293,7 +328,7 @@ fn touched<R: Real, W: World<R>>(
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)
     };
     let mut near = beside.near;
-    for _ in 0..4 {
+    for _ in 0..WIDENINGS {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<((bool, R, R), Pair)> = None;
@@ -309,7 +344,7 @@ fn touched<R: Real, W: World<R>>(
         if let Some((_, pair)) = latest {
             return Some(pair);
         }
-        near = near * R::from_int(8);
+        near = near * R::from_int(WIDENING);
     }
     None
 }

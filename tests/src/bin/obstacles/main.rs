@@ -6,9 +6,11 @@
 //! cargo run --release -p stiction-tests --bin obstacles -- compare 50 f64 path      # with the slow reference
 //! cargo run --release -p stiction-tests --bin obstacles -- scene 17 f32 path 40 41  # a scene as a file, and two of its frames
 //! cargo run --release -p stiction-tests --bin obstacles -- rooms 1000 f32 frame     # 100 jumps in each of 1000 closed rooms
+//! cargo run --release -p stiction-tests --bin obstacles -- pegs 100 path             # insertions of a peg in all number types
 //! ```
 
 mod beside;
+mod pegs;
 mod show;
 mod survey;
 
@@ -25,6 +27,7 @@ const USAGE: &str = "usage: obstacles cases [PART-OF-A-NAME]
        obstacles survey SCENES [f64|f32|fixed] [path|frame]
        obstacles compare [FROM] TO [f64|f32|fixed] [path|frame]
        obstacles scene SCENE [f64|f32|fixed] [path|frame] FRAME...
+       obstacles pegs INSERTIONS [path|frame]
        obstacles rooms ROOMS [f64|f32|fixed] [path|frame]
        obstacles room ROOM [f64|f32|fixed] [path|frame] FRAME...";
 
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         (["cases", part], _) => cases(part),
         (["survey", _], [count]) => survey::survey("part", *count, number, evolution.name()),
         (["rooms", _], [count]) => survey::survey("part-rooms", *count, number, evolution.name()),
+        (["pegs", _], [count]) => pegs::pegs(*count, evolution),
         (["scene", ..], [scene, frames @ ..]) => {
             in_number!(
                 number,

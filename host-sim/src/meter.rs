@@ -1,0 +1,68 @@
+//! Whitney's meter of a run: from its scene to `stiction-insertion`'s [`Meter`], from its frames to readings.
+
+use stiction_insertion::{Insertion, Meter, Reaction, Scene, SmallAngles, Solid, Springs};
+use stiction_scene::WrittenScene;
+
+use crate::record::{Frame, Run};
+
+/// The meter of a scene that has a peg and a hole.
+pub(crate) fn of_scene(scene: &WrittenScene) -> Option<Meter> {
+    let surfaces: Vec<_> = (scene.surfaces.iter())
+        .map(|surface| (surface.normal, surface.offset))
+        .collect();
+    let obstacles: Vec<_> = (scene.obstacles.iter())
+        .map(|obstacle| Solid {
+            vertices: &obstacle.vertices,
+            friction: obstacle.friction_dynamic,
+        })
+        .collect();
+    Meter::find(&Scene {
+        body: &scene.vertices,
+        start: scene.start,
+        surfaces: &surfaces,
+        obstacles: &obstacles,
+    })
+}
+
+/// The reading of a frame; none where the peg is not in its hole.
+pub(crate) fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
+    let contacts: Vec<Reaction> = (frame.contacts.iter())
+        // Among obstacles every contact has its direction.
+        .filter_map(|contact| {
+            Some(Reaction {
+                point: contact.point,
+                direction: contact.direction?,
+                normal: contact.normal,
+                friction: contact.friction,
+            })
+        })
+        .collect();
+    meter.read(frame.pose, &contacts)
+}
+
+/// F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
+pub(crate) fn small_angles(
+    (meter, depth): (&Meter, f64),
+    frame: &Frame,
+    [translation, rotation]: [f64; 2],
+) -> SmallAngles {
+    if !frame.held {
+        return SmallAngles::default();
+    }
+    let [x, y, _] = frame.hand;
+    let springs = Springs {
+        translation,
+        rotation,
+        hand: [x, y],
+        wrench: frame.wrench,
+    };
+    meter.small_angles(depth, frame.pose, &springs)
+}
+
+impl Run {
+    /// The frames in which the peg is in its hole, with their readings.
+    pub(crate) fn readings(&self) -> impl Iterator<Item = (&Frame, Insertion)> {
+        let frames = self.meter.iter().flat_map(|_| &self.frames);
+        frames.filter_map(|frame| Some((frame, read(self.meter.as_ref()?, frame)?)))
+    }
+}

@@ -1,0 +1,205 @@
+// Obstacles: convex polygons, thin walls and pins. Their inside, their free sides with hatching, their names, and the
+// corners that touch the object.
+
+import { colors } from "./theme.js";
+
+/** Spacing of the hatching and its depth, as of surfaces; width of a wall; radii of a pin and of a corner's ring (px). */
+const SPACING = 11;
+const DEPTH = 12;
+const WALL = 4;
+const PIN = 4;
+const RING = 9;
+/** Just outside of a side, in parts of its length. */
+const OUTSIDE = 1e-6;
+
+/** A part of a side: from where to where (m), with its unit normal. @typedef {{from: Vec, to: Vec, normal: Vec}} Piece */
+
+/** The outward unit normal of a side. @param {Vec} a @param {Vec} b @returns {Vec} */
+function outward(a, b) {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  return [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
+}
+
+/** The sides of a polygon, as pairs of corners. @param {Vec[]} corners @returns {[Vec, Vec][]} */
+const sides = (corners) => corners.map((corner, k) => [corner, corners[(k + 1) % corners.length]]);
+
+/** The pieces of each obstacle, once for every list. @type {WeakMap<Obstacle[], Piece[][]>} */
+const known = new WeakMap();
+
+/**
+ * The pieces of the sides of polygons that are not in or against something else.
+ * @param {Obstacle[]} obstacles @param {Surface[]} surfaces
+ */
+function freePieces(obstacles, surfaces) {
+  let pieces = known.get(obstacles);
+  if (!pieces) {
+    pieces = obstacles.map((own) => (own.vertices.length < 3 ? [] : sides(own.vertices)
+      .flatMap((side) => freeParts(side, obstacles.filter((other) => other !== own), surfaces))));
+    known.set(obstacles, pieces);
+  }
+  return pieces;
+}
+
+/** @param {[Vec, Vec]} side @param {Obstacle[]} others @param {Surface[]} surfaces @returns {Piece[]} */
+function freeParts([a, b], others, surfaces) {
+  const normal = outward(a, b);
+  const off = OUTSIDE * Math.hypot(b[0] - a[0], b[1] - a[1]);
+  /** How far both ends are beyond a line. @param {Vec} n @param {number} offset */
+  const beyond = (n, offset) => [a, b].map(([x, y]) => n[0] * (x + off * normal[0]) + n[1] * (y + off * normal[1]) - offset);
+  const solids = surfaces.map((surface) => [beyond(surface.normal, surface.offset)]);
+  for (const { vertices } of others) {
+    if (vertices.length < 3) continue;
+    solids.push(sides(vertices).map(([c, d]) => {
+      const n = outward(c, d);
+      return beyond(n, n[0] * c[0] + n[1] * c[1]);
+    }));
+  }
+  const hidden = solids.map(within).filter(([from, to]) => from < to).sort((one, other) => one[0] - other[0]);
+  const at = (/** @type {number} */ part) => /** @type {Vec} */ ([a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])]);
+  /** @type {Piece[]} */
+  const pieces = [];
+  let begin = 0;
+  for (const [from, to] of [...hidden, [1, 1]]) {
+    if (from > begin) pieces.push({ from: at(begin), to: at(from), normal });
+    begin = Math.max(begin, to);
+  }
+  return pieces;
+}
+
+/** From where to where all of these are negative, which are affine along a side. @param {number[][]} heights @returns {Vec} */
+function within(heights) {
+  let from = 0, to = 1;
+  for (const [low, high] of heights) {
+    const zero = low / (low - high);
+    if (low >= 0) from = high >= 0 ? 1 : Math.max(from, zero);
+    else if (high >= 0) to = Math.min(to, zero);
+  }
+  return [from, to];
+}
+
+/** All obstacles with their names. @param {Ink} ctx @param {View} view @param {Scene} scene */
+export function drawObstacles(ctx, view, { obstacles, surfaces }) {
+  if (!obstacles?.length) return;
+  for (const { vertices } of obstacles) drawInside(ctx, view, vertices);
+  freePieces(obstacles, surfaces).forEach((pieces, k) => drawSides(ctx, view, obstacles[k].vertices, pieces));
+  for (const obstacle of obstacles) drawName(ctx, view, obstacle);
+}
+
+/** @param {Ink} ctx @param {View} view @param {Vec[]} corners */
+function trace(ctx, view, corners) {
+  ctx.beginPath();
+  for (const [x, y] of corners) ctx.lineTo(view.px(x), view.py(y));
+  ctx.closePath();
+}
+
+/** @param {Ink} ctx @param {View} view @param {Vec[]} corners */
+function drawInside(ctx, view, corners) {
+  ctx.fillStyle = corners.length > 2 ? colors.solid : colors.ink;
+  if (corners.length === 1) {
+    ctx.beginPath();
+    ctx.arc(view.px(corners[0][0]), view.py(corners[0][1]), PIN, 0, 2 * Math.PI);
+  } else {
+    trace(ctx, view, corners);
+  }
+  ctx.fill();
+  if (corners.length !== 2) return;
+  ctx.strokeStyle = colors.ink;
+  ctx.lineWidth = WALL;
+  ctx.stroke();
+}
+
+/** @param {Ink} ctx @param {View} view @param {Vec[]} corners @param {Piece[]} pieces */
+function drawSides(ctx, view, corners, pieces) {
+  const hatch = new Path2D();
+  for (const { from, to, normal } of pieces) {
+    const x = view.px(from[0]), y = view.py(from[1]);
+    const length = Math.hypot(view.px(to[0]) - x, view.py(to[1]) - y);
+    const nx = normal[0], ny = -normal[1];
+    const [tx, ty] = [ny, -nx];
+    for (let s = SPACING / 2; s < length; s += SPACING) {
+      const [px, py] = [x + s * tx, y + s * ty];
+      if (px < -20 || py < -20 || px > view.width + 20 || py > view.height + 20) continue;
+      hatch.moveTo(px, py);
+      hatch.lineTo(px - DEPTH * (nx + 0.8 * tx), py - DEPTH * (ny + 0.8 * ty));
+    }
+  }
+  ctx.save();
+  trace(ctx, view, corners);
+  ctx.clip();
+  ctx.strokeStyle = colors.hatch;
+  ctx.lineWidth = 1;
+  ctx.stroke(hatch);
+  ctx.restore();
+  ctx.beginPath();
+  for (const { from, to } of pieces) {
+    ctx.moveTo(view.px(from[0]), view.py(from[1]));
+    ctx.lineTo(view.px(to[0]), view.py(to[1]));
+  }
+  ctx.strokeStyle = colors.ink;
+  ctx.lineWidth = 2;
+  ctx.stroke();
+}
+
+/** What is seen of a polygon (px). @param {View} view @param {Vec[]} corners @returns {Vec[]} */
+function seen(view, corners) {
+  let points = corners.map(([x, y]) => /** @type {Vec} */ ([view.px(x), view.py(y)]));
+  /** @type {((p: Vec) => number)[]} */
+  const inside = [([x]) => x, ([x]) => view.width - x, ([, y]) => y - view.top, ([, y]) => view.height - y];
+  for (const height of inside) {
+    points = points.flatMap((p, k) => {
+      const next = points[(k + 1) % points.length];
+      const [low, high] = [height(p), height(next)];
+      /** @type {Vec[]} */
+      const kept = low >= 0 ? [p] : [];
+      const part = low / (low - high);
+      if (low * high < 0) kept.push([p[0] + part * (next[0] - p[0]), p[1] + part * (next[1] - p[1])]);
+      return kept;
+    });
+  }
+  return points;
+}
+
+/** The name in the middle of what is seen; of what is too small for it, beside it. @param {Ink} ctx @param {View} view @param {Obstacle} obstacle */
+function drawName(ctx, view, { name, vertices }) {
+  const points = seen(view, vertices);
+  if (points.length === 0) return;
+  const [xs, ys] = [0, 1].map((axis) => points.map((p) => p[axis]));
+  const [left, right, top, bottom] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
+  const { width } = ctx.measureText(name);
+  const fits = points.length > 2 && right - left > width + 3 * DEPTH && bottom - top > 3 * DEPTH;
+  const beside = right + 8 + width < view.width ? right + 8 : left - 8 - width;
+  const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
+  write(ctx, name, fits ? mean(xs) - width / 2 : beside, fits ? mean(ys) : (top + bottom) / 2, colors.muted);
+}
+
+/** A text with a halo of paper. @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {string} color */
+function write(ctx, text, x, y, color) {
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
+  ctx.lineJoin = "round";
+  ctx.lineWidth = 4;
+  ctx.strokeStyle = colors.paper;
+  ctx.strokeText(text, x, y);
+  ctx.fillStyle = color;
+  ctx.fillText(text, x, y);
+}
+
+/** A ring at every corner that touches the object, with its obstacle and number. @param {Ink} ctx @param {View} view @param {Contact[]} contacts @param {boolean} named */
+export function drawCorners(ctx, view, contacts, named) {
+  for (const { corner, obstacle, point, direction } of contacts) {
+    if (corner === undefined || !direction) continue;
+    const x = view.px(point[0]), y = view.py(point[1]);
+    ctx.beginPath();
+    ctx.arc(x, y, RING, 0, 2 * Math.PI);
+    ctx.strokeStyle = colors.friction;
+    ctx.lineWidth = 2;
+    ctx.stroke();
+    if (!named) continue;
+    const text = `${obstacle}, corner ${corner}`;
+    // In the obstacle.
+    const away = RING + 7;
+    const { width } = ctx.measureText(text);
+    const side = direction[0] > 0.2 ? -away - width : direction[0] < -0.2 ? away : -width / 2;
+    write(ctx, text, x + side, y + (away + 4) * direction[1], colors.muted);
+  }
+}

@@ -1,0 +1,146 @@
+//! Pegs that are put into a hole from random starts, and how each insertion ends.
+
+use super::{Among, Frame, Obstacle, Run};
+use crate::draw::Draw;
+use crate::number::Number;
+use crate::setup::Setup;
+use stiction_core::Evolution;
+use stiction_insertion::{Meter, Reaction, Scene, Solid, Verdict};
+
+/// Frames of an insertion.
+pub const FRAMES: usize = 400;
+/// The clearance, of the hole's width.
+pub const CLEARANCE: f64 = 1e-3;
+/// The peg (m), and how far its bevelled hole goes below the mouth.
+const PEG: [f64; 2] = [0.02, 0.07];
+const DEEP: f64 = 0.047;
+/// Height and width of the bevel (m).
+const BEVEL: f64 = 0.003;
+
+/// An insertion: a peg above a hole, and the hand's path.
+#[derive(Clone, Debug)]
+pub struct Insertion {
+    /// The scene.
+    pub among: Among,
+    /// Its meter.
+    pub meter: Meter,
+    /// x, y (m), phi (rad) of the hand, frame by frame.
+    pub hands: Vec<[f64; 3]>,
+}
+
+/// How an insertion ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum End {
+    /// At the bottom.
+    In,
+    /// In the hole, as the meter has it.
+    Stopped(Verdict),
+    /// Not in the hole.
+    Outside,
+}
+
+impl End {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::In => "in",
+            Self::Stopped(verdict) => verdict.name(),
+            Self::Outside => "outside",
+        }
+    }
+}
+
+impl Insertion {
+    /// The one of a number: a hand up to 2.5 mm beside the hole and 50 mrad askew, mu_s from 0.05 to 0.6, springs of a wide range; it goes straight
+    /// down until the unloaded peg would be 2 mm below the bottom.
+    pub fn of(number: u64) -> Self {
+        let draw = &mut Draw::new(0x9E60_0000 + number);
+        let [x, phi] = [draw.between(-0.0025, 0.0025), draw.between(-0.05, 0.05)];
+        let mu = draw.power(-1.3, -0.2);
+        let friction = [mu, mu * draw.one(&[1.0, 0.9, 0.7])];
+        let [k_h, grip] = [draw.power(2.5, 4.0), draw.between(-0.03, 0.03)];
+        let k_theta = k_h * draw.power(-4.0, -2.5);
+        let half = 0.5 * PEG[0] / (1.0 - CLEARANCE);
+        let wall = |side: f64| {
+            let corners = [
+                [0.05, -0.05],
+                [0.05, 0.0],
+                [half + BEVEL, 0.0],
+                [half, -BEVEL],
+                [half, -0.05],
+            ];
+            let mut corners = corners.map(|[x, y]| [side * x, y]).to_vec();
+            if side < 0.0 {
+                corners.reverse();
+            }
+            corners
+        };
+        let bottom = vec![
+            [-0.05, -0.065],
+            [0.05, -0.065],
+            [0.05, -0.05],
+            [-0.05, -0.05],
+        ];
+        let obstacle = |vertices| Obstacle { vertices, friction };
+        let obstacles = [wall(-1.0), wall(1.0), bottom].map(obstacle).to_vec();
+        // Body frame: the origin in the middle of the tip.
+        let setup = Setup::block(PEG[0], PEG[1])
+            .at([x, 0.002, phi])
+            .held_at([0.0, 0.5 * PEG[1] + grip])
+            .springs(k_h, k_theta);
+        let [x, y] = setup.grip();
+        let down = BEVEL + DEEP + 0.004;
+        let hand = |frame: usize| [x, y - down * frame as f64 / FRAMES as f64, phi];
+        let among = Among { setup, obstacles };
+        Self {
+            meter: meter(&among),
+            among,
+            hands: (0..=FRAMES).map(hand).collect(),
+        }
+    }
+
+    /// How it ends in a number type.
+    pub fn end<R: Number>(&self, evolution: Evolution) -> End {
+        let mut run = Run::<R>::start(&self.among, evolution, self.hands[0]);
+        for &hand in &self.hands[1..] {
+            run.step(hand);
+        }
+        self.judged(&run.frame)
+    }
+
+    /// How it ends with this frame.
+    pub fn judged(&self, frame: &Frame) -> End {
+        let contacts: Vec<Reaction> = (frame.contacts.iter())
+            .map(|contact| Reaction {
+                point: contact.point,
+                direction: contact.direction,
+                normal: contact.normal,
+                friction: contact.friction,
+            })
+            .collect();
+        match self.meter.read(frame.pose, &contacts) {
+            // To a thousandth of the peg: one that leans stands on one end of its tip.
+            Some(found) if found.depth >= DEEP - 1e-3 * PEG[1] => End::In,
+            Some(found) => End::Stopped(found.verdict),
+            None => End::Outside,
+        }
+    }
+}
+
+fn meter(among: &Among) -> Meter {
+    let solid = |o: &'_ Obstacle| (o.vertices.clone(), o.friction[1]);
+    let solids: Vec<_> = among.obstacles.iter().map(solid).collect();
+    let solids: Vec<Solid<'_>> = (solids.iter())
+        .map(|(vertices, friction)| Solid {
+            vertices,
+            friction: *friction,
+        })
+        .collect();
+    let scene = Scene {
+        body: &among.setup.vertices,
+        start: among.setup.start,
+        surfaces: &[],
+        obstacles: &solids,
+    };
+    Meter::find(&scene).unwrap_or_else(|| panic!("no peg and hole: {among:?}"))
+}
