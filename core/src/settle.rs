@@ -253,6 +253,8 @@ pub(crate) fn apply<R: Real, W: World<R>>(
             Next::Rest
         }
         Trigger::Slide(sign) => Next::Slip(sign),
+        // No branch of balance has ended: it turns as its moment is.
+        Trigger::Fold(_) if W::CORNERS && moved.unbalanced => on(sliding),
         Trigger::Fold(direction) => {
             log.transitions.add(fold_arm(state));
             log.event(Event::Snap);

@@ -228,9 +228,9 @@ impl<R: Real> SingleVertex<R> {
     /// Turns downhill about the vertex to balance, then tests friction. A vertex that already slides
     /// goes on while it is driven, at once where the turn is blocked.
     #[inline(never)]
-    pub(crate) fn relax(
+    pub(crate) fn relax<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         sliding: Option<R>,
     ) -> Moved<R> {
@@ -239,9 +239,13 @@ impl<R: Real> SingleVertex<R> {
         let Some(sign) = sliding else {
             return moved;
         };
-        // By a contact that was there at the beginning.
-        let blocked = matches!(moved.trigger, Trigger::Touch(pair)
-            if begin.pivot.placed(scene).gap(scene, pair) <= R::met_before());
+        // By a contact that was there at the beginning, not in its line beyond its side.
+        let was_there = |pair| {
+            let placed = begin.pivot.placed(scene);
+            let near = R::met_before();
+            placed.gap(scene, pair) <= near && (!W::CORNERS || placed.beyond(scene, pair) <= near)
+        };
+        let blocked = matches!(moved.trigger, Trigger::Touch(pair) if was_there(pair));
         if blocked {
             *self = begin;
         }
@@ -392,16 +396,8 @@ impl<R: Real> SingleVertex<R> {
         // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
         let off = Self::found_to(&load);
         let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
-        let is_balanced = self.is_balanced(&load);
-        let unbalanced = !is_balanced || drives(sign) || drives(-sign);
-        if W::CORNERS && !is_balanced && matches!(moved.trigger, Trigger::Fold(_)) {
-            // No branch of balance ends here: it turns as its moment is.
-            return Moved {
-                unbalanced,
-                trigger: Trigger::Stopped,
-                ..moved
-            };
-        }
+        let folds = matches!(moved.trigger, Trigger::Fold(_));
+        let unbalanced = !self.is_balanced(&load) || !folds && (drives(sign) || drives(-sign));
         if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
             self.end_slip(scene, grip, sign);
         }

@@ -1,7 +1,7 @@
 //! Closed rooms: convex cells whose sides are thin walls or boxes that share their corners, at times with a wall across. A body that is
 //! in one cannot leave it, wherever the hand jumps; whether it has is told by the room's sides alone.
 
-use super::scene::{Among, Obstacle};
+use super::scene::{Among, Obstacle, farthest_corner};
 use super::shape::{Point, dot, outward, placed, sides, sub};
 use super::worlds::{World, friction, pieces};
 use crate::draw::Draw;
@@ -14,14 +14,16 @@ const FARTHEST: f64 = 1e3;
 /// The body is at least this far from the walls in the beginning, in body sizes.
 const CLEAR: f64 = 0.02;
 
-/// The room of a number, with jumps of the hand that end no farther than `farthest` body sizes from the origin.
+/// The room of a number, whole within `farthest` body sizes from the origin, with jumps of the hand that end no farther.
 pub fn room(number: u64, farthest: f64) -> World {
     let draw = &mut Draw::new(0x4007_0000 + number);
     let body = pieces::body(draw);
+    let most = farthest_corner(farthest, Setup::new(&body).size());
     let (start, cell, walls) = loop {
         let start = [0.0, 0.0, draw.between(-3.0, 3.0)];
         let (cell, walls) = cell(draw);
-        if -beyond(&cell, &placed(&body, start)) >= CLEAR {
+        let is_whole = walls.iter().flatten().flatten().all(|x| x.abs() <= most);
+        if is_whole && -beyond(&cell, &placed(&body, start)) >= CLEAR {
             break (start, cell, walls);
         }
     };

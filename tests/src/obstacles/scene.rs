@@ -41,6 +41,12 @@ pub struct Among {
     pub obstacles: Vec<Obstacle>,
 }
 
+/// The largest coordinate of a corner (m) where a number type counts so many body sizes of this length: a bound of a length is the larger
+/// coordinate and half the other.
+pub fn farthest_corner(farthest: f64, size: f64) -> f64 {
+    farthest * size / 1.5
+}
+
 impl Among {
     /// mu_s and mu_d of a contact.
     pub fn friction(&self, touch: Touch) -> [f64; 2] {
@@ -97,10 +103,10 @@ impl Among {
     }
 
     /// The same scene with obstacles no farther out than the number type represents: each coordinate is cut, by which a box along the axes
-    /// stays one. The larger coordinate and half the other are bounded together.
+    /// stays one.
     #[must_use]
     pub fn within<R: Number>(&self) -> Self {
-        let farthest = R::FARTHEST * self.setup.size() / 1.5;
+        let farthest = farthest_corner(R::FARTHEST, self.setup.size());
         let mut cut = self.clone();
         for at in cut.obstacles.iter_mut().flat_map(|o| &mut o.vertices) {
             *at = at.map(|x| x.clamp(-farthest, farthest));

@@ -122,7 +122,7 @@ pub(super) fn side_of<R: Real, W: World<R>>(
         .filter(|_| !pair.is_corner())?;
     let point = placed.point + placed.arm_to(scene, pair);
     let beyond = |corner: u8| scene.corner(corner).map(|corner| corner.place - point);
-    let is_here = (own.clone().filter_map(beyond)).any(|at| at.length_bound() <= together());
+    let is_here = (own.clone().filter_map(beyond)).any(|at| at.length_bound() <= placed.here());
     let mut ahead = own.filter_map(beyond);
     let is_between = is_here && ahead.any(|at| surface.normal.dot(at) > R::MICRO);
     is_between.then_some(along)

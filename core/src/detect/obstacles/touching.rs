@@ -52,6 +52,11 @@ impl<R: Real> Placed<R> {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
+    /// What is closer to a place of the body than this is there, to what a search finds.
+    pub(super) fn here(&self) -> R {
+        together::<R>() + self.rounding().doubled()
+    }
+
     /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
     /// no more, together; less what counts as a touch and the rounding.
     pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
@@ -130,7 +135,7 @@ impl<R: Real> Placed<R> {
     pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair, tolerance: R) -> bool {
         let own = scene.obstacle_of(contact);
         let arm = self.arm_to(scene, contact);
-        let place = (self.point + arm, together::<R>().max(tolerance.doubled()));
+        let place = (self.point + arm, self.here().max(tolerance.doubled()));
         let surface = scene.face(contact, self.orientation.rotation());
         let leaving = own
             .into_iter()
@@ -237,7 +242,7 @@ impl<R: Real> Placed<R> {
             return false;
         };
         // Sides that end at one place bound what is free there where each is in front of the other, and nothing else in between.
-        let place = (self.point + self.arm_to(scene, a), together());
+        let place = (self.point + self.arm_to(scene, a), self.here());
         let is_between = |side: Vec2<R>| {
             let angle = |side: Vec2<R>| first.normal.dot(side).atan2(along_a.dot(side));
             first.normal.dot(side) > R::MICRO && angle(side) + R::MICRO < angle(along_b)
@@ -257,7 +262,7 @@ impl<R: Real> Placed<R> {
         } else {
             -tangent
         };
-        (self.beyond(scene, contact) > -together::<R>()).then_some(along)
+        (self.beyond(scene, contact) > -self.here()).then_some(along)
     }
 
     pub(super) fn are_at_one_place<W: World<R>>(&self, scene: &W, [a, b]: [Pair; 2]) -> bool {
