@@ -13,7 +13,10 @@ const PAUSE = 100;
 const LEFT = 40;
 const BELOW = 32;
 
-/** A window of two axes on a canvas. @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes */
+/**
+ * A window of two axes on a canvas.
+ * @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes
+ */
 
 export class InsertionPanel {
   constructor() {
@@ -98,7 +101,7 @@ export class InsertionPanel {
   drawJamming({ friction, radius }) {
     const lambda = this.deepest / (2 * radius * friction);
     const across = friction > 0 ? 1.3 / friction : 1;
-    const up = 1.2 * (2 * (Number.isFinite(lambda) ? lambda : 0) + 1);
+    const up = 1.4 * (2 * (Number.isFinite(lambda) ? lambda : 0) + 1);
     const axes = axesOn(this.jamming, [-across, across], [-up, up], ["Fx / Fz", "M / (r Fz)"]);
     if (!axes) return;
     const { ctx, px, py } = axes;
@@ -152,7 +155,8 @@ function push(list, item, most) {
 
 /**
  * Empties a canvas and draws two axes with their ends and names; null where it is not seen.
- * @param {HTMLCanvasElement} canvas @param {Vec} xs @param {Vec} ys @param {[string, string]} names @returns {Axes | null}
+ * @param {HTMLCanvasElement} canvas @param {Vec} xs @param {Vec} ys @param {[string, string]} names
+ * @returns {Axes | null}
  */
 function axesOn(canvas, xs, ys, [xName, yName]) {
   const { clientWidth: width, clientHeight: height } = canvas;

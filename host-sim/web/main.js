@@ -30,7 +30,10 @@ let board = null;
  * @type {{hello: HelloMessage | null, state: StateMessage | null}}
  */
 const server = { hello: null, state: null };
-/** The meter of a peg in its hole, from the first scene on that has one. @type {import("./insertion.js").InsertionPanel | null} */
+/**
+ * The meter of a peg in its hole, from the first scene on that has one.
+ * @type {import("./insertion.js").InsertionPanel | null}
+ */
 let insertion = null;
 let connected = false;
 let framesReceived = 0;

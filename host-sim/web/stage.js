@@ -4,7 +4,7 @@
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
-import { drawCorners, drawObstacles } from "./obstacles.js";
+import { drawCorners, drawObstacles, nameCorners } from "./obstacles.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -182,12 +182,13 @@ export class Stage {
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
-    drawCorners(ctx, view, frame.contacts, layers.values);
+    drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */
       const labels = [];
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
+      nameCorners(ctx, view, frame.contacts, labels);
     }
     drawScales(ctx, view, perNewton);
   }
