@@ -42,6 +42,7 @@ liveTest("the meter is there where a scene has a peg and a hole, and nowhere els
   assert.ok(insertion);
   await live.reads("#peg-depth", new RegExp(`^${(1e3 * insertion.depth).toFixed(3)} mm of 47\\.0 mm$`));
   for (const id of ["jamming", "force-depth"]) assert.ok((await painted(live, id)) > 500, id);
+  await live.page.click("#pause");
   await live.scene("box-flat");
   await live.until(() => document.querySelector("#insertion")?.hasAttribute("hidden"));
 });
@@ -71,18 +72,16 @@ liveTest("a corner that touches is ringed, and the chart offers the obstacles", 
     probe.style.color = "var(--friction)";
     const want = getComputedStyle(probe).color.match(/\d+/g)?.map(Number) ?? [];
     probe.remove();
-    const context = canvas.getContext("2d");
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
     let hits = 0;
     for (let angle = 0; angle < 360; angle += 5) {
       const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)];
-      for (const r of [8, 9, 10]) {
-        const at = [(x - left + r * c) * ratio, (y - top + r * s) * ratio];
-        const { data } = /** @type {CanvasRenderingContext2D} */ (context).getImageData(at[0], at[1], 1, 1);
-        if (want.every((value, k) => Math.abs(value - data[k]) < 40)) {
-          hits++;
-          break;
-        }
-      }
+      const isRing = [8, 9, 10].some((r) => {
+        const [column, row] = [x - left + r * c, y - top + r * s].map((at) => Math.floor(at * ratio));
+        return want.every((value, k) => Math.abs(value - data[4 * (row * canvas.width + column) + k]) < 40);
+      });
+      if (isRing) hits++;
     }
     return hits;
   }, /** @type {[number, number]} */ ([place.x, place.y]));
