@@ -18,9 +18,28 @@ const BELOW = 32;
  * @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes
  */
 
+const PANEL = `
+  <h2 id="h-insertion">Peg in its hole <small id="verdict">–</small></h2>
+  <canvas id="jamming" class="plot" role="img" aria-label="Jamming diagram"></canvas>
+  <p class="keys"><span><i class="key two"></i>two points slide in</span>
+    <span><i class="key wall"></i>one wall slides in</span></p>
+  <canvas id="force-depth" class="plot" role="img" aria-label="Insertion force over depth"></canvas>
+  <p class="keys"><span><i class="key m"></i>Fz</span> <span><i class="key d"></i>small angles: one point</span>
+    <span><i class="key both"></i>two points</span></p>
+  <dl class="pairs">
+    <div><dt>depth</dt><dd id="peg-depth">–</dd></div>
+    <div><dt>load Fx, Fz</dt><dd id="peg-load">–</dd></div>
+    <div><dt>margin</dt><dd id="peg-margin">–</dd></div>
+  </dl>`;
+
 export class InsertionPanel {
   constructor() {
     this.root = byId("insertion");
+    this.root.innerHTML = PANEL;
+    const style = document.createElement("link");
+    style.rel = "stylesheet";
+    style.href = "insertion.css";
+    document.head.append(style);
     this.jamming = byId("jamming", HTMLCanvasElement);
     this.forces = byId("force-depth", HTMLCanvasElement);
     /** @type {Peg | null} */

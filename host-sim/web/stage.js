@@ -4,7 +4,6 @@
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
-import { drawCorners, drawObstacles, nameCorners } from "./obstacles.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -33,6 +32,8 @@ export class Stage {
     this.message = null;
     /** @type {Record<Layer, boolean>} */
     this.layers = { ghost: true, trails: true, cones: true, bars: true, values: true };
+    /** What draws obstacles, from the first scene on that has some. @type {typeof import("./obstacles.js") | null} */
+    this.obstacles = null;
     /** Text that tells one scene from another. */
     this.sceneKey = "";
     /** The reader has zoomed or moved the window. */
@@ -91,6 +92,13 @@ export class Stage {
       this.fit();
     }
     this.state = state;
+    this.ask();
+    if (state.scene.obstacles?.length && !this.obstacles) this.loadObstacles();
+  }
+
+  /** Scenes without obstacles do without it. */
+  async loadObstacles() {
+    this.obstacles = await import("./obstacles.js");
     this.ask();
   }
 
@@ -164,7 +172,7 @@ export class Stage {
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     drawGrid(ctx, view);
-    drawObstacles(ctx, view, scene);
+    this.obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -182,13 +190,13 @@ export class Stage {
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
-    drawCorners(ctx, view, frame.contacts);
+    this.obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */
       const labels = [];
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
-      nameCorners(ctx, view, frame.contacts, labels);
+      this.obstacles?.nameCorners(ctx, view, frame.contacts, labels);
     }
     drawScales(ctx, view, perNewton);
   }
