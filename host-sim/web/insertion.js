@@ -32,10 +32,13 @@ const PANEL = `
     <div><dt>margin</dt><dd id="peg-margin">–</dd></div>
   </dl>`;
 
-export class InsertionPanel {
+class InsertionPanel {
   constructor() {
-    this.root = byId("insertion");
+    this.root = document.createElement("section");
+    this.root.id = "insertion";
+    this.root.setAttribute("aria-labelledby", "h-insertion");
     this.root.innerHTML = PANEL;
+    byId("trade").closest("section")?.before(this.root);
     const style = document.createElement("link");
     style.rel = "stylesheet";
     style.href = "insertion.css";
@@ -165,6 +168,9 @@ export class InsertionPanel {
     line(axes, of(0), colors.body, 1.8);
   }
 }
+
+/** The panel, over that of the trade. */
+export const panel = new InsertionPanel();
 
 /** Adds to a list that keeps so many. @template T @param {T[]} list @param {T} item @param {number} most */
 function push(list, item, most) {

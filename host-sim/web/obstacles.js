@@ -4,7 +4,7 @@
 import { label } from "./forces.js";
 import { colors } from "./theme.js";
 
-/** Spacing of the hatching and its depth, as of surfaces; width of a wall; radii of pins and of rings at corners (px). */
+/** Spacing and depth of the hatching, as of surfaces; width of a wall; radii of pins and of rings at corners (px). */
 const SPACING = 11;
 const DEPTH = 12;
 const WALL = 4;

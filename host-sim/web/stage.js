@@ -32,7 +32,7 @@ export class Stage {
     this.message = null;
     /** @type {Record<Layer, boolean>} */
     this.layers = { ghost: true, trails: true, cones: true, bars: true, values: true };
-    /** What draws obstacles, from the first scene on that has some. @type {typeof import("./obstacles.js") | null} */
+    /** Draws obstacles, where scenes have some. @type {typeof import("./obstacles.js") | null} */
     this.obstacles = null;
     /** Text that tells one scene from another. */
     this.sceneKey = "";
@@ -93,12 +93,11 @@ export class Stage {
     }
     this.state = state;
     this.ask();
-    if (state.scene.obstacles?.length && !this.obstacles) this.loadObstacles();
+    if (state.scene.obstacles?.length) this.loadObstacles();
   }
 
-  /** Scenes without obstacles do without it. */
   async loadObstacles() {
-    this.obstacles = await import("./obstacles.js");
+    this.obstacles ??= await import("./obstacles.js");
     this.ask();
   }
 
@@ -168,11 +167,11 @@ export class Stage {
 
   /** The layers from the back to the front. @param {StateMessage} state @param {FrameMessage} message */
   drawScene({ scene, parameters }, { frame, holding, ghost }) {
-    const { ctx, view, layers, trails } = this;
+    const { ctx, view, layers, trails, obstacles } = this;
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     drawGrid(ctx, view);
-    this.obstacles?.drawObstacles(ctx, view, scene);
+    obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -190,13 +189,13 @@ export class Stage {
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
-    this.obstacles?.drawCorners(ctx, view, frame.contacts);
+    obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */
       const labels = [];
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
-      this.obstacles?.nameCorners(ctx, view, frame.contacts, labels);
+      obstacles?.nameCorners(ctx, view, frame.contacts, labels);
     }
     drawScales(ctx, view, perNewton);
   }
@@ -208,9 +207,8 @@ export class Stage {
   contactsOf(frame, scene) {
     return frame.contacts.flatMap((contact) => {
       const surface = scene.surfaces.find(({ name }) => name === contact.surface);
-      const obstacle = scene.obstacles?.find(({ name }) => name === contact.obstacle);
+      const solid = surface ?? scene.obstacles?.find(({ name }) => name === contact.obstacle);
       const normal = contact.direction ?? surface?.normal;
-      const solid = surface ?? obstacle;
       return solid && normal ? [/** @type {[Contact, Facing]} */ ([contact, { ...solid, normal }])] : [];
     });
   }
