@@ -51,7 +51,13 @@ fn suspect<R: Real>(from: Level<R>, to: Level<R>, width: R) -> Option<(R, bool)>
         // The parabola through both ends with the slope of the first.
         let bend = ((to.value - from.value) / width - from.slope) / width;
         let root = R::root_of_products(from.slope, from.slope, bend * R::from_int(-4), from.value);
-        return Some((from.value.doubled() / (root - from.slope), true));
+        let falls = root - from.slope;
+        let at = if falls > R::ZERO {
+            from.value.doubled() / falls
+        } else {
+            width
+        };
+        return Some((at, true));
     }
     if from.slope >= R::ZERO || to.slope <= R::ZERO {
         return None;

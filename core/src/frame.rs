@@ -26,6 +26,7 @@
 //! assert_eq!(client.faults().total(), 0);
 //! ```
 
+mod among;
 mod command;
 mod fault;
 mod fields;
@@ -37,11 +38,13 @@ mod list;
 mod logitech;
 mod message;
 mod mode;
+mod obstacles;
 mod pose;
 mod reply;
 mod report;
 mod scene;
 
+pub use among::{CommandAmong, ContactAmong, ReportAmong, Room};
 pub use command::{Command, Parameters, Reset};
 pub use fault::{Fault, FaultKind, Faults};
 pub use forces::{Events, Forces};
@@ -52,13 +55,16 @@ pub use list::{List, Text};
 pub use logitech::{LogitechDecoder, LogitechRecord, REQUEST as LOGITECH_REQUEST};
 pub use message::Message;
 pub use mode::{Mode, Stepping};
+pub use obstacles::{ObstacleList, SceneAmong, obstacle_bytes};
 pub use pose::{EventSet, Pose};
 pub use reply::{Reason, Reply, Subject};
 pub use report::{LONGEST_REPORT, Pong, Report};
 pub use scene::{SceneCommand, scene_bytes};
 
-/// The version of the format, the first byte of every frame.
+/// The version of the format, the first byte of every frame that a scene without obstacles needs.
 pub const VERSION: u8 = 2;
+/// The version of the frames about obstacles.
+pub const VERSION_AMONG: u8 = 3;
 
 /// A message with what every frame has.
 #[derive(Clone, Copy, Debug, PartialEq)]

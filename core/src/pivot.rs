@@ -104,6 +104,17 @@ impl<R: Real> Pivot<R> {
         self.foot = self.foot + edge.balanced.dot(force) / edge.cos;
     }
 
+    /// The same, found by a search: no farther than to the end of its side.
+    pub(crate) fn slide_on_side(
+        &mut self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        edge: &SlidingEdge<R>,
+    ) {
+        self.slide(scene, grip, edge);
+        self.stay_on_side(scene);
+    }
+
     /// A vertex goes no farther beyond the end of its side than where it leaves it, however far rounding of the load takes it: there
     /// another wall may begin.
     pub(crate) fn stay_on_side<W: World<R>>(&mut self, scene: &W) {
@@ -111,6 +122,12 @@ impl<R: Real> Pivot<R> {
             let [low, high] = scene.reach(self.contact);
             self.foot = self.foot.max(low - R::TOUCH).min(high + R::TOUCH);
         }
+    }
+
+    /// A contact that has left its side along sign·t goes to the very end of it, which a search finds to its rounding.
+    pub(crate) fn go_to_end(&mut self, scene: &impl World<R>, sign: R) {
+        let [low, high] = scene.reach(self.contact);
+        self.foot = if sign > R::ZERO { high } else { low };
     }
 
     /// The same pivot after a slide along t and a turn. Once in an image.

@@ -352,7 +352,7 @@ fn wall_ahead<R: Real, W: World<R>>(
 ) -> Option<(ContactState<R>, Pair)> {
     let mut at_end = state.clone();
     if let ContactState::SingleVertex(s) = &mut at_end {
-        s.pivot.stay_on_side(scene);
+        s.pivot.go_to_end(scene, sign);
     }
     let placed = at_end.placed(scene);
     let contacts = at_end.contacts();

@@ -85,6 +85,12 @@ pub(crate) trait Thresholds: Real {
         Self::TOUCH.doubled()
     }
 
+    /// 16 [`Real::MICRO`] (1): a tilt of flat sides that is no larger may be rounding. A gap is known to 4 ε at a contact; over an
+    /// overlap of 2^-6 L that makes 2^-15 with 24 digits.
+    fn snapped_flat() -> Self {
+        Self::from_int(16) * Self::MICRO
+    }
+
     /// 64 (k_h L): larger reactions are not told from a jam (STATICS 6). Half of what fixed point represents.
     fn limit() -> Self {
         Self::from_int(64)

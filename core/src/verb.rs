@@ -87,8 +87,30 @@ impl<R: Real> Moved<R> {
 /// Turns (where that moves nothing, shifts) a pose of which some gaps are closed to within a tolerance such that they
 /// are closed to the rounding, or as far as 16 sweeps over them come. The pivot's foot stays unless the other contacts leave
 /// no choice.
-pub(crate) fn seat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, others: &[Pair]) -> Pivot<R> {
-    close_gaps(scene, pivot, (others, others.len() == 1))
+pub(crate) fn seat<R: Real, W: World<R>>(scene: &W, pivot: Pivot<R>, others: &[Pair]) -> Pivot<R> {
+    let pivot = close_gaps(scene, pivot, (others, others.len() == 1));
+    match *others {
+        [other] if W::CORNERS && other.is_corner() != pivot.contact.is_corner() => {
+            lay_flat(scene, pivot, other)
+        }
+        _ => pivot,
+    }
+}
+
+/// A vertex and a corner so near to each other that their gaps do not tell the tilt of their sides lie in one line.
+fn lay_flat<R: Real>(scene: &impl World<R>, pivot: Pivot<R>, other: Pair) -> Pivot<R> {
+    let placed = pivot.placed(scene);
+    let rotation = placed.orientation.rotation();
+    let [first, second] = [pivot.contact, other].map(|pair| scene.face(pair, rotation).normal);
+    let tilt = first.cross(second);
+    let off = tilt.abs() * placed.arm_to(scene, other).length_bound();
+    let is_told = off > placed.rounding().doubled() || tilt.abs() > R::snapped_flat();
+    if is_told || first.dot(second) < R::ZERO {
+        return pivot;
+    }
+    // The normal of the corner turns with the body.
+    let turn = if other.is_corner() { -tilt } else { tilt };
+    pivot.moved(R::ZERO, turn)
 }
 
 /// The same after a motion in which the pivot's foot slides: it is shifted and turned by as little as closes the gap.

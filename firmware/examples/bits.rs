@@ -1,8 +1,8 @@
-//! Prints what the walk of the hand comes to on this machine: `cargo run --example bits -- f32 100000`.
+//! Prints what the walk of the hand, or that among obstacles, comes to on this machine: `cargo run --example bits -- f32 100000`.
 
 use std::process::ExitCode;
-use stiction_core::Fixed;
-use stiction_firmware::bits::of_walk;
+use stiction_core::{Fixed, Full};
+use stiction_firmware::bits::{Among, of_walk};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -11,7 +11,7 @@ fn main() -> ExitCode {
         _ => None,
     };
     let Some(hash) = hash else {
-        eprintln!("usage: bits f32|fixed FRAMES");
+        eprintln!("usage: bits f32|fixed|among_f32|among_fixed FRAMES");
         return ExitCode::from(2);
     };
     println!("{hash:016x}");
@@ -20,8 +20,10 @@ fn main() -> ExitCode {
 
 fn hash(number: &str, frames: u32) -> Option<u64> {
     match number {
-        "f32" => Some(of_walk::<f32>(frames)),
-        "fixed" => Some(of_walk::<Fixed>(frames)),
+        "f32" => Some(of_walk::<f32, Full>(frames)),
+        "fixed" => Some(of_walk::<Fixed, Full>(frames)),
+        "among_f32" => Some(of_walk::<f32, Among>(frames)),
+        "among_fixed" => Some(of_walk::<Fixed, Among>(frames)),
         _ => None,
     }
 }

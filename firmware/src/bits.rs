@@ -1,18 +1,20 @@
 //! The same bits on every machine: a walk of the hand through the solver, and one number that stands for every bit of
 //! every answer. Two machines that come to the same number agree in all of them.
 
+mod place;
 mod walk;
 
-use stiction_core::{Contact, Evolution, Real, SiFloat};
+use stiction_core::{Contact, Evolution, Real, SiFloat, Touch, Touching};
 
+pub use place::{Among, Place};
 pub use walk::{Answer, Walk, follow};
 
 /// The hash of so many frames of the walk: its first half in each evolution.
-pub fn of_walk<R: Real<Si: SiFloat>>(frames: u32) -> u64 {
+pub fn of_walk<R: Real<Si: SiFloat>, M: Place>(frames: u32) -> u64 {
     let mut hash = Hash::new();
     let half = frames / 2;
     for (evolution, frames) in [(Evolution::Path, frames - half), (Evolution::Frame, half)] {
-        follow::<R>(evolution, frames, |answer| hash.answer(answer));
+        follow::<R, M>(evolution, frames, |answer| hash.answer(answer));
     }
     hash.value
 }
@@ -44,6 +46,7 @@ impl Hash {
             output,
             wrench,
             contacts,
+            touches,
         } = answer;
         self.word(u32::from(output.held));
         self.word(output.state as u32);
@@ -65,6 +68,31 @@ impl Hash {
         }
         for contact in contacts.iter() {
             self.contact(contact);
+        }
+        for touching in touches.iter().flat_map(|all| all.iter()) {
+            self.touching(touching);
+        }
+    }
+
+    fn touching<F: SiFloat>(&mut self, touching: &Touching<F>) {
+        let words = match touching.touch {
+            Touch::Surface { vertex, surface } => [0, vertex, surface, 0],
+            Touch::Side {
+                vertex,
+                obstacle,
+                side,
+            } => [1, vertex, obstacle, side],
+            Touch::Corner {
+                obstacle,
+                corner,
+                body_side,
+            } => [2, body_side, obstacle, corner],
+        };
+        for word in words {
+            self.word(word as u32);
+        }
+        for value in touching.direction {
+            self.float(value);
         }
     }
 

@@ -123,13 +123,13 @@ fn open() -> Option<HostFiles> {
     })
 }
 
-/// The program `bits`: prints what the walk of so many frames comes to, as the command line says, and ends.
-pub fn print_bits<R: Real<Si: SiFloat>>() -> ! {
+/// The program `bits`: prints what the walk of so many frames comes to in the place of a model, as the command line says, and ends.
+pub fn print_bits<R: Real<Si: SiFloat>, M: bits::Place>() -> ! {
     let frames = argument(1, |text| text.to_str().ok()?.parse().ok()).flatten();
     let Some(frames) = frames else {
         process::exit(2)
     };
-    semihosting::println!("{:016x}", bits::of_walk::<R>(frames));
+    semihosting::println!("{:016x}", bits::of_walk::<R, M>(frames));
     process::exit(0)
 }
 

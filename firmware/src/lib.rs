@@ -17,6 +17,7 @@
 //! bits.rs   a walk of the hand through the solver, to one number that stands for every bit of its answers
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
 //!
+//! model.rs       in what a board with room for obstacles differs from others
 //! device.rs      the control loop: sample -> solver -> safety -> force; changes while it runs
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
@@ -35,6 +36,7 @@ pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
 pub mod job;
+pub mod model;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod pantograph;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]

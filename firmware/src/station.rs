@@ -32,27 +32,31 @@ pub use setup::{SceneType, Setup};
 pub use watch::{Seen, Watch};
 
 use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};
+use crate::model::BoardModel;
 use crate::safety::Flags;
 use command::Next;
 use intake::Intake;
 use outbox::Outbox;
 use report::Told;
 use stiction_core::frame::{
-    Command, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping, frame_bytes, scene_bytes,
+    Command, CommandAmong, Decoder, Fault, Frame, Health, Mode, Reply, Report, Stepping,
+    frame_bytes, scene_bytes,
 };
-use stiction_core::{Model, Real, Wrench};
+use stiction_core::{Real, Wrench};
 
 /// The program of a board: R, V, S and M are those of its scene, N the bytes of the longest frame that it takes.
 #[derive(Debug)]
-pub struct Station<R: Real, const V: usize, const S: usize, M: Model, const N: usize> {
+pub struct Station<R: Real, const V: usize, const S: usize, M: BoardModel, const N: usize> {
     decoder: Decoder<N>,
     desk: Desk<R, V, S, M>,
 }
 
 /// All but the decoder, in whose buffer commands lie while they are carried out.
 #[derive(Debug)]
-struct Desk<R: Real, const V: usize, const S: usize, M: Model> {
+struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     setup: &'static Setup,
+    /// The obstacles of the scene after power-up.
+    obstacles: M::Surroundings<'static>,
     longest_frame: usize,
     controller: Controller<R, V, S, M>,
     mode: Mode,
@@ -73,21 +77,36 @@ struct Desk<R: Real, const V: usize, const S: usize, M: Model> {
 impl<R, const V: usize, const S: usize, M, const N: usize> Station<R, V, S, M, N>
 where
     R: Real<Si = f32>,
-    M: Model,
+    M: BoardModel,
 {
     /// As after power-up.
     ///
     /// # Errors
     /// [`Refusal`] of the setup's scene or limits. A mode that the board has no time or no line for is not found here.
     pub fn new(setup: &'static Setup) -> Result<Self, Refusal> {
-        const { assert!(N >= frame_bytes(scene_bytes(V, S)), "no room for a scene") };
+        Self::among(setup, M::NO_OBSTACLES)
+    }
+
+    /// As [`Self::new`], the setup's scene with the obstacles that the model may have.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn among(
+        setup: &'static Setup,
+        obstacles: M::Surroundings<'static>,
+    ) -> Result<Self, Refusal> {
+        const {
+            let longest = scene_bytes(V, S) + M::OBSTACLE_BYTES;
+            assert!(N >= frame_bytes(longest), "no room for a scene");
+        };
         let mode = setup.mode;
         Ok(Self {
             decoder: Decoder::new(),
             desk: Desk {
                 setup,
+                obstacles,
                 longest_frame: N,
-                controller: Controller::new(&setup.scene, &setup.settings(&mode))?,
+                controller: Controller::among(&setup.scene, obstacles, &setup.settings(&mode))?,
                 mode,
                 bytes_per_tick: setup.bytes_per_tick(&mode),
                 intake: Intake::new(&mode),
@@ -152,17 +171,35 @@ where
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
     /// A frame came, or something that is none.
     fn receive<D: Source>(
         &mut self,
-        received: Result<Frame<Command<'_>>, Fault>,
+        received: Result<Frame<M::Command<'_>>, Fault>,
         now_us: u32,
         link: &mut impl Link,
     ) -> Next {
         let frame = match received {
             Ok(frame) => frame,
             Err(fault) => return self.refuse(&fault, now_us, link),
+        };
+        let sequence = frame.sequence;
+        let reference = frame.reference();
+        let message = match frame.message.into() {
+            CommandAmong::Common(message) => message,
+            CommandAmong::SceneAmong(scene) => {
+                if M::AMONG {
+                    self.intake.follow(sequence);
+                    return self.scene_among((&scene, reference), now_us, link);
+                }
+                // No command without room for obstacles.
+                return Next::More;
+            }
+        };
+        let frame = Frame {
+            sequence,
+            time: frame.time,
+            message,
         };
         if matches!(frame.message, Command::Hello) {
             self.intake.greet();
@@ -189,7 +226,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         }
         match Reply::to_fault(fault) {
             Some(reply) => {
-                self.outbox.send(now_us, Report::Reply(reply), link);
+                self.say(now_us, Report::Reply(reply), link);
                 Next::Enough
             }
             None => Next::More,

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use stiction_scene::NumberType;
 
-use stiction_host_sim::emulator::Machine;
+use stiction_host_sim::emulator::{Machine, Place};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -21,9 +21,10 @@ fn main() -> ExitCode {
         eprintln!("usage: same_bits FRAMES");
         return ExitCode::from(2);
     };
-    println!("| number | machine | hash of {frames} frames | s |\n|---|---|---|---|");
-    let same = NumberType::ALL.map(|number| is_same(number, frames));
-    if same == [true; NumberType::ALL.len()] {
+    println!("| number, place | machine | hash of {frames} frames | s |\n|---|---|---|---|");
+    let cases = NumberType::ALL.map(|number| Place::ALL.map(|place| (number, place)));
+    let same = cases.map(|cases| cases.map(|(number, place)| is_same(number, place, frames)));
+    if same.iter().flatten().all(|same| *same) {
         ExitCode::SUCCESS
     } else {
         ExitCode::FAILURE
@@ -31,20 +32,24 @@ fn main() -> ExitCode {
 }
 
 /// Every machine comes to the same hash.
-fn is_same(number: NumberType, frames: u32) -> bool {
+fn is_same(number: NumberType, place: Place, frames: u32) -> bool {
+    let walked = match place {
+        Place::ByWalls => "by walls",
+        Place::AmongObstacles => "among obstacles",
+    };
     let mut hashes = Vec::new();
     for machine in Machine::ALL {
         // A run of no length: the image is built, its time is not that of the walk.
-        let _ = machine.bits(number, 0);
+        let _ = machine.bits(number, place, 0);
         let begun = Instant::now();
-        let bits = machine.bits(number, frames);
+        let bits = machine.bits(number, place, frames);
         let text = match &bits {
             Ok(hash) => format!("{hash:016x}"),
             Err(error) => error.to_string(),
         };
         let seconds = begun.elapsed().as_secs_f64();
         println!(
-            "| {} | {} | {text} | {seconds:.1} |",
+            "| {}, {walked} | {} | {text} | {seconds:.1} |",
             number.name(),
             machine.name()
         );

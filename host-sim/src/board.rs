@@ -40,7 +40,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_scene::SceneFile;
+use stiction_scene::{Among, HostModel, SceneFile};
 
 pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
@@ -59,6 +59,7 @@ use crate::settings::Settings;
 use crate::trace::Format;
 use crate::{report, scenes, stop};
 use audience::Console;
+use emulate::Image;
 use feed::Feed;
 use heard::About;
 use print::Screen;
@@ -157,7 +158,11 @@ fn usable_scene(args: &BoardArgs) -> Result<SceneFile, BoardError> {
     let scene = open_scene(&args.scene, Number::F32)?;
     if !args.keep {
         // Said with the key and the line, which the board does not know.
-        scene.scene::<f32>()?;
+        if scene.obstacles.is_empty() {
+            scene.scene::<f32>()?;
+        } else {
+            <Among>::scene::<f32>(&scene)?;
+        }
     }
     let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
     let written = files::written(args.out.as_ref(), args.record.as_ref());
@@ -236,7 +241,7 @@ fn recording_head(about: &About, scene: &SceneFile) -> Head {
 /// A board that is not there or does not answer.
 pub fn info(args: &InfoArgs) -> Result<(), BoardError> {
     stop::listen();
-    let (mut address, mut mail) = (args.connect.address()?, Mail::new());
+    let (mut address, mut mail) = (args.connect.address(Image::Plain)?, Mail::new());
     let timeout = args.connect.timeout();
     let (mut session, about) = Session::begin(&mut address, &mut mail, timeout, Instant::now())?;
     report::print(&info::about(&about));

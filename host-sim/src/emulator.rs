@@ -25,7 +25,7 @@ mod pico {
     }
 }
 
-pub use bits::Machine;
+pub use bits::{Machine, Place};
 pub use chip::Chip;
 pub use image::{Profile, footprint};
 

@@ -66,22 +66,37 @@ impl Run {
 
     /// What its trace has of the scene.
     pub(crate) fn scenery(&self) -> Scenery {
-        let surfaces = self.surfaces.iter().map(|surface| surface.name.clone());
-        let obstacles = self.obstacles.iter().map(|obstacle| obstacle.name.clone());
         Scenery {
-            surfaces: surfaces.collect(),
-            obstacles: obstacles.collect(),
+            names: Names::of(&self.surfaces, &self.obstacles),
             meter: self.meter.clone(),
         }
     }
 }
 
-/// What a trace has of the scene: the names of surfaces and obstacles, and the meter of a peg in a hole.
+/// What a trace has of the scene: names, and the meter of a peg in a hole.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scenery {
+    pub(crate) names: Names,
+    pub(crate) meter: Option<Meter>,
+}
+
+/// The names of surfaces and obstacles.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Names {
     pub(crate) surfaces: Vec<String>,
     pub(crate) obstacles: Vec<String>,
-    pub(crate) meter: Option<Meter>,
+}
+
+impl Names {
+    /// Of those of a scene.
+    pub(crate) fn of(surfaces: &[SurfaceInfo], obstacles: &[ObstacleInfo]) -> Self {
+        let surfaces = surfaces.iter().map(|surface| surface.name.clone());
+        let obstacles = obstacles.iter().map(|obstacle| obstacle.name.clone());
+        Self {
+            surfaces: surfaces.collect(),
+            obstacles: obstacles.collect(),
+        }
+    }
 }
 
 /// One hand frame and the equilibrium at its end.

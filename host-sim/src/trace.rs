@@ -138,8 +138,10 @@ impl<'a> ContactEntry<'a> {
         Self {
             vertex: contact.vertex(),
             corner,
-            surface: contact.surface().map(|k| name(&scenery.surfaces, k)),
-            obstacle: contact.obstacle().map(|k| name(&scenery.obstacles, k)),
+            surface: contact.surface().map(|k| name(&scenery.names.surfaces, k)),
+            obstacle: contact
+                .obstacle()
+                .map(|k| name(&scenery.names.obstacles, k)),
             side,
             body_side,
             point: contact.point.map(value),

@@ -1,11 +1,11 @@
 //! The solver on emulated boards against the solver on this machine. What is not installed is skipped with the command
 //! that installs it; with CI=true it must be there.
 
-use stiction_core::{Evolution, Fixed, Hand, Output, Real, SiFloat, Solver, narrow_hand};
-use stiction_firmware::bits::{Walk, of_walk};
+use stiction_core::{Evolution, Fixed, Full, Hand, Output, Real, SiFloat, Solver, narrow_hand};
+use stiction_firmware::bits::{Among, Walk, of_walk};
 use stiction_firmware::job::Frame;
 use stiction_host_sim::emulator::{
-    Board, Chip, Counted, Counter, Machine, Profile, footprint, job,
+    Board, Chip, Counted, Counter, Machine, Place, Profile, footprint, job,
 };
 use stiction_host_sim::number::Number;
 use stiction_host_sim::scenes;
@@ -69,13 +69,18 @@ fn a_board_gives_the_answers_of_this_machine_and_its_count() {
 fn every_machine_gives_the_same_bits() {
     const FRAMES: u32 = 20_000;
     for number in NumberType::ALL {
-        let here = match number {
-            NumberType::F32 => of_walk::<f32>(FRAMES),
-            NumberType::Fixed => of_walk::<Fixed>(FRAMES),
-        };
-        for machine in Machine::ALL {
-            if let Some(hash) = if_installed(machine.bits(number, FRAMES)) {
-                assert_eq!(hash, here, "{} {}", machine.name(), number.name());
+        for place in Place::ALL {
+            let here = match (number, place) {
+                (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(FRAMES),
+                (NumberType::F32, Place::AmongObstacles) => of_walk::<f32, Among>(FRAMES),
+                (NumberType::Fixed, Place::ByWalls) => of_walk::<Fixed, Full>(FRAMES),
+                (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, Among>(FRAMES),
+            };
+            for machine in Machine::ALL {
+                if let Some(hash) = if_installed(machine.bits(number, place, FRAMES)) {
+                    let (machine, number) = (machine.name(), number.name());
+                    assert_eq!(hash, here, "{machine} {number} {place:?}");
+                }
             }
         }
     }

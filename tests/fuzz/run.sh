@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Looks for bytes for which something does not hold, with libFuzzer and the stable compiler:
-#   tests/fuzz/run.sh TARGET SECONDS [OPTION OF LIBFUZZER ...]     wire, scene_file, hand_path or solver
+#   tests/fuzz/run.sh TARGET SECONDS [OPTION OF LIBFUZZER ...]     wire, scene_file, hand_path, solver or obstacles
 #   tests/fuzz/run.sh build                                        all targets
 # Inputs that go through new code are put into target/fuzz/found, those that fail into tests/fuzz/artifacts. The corpus is told
 # file by file, by name: the order in which a directory is read is another on each machine, and -seed=1 with it.

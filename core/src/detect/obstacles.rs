@@ -15,9 +15,10 @@ mod touching;
 pub(crate) use passing::Tip;
 pub(crate) use reached::{Among, Known, Reached, first_reached};
 
-/// Two contacts of one obstacle that are closer than this are one (L).
+/// Two contacts of one obstacle that are closer than this are one (L). It is more than how far one may be from the end of its side: a
+/// touch beyond it and a touch off its line.
 pub(crate) fn together<R: Real>() -> R {
-    R::MICRO
+    R::MICRO.max(R::TOUCH.doubled())
 }
 
 /// The index of the first side in line with that of a corner.

@@ -103,3 +103,20 @@ fn first_fall_is_found_in_f32() {
 fn first_fall_is_found_in_fixed_point() {
     first::<Fixed>();
 }
+
+/// What is zero everywhere is found at a place of the piece, and at none where zero is within its rounding.
+#[test]
+fn what_is_zero_everywhere_has_a_place() {
+    let zero = |rounding| Level {
+        value: 0.0_f32,
+        slope: 0.0,
+        rounding,
+    };
+    let found = first_fall((1.125, 1.125), |_| [Some(zero(0.0))]);
+    let Found::Zero { x, which: 0 } = found else {
+        panic!("{found:?}");
+    };
+    assert!((0.0..=1.125).contains(&x), "{x}");
+    let found = first_fall((1.125, 1.125), |_| [Some(zero(f32::EPSILON))]);
+    assert!(matches!(found, Found::Nothing { x: 1.125 }), "{found:?}");
+}

@@ -9,7 +9,7 @@ use crate::forces::{Contact, Wrench};
 
 /// The forces after a step; SI units, world frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Forces<'a> {
+pub struct Forces<'a, C: Item = Contact<f32>> {
     /// Force (N, world frame) and moment (N·m, about the holding point, counter-clockwise positive) of the hand's springs on the
     /// body: the bits of the solver.
     pub wrench: Wrench<f32>,
@@ -19,7 +19,7 @@ pub struct Forces<'a> {
     /// The whole turns of theta.
     pub turns: i32,
     /// The contacts, with their reactions (N); of a board at most [`MAX_CONTACTS`](crate::MAX_CONTACTS), 8.
-    pub contacts: List<'a, Contact<f32>>,
+    pub contacts: List<'a, C>,
 }
 
 /// What happened in a step.
@@ -33,10 +33,10 @@ pub struct Events<'a> {
     pub list: List<'a, Event>,
 }
 
-impl<'a> Forces<'a> {
+impl<'a, C: Item> Forces<'a, C> {
     const HEAD_BYTES: usize = 29;
     /// With as many contacts as a state has at most.
-    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * Contact::<f32>::BYTES;
+    pub(super) const LONGEST: usize = Self::HEAD_BYTES + MAX_CONTACTS * C::BYTES;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
         for wrench in [self.wrench, self.feedback] {
@@ -56,7 +56,7 @@ impl<'a> Forces<'a> {
         };
         let (on_body, feedback) = (wrench(fields), wrench(fields));
         let (turns, count) = (fields.i32(), usize::from(fields.u8()));
-        fields.exactly(count.saturating_mul(Contact::<f32>::BYTES))?;
+        fields.exactly(count.saturating_mul(C::BYTES))?;
         Ok(Self {
             wrench: on_body,
             feedback,

@@ -1,5 +1,6 @@
 //! What both directions have in common: a message has a type and a payload.
 
+use super::VERSION;
 use super::fault::FaultKind;
 use super::fields::{Fields, Sink};
 
@@ -10,6 +11,12 @@ impl<'a, T: Wire<'a>> Message<'a> for T {}
 
 /// To and from the bytes of a payload.
 pub trait Wire<'a>: Sized {
+    /// The newest version of the frames that are read.
+    const NEWEST: u8 = VERSION;
+    /// The version of its frame: the first one that can say it.
+    fn version(&self) -> u8 {
+        VERSION
+    }
     /// The type byte.
     fn code(&self) -> u8;
     /// The payload.

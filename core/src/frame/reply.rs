@@ -158,9 +158,21 @@ impl<'a> Reply<'a> {
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
+        self.write_about(subject_code, sink);
+    }
+
+    /// As [`Self::write`], of a board with room for obstacles.
+    pub(super) fn write_among(&self, sink: &mut impl Sink) {
+        self.write_about(
+            |subject| obstacle_code(subject).unwrap_or(subject_code(subject)),
+            sink,
+        );
+    }
+
+    fn write_about(&self, code: impl FnOnce(Subject) -> (u8, [usize; 2]), sink: &mut impl Sink) {
         self.command.write(sink);
         sink.code(&Reason::ALL, &self.reason);
-        let (code, [first, second]) = subject_code(self.subject);
+        let (code, [first, second]) = code(self.subject);
         sink.byte(code);
         sink.count(first);
         sink.count(second);
@@ -169,6 +181,21 @@ impl<'a> Reply<'a> {
     }
 
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        Self::read_about(fields, subject)
+    }
+
+    /// As [`Self::read`], of a board with room for obstacles.
+    pub(super) fn read_among(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
+        Self::read_about(fields, |about| match obstacle_subject(about) {
+            Some(parameter) => Ok(Subject::Scene(parameter)),
+            None => subject(about),
+        })
+    }
+
+    fn read_about(
+        fields: &mut Fields<'a>,
+        subject: impl FnOnce([u8; 3]) -> Result<Subject, FaultKind>,
+    ) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let command = Reference::read(fields);
         let reason = fields.code(&Reason::ALL)?;
@@ -205,7 +232,7 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
             Parameter::FrictionDynamic(i) => (13, [i, 0]),
             Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
             Parameter::Memory(i) => (15, [i, 0]),
-            // Of obstacles, which no command brings.
+            // Of obstacles, for which most boards have no room: see `obstacle_code`.
             _ => (0, [0; 2]),
         },
         Subject::TickRate => (32, [0; 2]),
@@ -240,4 +267,50 @@ fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
         _ => return Err(FaultKind::Value),
     };
     Ok(Subject::Scene(parameter))
+}
+
+/// The refusal is about an obstacle.
+pub(super) const fn is_of_obstacles(subject: Subject) -> bool {
+    obstacle_code(subject).is_some()
+}
+
+/// As [`subject_code`], of what an obstacle has.
+const fn obstacle_code(subject: Subject) -> Option<(u8, [usize; 2])> {
+    let Subject::Scene(parameter) = subject else {
+        return None;
+    };
+    Some(match parameter {
+        Parameter::ObstacleCount => (16, [0; 2]),
+        Parameter::CornerCount => (17, [0; 2]),
+        Parameter::Corners(i) => (18, [i, 0]),
+        Parameter::Corner { obstacle, corner } => (19, [obstacle, corner]),
+        Parameter::Side { obstacle, side } => (20, [obstacle, side]),
+        Parameter::ObstacleFrictionStatic(i) => (21, [i, 0]),
+        Parameter::ObstacleFrictionDynamic(i) => (22, [i, 0]),
+        Parameter::ObstacleMemory(i) => (23, [i, 0]),
+        Parameter::Overlap(i) => (24, [i, 0]),
+        _ => return None,
+    })
+}
+
+fn obstacle_subject([code, first, second]: [u8; 3]) -> Option<Parameter> {
+    let (obstacle, index) = (usize::from(first), usize::from(second));
+    Some(match code {
+        16 => Parameter::ObstacleCount,
+        17 => Parameter::CornerCount,
+        18 => Parameter::Corners(obstacle),
+        19 => Parameter::Corner {
+            obstacle,
+            corner: index,
+        },
+        20 => Parameter::Side {
+            obstacle,
+            side: index,
+        },
+        21 => Parameter::ObstacleFrictionStatic(obstacle),
+        22 => Parameter::ObstacleFrictionDynamic(obstacle),
+        23 => Parameter::ObstacleMemory(obstacle),
+        24 => Parameter::Overlap(obstacle),
+        _ => return None,
+    })
 }

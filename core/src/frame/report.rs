@@ -9,6 +9,7 @@ use super::info::Info;
 use super::message::Wire;
 use super::pose::Pose;
 use super::reply::Reply;
+use crate::forces::Contact;
 
 /// A message from the board. Poses, forces and events of one step carry the same time.
 ///
@@ -62,7 +63,7 @@ pub struct Pong {
 pub const LONGEST_REPORT: usize = {
     let others = [
         Reply::LONGEST,
-        Forces::LONGEST,
+        Forces::<Contact<f32>>::LONGEST,
         Events::LONGEST,
         Health::BYTES,
     ];
@@ -81,7 +82,7 @@ pub const LONGEST_REPORT: usize = {
 const POSE: u8 = 0x80;
 const FORCES: u8 = 0x90;
 const EVENTS: u8 = 0x91;
-const REPLY: u8 = 0x92;
+pub(super) const REPLY: u8 = 0x92;
 const INFO: u8 = 0x93;
 const HEALTH: u8 = 0x94;
 const PONG: u8 = 0x95;

@@ -6,7 +6,7 @@ use super::list::{Item, List};
 use crate::scene::{Description, Parameter, SceneError, SurfaceDescription};
 
 /// Bytes before the vertices.
-const HEAD_BYTES: usize = 39;
+pub(super) const HEAD_BYTES: usize = 39;
 
 /// The payload of a scene of so many vertices and surfaces, in bytes.
 pub const fn scene_bytes(vertices: usize, surfaces: usize) -> usize {
@@ -86,19 +86,27 @@ impl<'a> SceneCommand<'a> {
         vertices: &'b mut [[f32; 2]],
         surfaces: &'b mut [SurfaceDescription<f32>],
     ) -> Result<Description<'b, f32>, SceneError<f32>> {
+        let vertex_count = (self.vertices.len(), Parameter::VertexCount);
+        let surface_count = (self.surfaces.len(), Parameter::SurfaceCount);
         Ok(Description {
-            vertices: copied(&self.vertices, vertices, Parameter::VertexCount)?,
+            vertices: copied(self.vertices.iter(), vertex_count, vertices)?,
             start: self.start,
             weight: self.weight,
             holding_point: self.holding_point,
             reach: self.reach,
             stiffness_translation: self.stiffness_translation,
             stiffness_rotation: self.stiffness_rotation,
-            surfaces: copied(&self.surfaces, surfaces, Parameter::SurfaceCount)?,
+            surfaces: copied(self.surfaces.iter(), surface_count, surfaces)?,
         })
     }
 
     pub(super) fn write(&self, sink: &mut impl Sink) {
+        self.write_head(sink);
+        self.write_lists(sink);
+    }
+
+    /// All but the lists, with their lengths.
+    pub(super) fn write_head(&self, sink: &mut impl Sink) {
         sink.count(self.vertices.len());
         sink.count(self.surfaces.len());
         sink.byte(u8::from(self.holding_point.is_some()));
@@ -110,6 +118,9 @@ impl<'a> SceneCommand<'a> {
             self.stiffness_translation,
             self.stiffness_rotation,
         ]);
+    }
+
+    pub(super) fn write_lists(&self, sink: &mut impl Sink) {
         self.vertices.write(sink);
         self.surfaces.write(sink);
     }
@@ -117,32 +128,52 @@ impl<'a> SceneCommand<'a> {
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(HEAD_BYTES)?;
         let whole = *fields;
-        let [vertices, surfaces] = fields.take().map(usize::from);
+        let counts = fields.take().map(usize::from);
+        let [vertices, surfaces] = counts;
         whole.exactly(scene_bytes(vertices, surfaces))?;
+        Self::take_head(fields)?.take_lists(fields, counts)
+    }
+
+    /// What comes after the lengths of the lists, without these.
+    #[inline(always)]
+    pub(super) fn take_head(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         let given = fields.flag()?;
         let (start, weight) = (fields.f32s(), fields.f32());
         let holding_point = fields.f32s();
         let [reach, stiffness_translation, stiffness_rotation] = fields.f32s();
         Ok(Self {
-            vertices: List::take(fields, vertices)?,
+            vertices: List::from(&[]),
             start,
             weight,
             holding_point: given.then_some(holding_point),
             reach,
             stiffness_translation,
             stiffness_rotation,
+            surfaces: List::from(&[]),
+        })
+    }
+
+    /// With so many vertices and surfaces, which come next.
+    #[inline(always)]
+    pub(super) fn take_lists(
+        self,
+        fields: &mut Fields<'a>,
+        [vertices, surfaces]: [usize; 2],
+    ) -> Result<Self, FaultKind> {
+        Ok(Self {
+            vertices: List::take(fields, vertices)?,
             surfaces: List::take(fields, surfaces)?,
+            ..self
         })
     }
 }
 
-/// The items of a list, copied.
-fn copied<'b, T: Item>(
-    list: &List<'_, T>,
-    places: &'b mut [T],
-    parameter: Parameter,
-) -> Result<&'b [T], SceneError<f32>> {
-    let count = list.len();
+/// The items of a list of so many, copied.
+pub(super) fn copied<T>(
+    items: impl Iterator<Item = T>,
+    (count, parameter): (usize, Parameter),
+    places: &mut [T],
+) -> Result<&[T], SceneError<f32>> {
     let Some(places) = places.get_mut(..count) else {
         return Err(SceneError {
             parameter,
@@ -150,7 +181,7 @@ fn copied<'b, T: Item>(
             allowed: "at most the capacity of the board",
         });
     };
-    for (place, item) in places.iter_mut().zip(list.iter()) {
+    for (place, item) in places.iter_mut().zip(items) {
         *place = item;
     }
     Ok(places)

@@ -175,11 +175,26 @@ impl<R: Real> Corner<R> {
         FixedPose::new(scene, &self.pivot, (&self.contacts(), self.stiction))
     }
 
-    /// Surfaces press harder than the load pulls by at most 1 over the sine of their angle.
-    pub(crate) fn is_jammed(&self, scene: &impl World<R>, grip: &Grip<R>, work: &mut Work) -> bool {
-        let [first, second] =
-            [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
-        let narrow = first.cross(second).abs() * R::limit();
+    /// Surfaces press harder than the load pulls by at most 1 over the sine of the angle of an edge of one cone and one of the other. Of
+    /// half-planes alone it is taken to be that of the normals.
+    pub(crate) fn is_jammed<W: World<R>>(
+        &self,
+        scene: &W,
+        grip: &Grip<R>,
+        work: &mut Work,
+    ) -> bool {
+        let sine = if W::CORNERS {
+            let [a, b, c, d] = self.cone_edges(scene).map(|(_, edge)| edge);
+            let pairs = [(a, c), (a, d), (b, c), (b, d)];
+            (pairs.into_iter()).fold(R::ONE, |least, (one, other)| {
+                least.min(one.cross(other).abs())
+            })
+        } else {
+            let [first, second] =
+                [self.pivot.contact.surface, self.surface].map(|s| scene.surface(s).normal);
+            first.cross(second).abs()
+        };
+        let narrow = sine * R::limit();
         let size = self.pivot.load(scene, grip).force.length_bound();
         let may_jam = narrow < size;
         if !may_jam {

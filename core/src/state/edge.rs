@@ -233,7 +233,7 @@ impl<R: Real> Edge<R> {
             }
         }
         self.pivot
-            .slide(scene, &from.lerp(to, segment.part()), &edge);
+            .slide_on_side(scene, &from.lerp(to, segment.part()), &edge);
         segment.moved()
     }
 

@@ -8,6 +8,7 @@ use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
+use crate::contact::Pair;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
 use crate::falls::{Level, first_fall};
 use crate::friction::SlidingEdge;
@@ -60,6 +61,8 @@ struct CornerSlide<'a, R, W> {
     sign: R,
     /// The direction in which it begins: turn and part, of length 1.
     ahead: (R, R),
+    /// How the moment falls there across that direction.
+    steepness: R,
 }
 
 /// A place of it.
@@ -98,17 +101,25 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         }
     }
 
+    /// How the moment falls across the direction ahead: as steeply as can be in the beginning, not at all where the curve has turned by a
+    /// right angle.
+    fn falls(&self, spot: &Spot<R>) -> R {
+        let (a, b) = self.ahead;
+        spot.rates.stability * b + spot.rates.drive * a
+    }
+
     /// At a place of the curve: as far ahead, and in balance.
     fn along(&self, x: R) -> Spot<R> {
         let (a, b) = self.ahead;
         let mut aside = R::ZERO;
         let mut spot = self.at((a * x, b * x));
         for _ in 0..MAX_CORRECTIONS {
-            let falls = spot.rates.stability * b + spot.rates.drive * a;
-            if falls.abs() <= R::EPSILON {
+            let falls = self.falls(&spot);
+            if falls <= R::EPSILON {
                 break;
             }
-            let step = spot.rates.moment / falls;
+            // The curve is no farther aside than ahead.
+            let step = (spot.rates.moment / falls).max(-x).min(x);
             aside = aside - step;
             spot = self.at((a * x - b * aside, b * x + a * aside));
             if step.abs() <= R::EPSILON {
@@ -116,7 +127,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             }
         }
         let rates = &spot.rates;
-        let falls = rates.stability * b + rates.drive * a;
+        let falls = self.falls(&spot).max(R::EPSILON);
         let aside_rate = (rates.stability * a - rates.drive * b) / falls;
         spot.turn_rate = a - b * aside_rate;
         spot.part_rate = b + a * aside_rate;
@@ -150,10 +161,10 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
         let coulomb = self.scene.surface(contact.surface).friction;
         let slack = SingleVertex::<R>::slack(&displacement);
         let advances = along(self.sign, spot.foot_rate) + slack * spot.part_rate.abs();
-        let steady = |value: R, rounding: R| Level {
+        let steady = |value: R| Level {
             value,
             slope: R::ZERO,
-            rounding,
+            rounding: R::EPSILON,
         };
         let loosens = Sloped {
             value: coulomb.threshold() - bears.normal.value,
@@ -163,14 +174,48 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             Some(Level::new(bears.normal, rounding)),
             Some(room_ahead(self.scene, &body, (contact, self.sign))),
             (coulomb.threshold() < R::HUGE).then(|| Level::new(loosens, rounding)),
-            Some(steady(advances, R::ZERO)),
-            Some(steady(spot.part_rate, R::ZERO)),
+            Some(steady(advances)),
+            Some(steady(spot.part_rate)),
             Some(Level {
                 value: R::ONE - spot.part,
                 slope: -spot.part_rate,
                 rounding: R::EPSILON,
             }),
         ]
+    }
+
+    /// A place of the curve is in balance, to what a search finds, and the curve has turned by less than 60 degrees.
+    fn finds(&self, x: R) -> bool {
+        let (from, to) = self.path;
+        let spot = self.along(x);
+        let load = spot.pivot.load(self.scene, &from.lerp(to, spot.part));
+        spot.rates.moment.abs() <= SingleVertex::found_to(&load)
+            && self.falls(&spot).doubled() > self.steepness
+    }
+
+    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther.
+    fn piece(&self, contacts: &[Pair], end: R) -> (R, Trigger<R>, bool) {
+        let found = first_fall((end, end), |x| self.ends(&self.along(x)));
+        let (x, which, unsure) = match found {
+            Found::Nothing { .. } => (end, None, false),
+            Found::Zero { x, which } => (x, Some(which), false),
+            Found::Unsure { x, which } => (x, Some(which), true),
+        };
+        let sign = self.sign;
+        let trigger = match which {
+            None => Trigger::GoesOn,
+            Some(0) => Trigger::Clear,
+            Some(1) => Trigger::Off { contact: 0, sign },
+            Some(2) => Trigger::Pressed,
+            Some(3) => Trigger::Halts,
+            Some(4) => Trigger::Fold(sign),
+            Some(_) => Trigger::Balanced,
+        };
+        let at = |x: R| self.instant(&self.along(x));
+        match first_reached(self.scene, (Known::of(contacts), Among::All), x, &at) {
+            Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
+            None => (x, trigger, unsure),
+        }
     }
 }
 
@@ -298,6 +343,7 @@ impl<R: Real> SingleVertex<R> {
             path,
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let displacement = path.0.displacement_to(path.1);
         let (before, mut spot) = (slide.at((R::ZERO, R::ZERO)), slide.at((R::ZERO, R::ONE)));
@@ -380,6 +426,7 @@ impl<R: Real> SingleVertex<R> {
             path,
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let start = slide.at((R::ZERO, R::ZERO));
         let SlideRates {
@@ -393,7 +440,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let size = stability.hypot(drive);
         let (turn, part) = (drive / size, stability / size);
-        slide.ahead = (turn, part);
+        (slide.ahead, slide.steepness) = ((turn, part), size);
         // A turn of an eighth at most, and beyond the end of the displacement.
         let eighth = R::HALF.halved().halved();
         let mut end = (R::ONE + eighth) / part.max(R::MICRO);
@@ -401,36 +448,20 @@ impl<R: Real> SingleVertex<R> {
             end = eighth / turn.abs();
         }
         // Not so far that its places are not found any more.
+        let contacts = self.contacts();
+        let mut piece = None;
         for _ in 0..MAX_HALVINGS {
-            let spot = slide.along(end);
-            let load = spot.pivot.load(scene, &path.0.lerp(path.1, spot.part));
-            if spot.rates.moment.abs() <= Self::found_to(&load) {
+            if slide.finds(end) {
+                let found = slide.piece(&contacts, end);
+                end = found.0;
+                piece = Some(found).filter(|_| slide.finds(end));
+            }
+            if piece.is_some() {
                 break;
             }
             end = end.halved();
         }
-        let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
-        let (mut x, which, mut unsure) = match found {
-            Found::Nothing { .. } => (end, None, false),
-            Found::Zero { x, which } => (x, Some(which), false),
-            Found::Unsure { x, which } => (x, Some(which), true),
-        };
-        let mut trigger = match which {
-            None => Trigger::GoesOn,
-            Some(0) => Trigger::Clear,
-            Some(1) => Trigger::Off { contact: 0, sign },
-            Some(2) => Trigger::Pressed,
-            Some(3) => Trigger::Halts,
-            Some(4) => Trigger::Fold(sign),
-            Some(_) => Trigger::Balanced,
-        };
-        let at = |x: R| slide.instant(&slide.along(x));
-        if let Some(reached) =
-            first_reached(scene, (Known::of(&self.contacts()), Among::All), x, &at)
-        {
-            Reached { x, unsure, .. } = reached;
-            trigger = Trigger::Touch(reached.contact);
-        }
+        let (x, trigger, unsure) = piece.unwrap_or_else(|| slide.piece(&contacts, end));
         let spot = slide.along(x);
         self.pivot = spot.pivot;
         let arrives = trigger == Trigger::Balanced && !unsure;
@@ -462,6 +493,7 @@ impl<R: Real> SingleVertex<R> {
             path: (grip, grip),
             sign,
             ahead: (R::ZERO, R::ONE),
+            steepness: R::ZERO,
         };
         let mut turn = R::ZERO;
         let mut spot = slide.at((turn, R::ZERO));

@@ -392,7 +392,16 @@ impl<R: Real> SingleVertex<R> {
         // Of a body that swings round at the first pull a search sees nothing but rounding, and may end it anywhere.
         let off = Self::found_to(&load);
         let drives = |sign| (surface.friction).is_driven(normal, friction, sign, off);
-        let unbalanced = !self.is_balanced(&load) || drives(sign) || drives(-sign);
+        let is_balanced = self.is_balanced(&load);
+        let unbalanced = !is_balanced || drives(sign) || drives(-sign);
+        if W::CORNERS && !is_balanced && matches!(moved.trigger, Trigger::Fold(_)) {
+            // No branch of balance ends here: it turns as its moment is.
+            return Moved {
+                unbalanced,
+                trigger: Trigger::Stopped,
+                ..moved
+            };
+        }
         if moved.trigger == Trigger::Stopped && !moved.unsure && !unbalanced {
             self.end_slip(scene, grip, sign);
         }

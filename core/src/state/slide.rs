@@ -150,8 +150,8 @@ impl<R: Real> SingleVertex<R> {
         let moved = segment.moved();
         self.pivot = self.pivot.moved(R::ZERO, segment.turn());
         if moved.unsure || moved.trigger != Trigger::Balanced {
-            self.pivot.slide(scene, &from.lerp(to, moved.part), &edge);
-            self.pivot.stay_on_side(scene);
+            self.pivot
+                .slide_on_side(scene, &from.lerp(to, moved.part), &edge);
         } else if !self.rest(scene, to, &edge) && W::GLIDES {
             // Next to where a balance forks the number type's digits do not tell the way: on from there with the hand frozen.
             let down = self.glide_down(scene, to);

@@ -194,7 +194,7 @@ impl<R: Real> SingleVertex<R> {
             let turn = self.swing(scene, to, sign).gap().polish();
             self.pivot = self.pivot.moved(R::ZERO, turn);
         }
-        self.pivot.slide(scene, &at, &swing.edge);
+        self.pivot.slide_on_side(scene, &at, &swing.edge);
         moved
     }
 

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
 
 fn main() -> ExitCode {
     let board = BoardBuild {
@@ -13,6 +13,11 @@ fn main() -> ExitCode {
             surfaces: 2,
             friction: true,
             weight: true,
+            // Of the feature `obstacles`: see firmware/README.md.
+            obstacles: ObstacleRoom {
+                count: 4,
+                corners: 16,
+            },
         },
         memory: "nrf51822.x",
     };

@@ -2,9 +2,10 @@
 #![no_std]
 #![no_main]
 
+use stiction_core::Full;
 use stiction_firmware::board::{self, entry};
 
 #[entry]
 fn main() -> ! {
-    board::print_bits::<f32>()
+    board::print_bits::<f32, Full>()
 }

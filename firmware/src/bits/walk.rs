@@ -1,18 +1,15 @@
 //! A random walk of the hand, made of whole numbers, so that every machine has the same one: straight legs between random
-//! poses around a corner of floor and wall, pushing the body of the benchmarks into all contact states.
+//! poses around a corner of floor and wall, or among obstacles, pushing the body of the benchmarks into all contact states.
 
+use super::place::Place;
 use stiction_core::{
-    Angle, Contacts, Description, Evolution, Hand, Output, Real, Scene, SiFloat, Solver, State,
-    SurfaceDescription, Wrench,
+    Angle, Contacts, Evolution, Hand, Output, Real, SiFloat, Solver, State, Touches, Wrench,
 };
 
 /// A whole number of the walk is so much of a metre or radian.
 const UNITS_PER_ONE: i32 = 1 << 14;
 /// Where the hand goes (m, m, rad): the middle and how far from it.
 const REACH: [[f64; 2]; 3] = [[0.0, 0.17], [0.05, 0.06], [0.0, 2.0]];
-/// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
-const WALL: ([f64; 2], f64) = ([-0.8, 0.6], -0.096);
-
 /// The hand's samples; they never end.
 #[derive(Clone, Debug)]
 pub struct Walk {
@@ -100,30 +97,6 @@ fn in_units(value: f64) -> i32 {
     (value * f64::from(UNITS_PER_ONE)) as i32
 }
 
-/// The box of the benchmarks, with a weight, over a floor, before a wall.
-fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
-    let narrow = R::Si::narrow;
-    let surface = |normal: [f64; 2], offset: f64| SurfaceDescription {
-        normal: normal.map(narrow),
-        offset: narrow(offset),
-        friction_static: narrow(0.5),
-        friction_dynamic: narrow(0.3),
-        memory: None,
-    };
-    let vertices = [[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]];
-    let description = Description {
-        vertices: &vertices.map(|vertex| vertex.map(narrow)),
-        start: [-0.03, 0.08, 0.0].map(narrow),
-        weight: narrow(1.0),
-        holding_point: Some([0.0, 0.02].map(narrow)),
-        reach: narrow(0.0),
-        stiffness_translation: narrow(500.0),
-        stiffness_rotation: narrow(0.5),
-        surfaces: &[surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)],
-    };
-    Scene::new(&description).ok()
-}
-
 /// All that the solver says of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer<F> {
@@ -133,15 +106,17 @@ pub struct Answer<F> {
     pub wrench: Wrench<F>,
     /// The contacts with their forces.
     pub contacts: Contacts<F>,
+    /// What touches what among obstacles.
+    pub touches: Option<Touches<F>>,
 }
 
 /// Takes the body along the walk, for so many frames and at least one, and shows every answer.
-pub fn follow<R: Real<Si: SiFloat>>(
+pub fn follow<R: Real<Si: SiFloat>, M: Place>(
     evolution: Evolution,
     frames: u32,
     mut seen: impl FnMut(&Answer<R::Si>),
 ) {
-    let Some(scene) = scene::<R>() else { return };
+    let Some(scene) = M::scene::<R>() else { return };
     let solver = Solver::new(scene, evolution);
     let mut walk = Walk::new();
     let mut see = |state: &State<R>, output| {
@@ -149,6 +124,7 @@ pub fn follow<R: Real<Si: SiFloat>>(
             output,
             wrench: solver.wrench(state),
             contacts: solver.contacts(state),
+            touches: M::touches(&solver, state),
         });
     };
     let (mut state, output) = solver.start(walk.sample());

@@ -5,15 +5,17 @@
 use super::controller::{Controller, Hold, Run, is_held_last, solver, turned};
 use super::refusal::Refusal;
 use super::settings::Settings;
+use super::store::Described;
+use crate::model::BoardModel;
 use crate::safety::Limits;
 use stiction_core::frame::Parameters;
-use stiction_core::{Description, Evolution, Hand, Model, Output, Real, Solver, State, Wrench};
+use stiction_core::{Description, Evolution, Hand, Output, Real, Solver, State, Wrench};
 
 /// How far the place of a hold is off by rounding, in parts of the body size.
 const ROUNDING: f32 = 1e-4;
 
 /// A solver and a state of its own: the length unit of a point depends on its holding point, so that no other solver will do.
-struct Settled<R: Real, const V: usize, const S: usize, M: Model> {
+struct Settled<R: Real, const V: usize, const S: usize, M: BoardModel> {
     solver: Solver<R, V, S, M>,
     state: State<R>,
     /// The answer of the settling.
@@ -30,8 +32,8 @@ pub enum Placement {
     Present,
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, V, S, M> {
-    /// New stiffnesses, and the friction and memory length of every surface. The answer is that of the settling, if there was a body to settle.
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controller<R, V, S, M> {
+    /// New stiffnesses, and the friction and memory length of every surface and obstacle. The answer is that of the settling, if there was a body to settle.
     ///
     /// # Errors
     /// [`Refusal`]; then nothing has changed.
@@ -44,7 +46,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
             surface.friction_dynamic = new.friction_dynamic;
             surface.memory = new.memory;
         }
-        self.set_scene(&store.description(), Placement::Present)
+        M::set_friction(&mut store.obstacles, new);
+        store.with_given(|given| self.set(given, Placement::Present))
     }
 
     /// A new scene, within the capacities V and S.
@@ -56,7 +59,32 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         description: &Description<'_, f32>,
         placement: Placement,
     ) -> Result<Option<Output<f32>>, Refusal> {
-        let mut next = Run::new(description, &self.settings)?;
+        self.set_scene_among(description, M::NO_OBSTACLES, placement)
+    }
+
+    /// As [`Self::set_scene`], with the obstacles that the model may have.
+    ///
+    /// # Errors
+    /// As [`Self::set_scene`].
+    pub fn set_scene_among(
+        &mut self,
+        description: &Description<'_, f32>,
+        obstacles: M::Surroundings<'_>,
+        placement: Placement,
+    ) -> Result<Option<Output<f32>>, Refusal> {
+        let given = Described {
+            description,
+            obstacles,
+        };
+        self.set(given, placement)
+    }
+
+    fn set(
+        &mut self,
+        given: Described<'_, '_, M>,
+        placement: Placement,
+    ) -> Result<Option<Output<f32>>, Refusal> {
+        let mut next = Run::new(given, &self.settings)?;
         if placement == Placement::Start {
             self.run = next;
             self.reset();
@@ -66,7 +94,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
             self.run = next;
             return Ok(None);
         };
-        let settled = self.run.settled(state, description, &self.settings)?;
+        let settled = self.run.settled(state, given, &self.settings)?;
         next.state = Some(settled.state);
         next.hold = self.run.hold;
         // The solver counts turns from those that the body has now.
@@ -101,14 +129,15 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
     }
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
     /// The body where it is, without whole turns, in another scene, and settled there. A holding point is for the first hold only.
     fn settled(
         &self,
         state: &State<R>,
-        description: &Description<'_, f32>,
+        given: Described<'_, '_, M>,
         settings: &Settings,
     ) -> Result<Settled<R, V, S, M>, Refusal> {
+        let description = given.description;
         let angle = self.pose.angle;
         let [x, y] = self.pose.position;
         let relative = angle.turns.saturating_sub(self.turns);
@@ -122,9 +151,13 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
             (true, Hold::Given) => self.store.holding_point,
             (true, Hold::Taken) | (false, _) => None,
         };
-        let solver = solver::<R, V, S, M>(&there, settings)?;
+        let given = Described {
+            description: &there,
+            obstacles: given.obstacles,
+        };
+        let solver = solver::<R, V, S, M>(given, settings)?;
         let (state, output) = if self.pose.held && self.hold == Hold::Taken {
-            self.taken_on(state, hand, there, settings)?
+            self.taken_on(state, hand, given, settings)?
         } else {
             solver.start(hand)
         };
@@ -146,7 +179,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
         &self,
         state: &State<R>,
         hand: Hand<f32>,
-        mut there: Description<'_, f32>,
+        given: Described<'_, '_, M>,
         settings: &Settings,
     ) -> Result<(State<R>, Output<f32>), Refusal> {
         let Wrench { force, moment } = self.solver.wrench(state);
@@ -162,12 +195,17 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M
             angle: hand.angle.plus(-turn),
             ..hand
         };
+        let mut there = *given.description;
         let reach = there.reach;
         let coordinates = there.vertices.iter().flatten();
         let size = coordinates.fold(0.0, |size, &x| Real::max(size, Real::abs(x)));
         // The point was within reach; its rounding must not put it outside.
         there.reach = reach + ROUNDING * size;
-        let solver = solver::<R, V, S, M>(&there, settings)?.with_evolution(Evolution::Frame);
+        let given = Described {
+            description: &there,
+            obstacles: given.obstacles,
+        };
+        let solver = solver::<R, V, S, M>(given, settings)?.with_evolution(Evolution::Frame);
         let (mut state, taken) = solver.start(idle);
         if !taken.held {
             return Err(Refusal::OutOfReach);

@@ -3,11 +3,11 @@
 use super::ports::Sample;
 use super::refusal::Refusal;
 use super::settings::Settings;
-use super::store::Store;
+use super::store::{Described, Store};
+use crate::model::BoardModel;
 use crate::safety::{Arrival, Flags, Given, Governor, Health, Line, Ticks};
 use stiction_core::{
-    Angle, Description, Event, Full, Hand, Model, Output, Real, Scene, Solver, State, StateKind,
-    Status, Wrench,
+    Angle, Description, Event, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
 };
 
 /// Where the body is.
@@ -63,8 +63,8 @@ pub(super) enum Hold {
 
 /// A run: the solver, its state once there is one, and what has become of the body.
 #[derive(Clone, Debug)]
-pub(super) struct Run<R: Real, const V: usize, const S: usize, M: Model> {
-    pub(super) store: Store<V, S>,
+pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
+    pub(super) store: Store<V, S, M>,
     pub(super) solver: Solver<R, V, S, M>,
     pub(super) state: Option<State<R>>,
     pub(super) hold: Hold,
@@ -77,7 +77,7 @@ pub(super) struct Run<R: Real, const V: usize, const S: usize, M: Model> {
 
 /// The solver of a device with its safety: plain data, no hardware. V, S and M are those of the scene.
 #[derive(Clone, Debug)]
-pub struct Controller<R: Real, const V: usize, const S: usize, M: Model = Full> {
+pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = Full> {
     pub(super) settings: Settings,
     pub(super) run: Run<R, V, S, M>,
     /// The force that the statics wants on the hand.
@@ -89,11 +89,11 @@ pub struct Controller<R: Real, const V: usize, const S: usize, M: Model = Full> 
     health: Health,
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Run<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Run<R, V, S, M> {
     /// The body of a scene at its start.
-    pub(super) fn new(d: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
-        let solver = solver(d, settings)?;
-        let store = Store::new(d).ok_or(Refusal::Unsettled(Status::Saturated))?;
+    pub(super) fn new(given: Described<'_, '_, M>, settings: &Settings) -> Result<Self, Refusal> {
+        let solver = solver(given, settings)?;
+        let store = Store::new(given).ok_or(Refusal::Unsettled(Status::Saturated))?;
         let (_, output) = solver.start(NO_HAND);
         Ok(Self {
             store,
@@ -155,12 +155,12 @@ pub(crate) const NO_HAND: Hand<f32> = Hand {
 };
 
 /// The solver of a scene.
-pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: Model>(
-    description: &Description<'_, f32>,
+pub(super) fn solver<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel>(
+    given: Described<'_, '_, M>,
     settings: &Settings,
 ) -> Result<Solver<R, V, S, M>, Refusal> {
-    let scene = Scene::new(description)?;
-    settings.admit(description)?;
+    let scene = M::scene(given.description, given.obstacles)?;
+    settings.admit(given.description)?;
     Ok(settings.apply(Solver::new(scene, settings.evolution)))
 }
 
@@ -176,17 +176,33 @@ pub(super) fn is_held_last(status: Status) -> bool {
     matches!(status, Status::Saturated | Status::HeldLast)
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controller<R, V, S, M> {
     /// A device with a scene. The body starts with the first sample, at its start pose.
     ///
     /// # Errors
     /// [`Refusal`] says what cannot be used, and what is allowed.
     pub fn new(description: &Description<'_, f32>, settings: &Settings) -> Result<Self, Refusal> {
+        Self::among(description, M::NO_OBSTACLES, settings)
+    }
+
+    /// As [`Self::new`], with the obstacles that the model may have: a slice of their descriptions.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn among(
+        description: &Description<'_, f32>,
+        obstacles: M::Surroundings<'_>,
+        settings: &Settings,
+    ) -> Result<Self, Refusal> {
+        let given = Described {
+            description,
+            obstacles,
+        };
         settings.check()?;
         let limits = &settings.limits;
         Ok(Self {
             settings: *settings,
-            run: Run::new(description, settings)?,
+            run: Run::new(given, settings)?,
             wanted: Wrench::default(),
             held_last: false,
             governor: Governor::new(limits),
@@ -293,6 +309,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
         self.run.store.description()
     }
 
+    /// Its obstacles, as they are kept.
+    pub(crate) fn obstacles(&self) -> &M::Kept {
+        &self.run.store.obstacles
+    }
+
     /// The solver of the scene.
     pub fn solver(&self) -> &Solver<R, V, S, M> {
         &self.run.solver
@@ -305,9 +326,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Controller<R, 
 
     /// Everything from the start again: the body at the start pose of its scene, zero force at once. Counters go on.
     pub fn reset(&mut self) {
-        let d = self.run.store.description();
+        let store = &self.run.store;
         // Checked when it was taken.
-        if let Ok(run) = Run::new(&d, &self.settings) {
+        if let Ok(run) = store.with_given(|given| Run::new(given, &self.settings)) {
             self.run = run;
         }
         self.wanted = Wrench::default();

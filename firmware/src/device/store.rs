@@ -1,11 +1,28 @@
-//! The scene as it was given: what [`stiction_core::Scene`] was made of, kept so that it can be changed.
+//! The scene as it is given, and kept so that it can be changed: what [`stiction_core::Scene`] is made of.
 
 use heapless::Vec;
 use stiction_core::{Description, SurfaceDescription};
 
+use crate::model::BoardModel;
+
+/// A scene as it is given, SI units.
+#[derive(Debug)]
+pub(super) struct Described<'d, 'o, M: BoardModel> {
+    pub(super) description: &'d Description<'d, f32>,
+    pub(super) obstacles: M::Surroundings<'o>,
+}
+
+impl<M: BoardModel> Clone for Described<'_, '_, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: BoardModel> Copy for Described<'_, '_, M> {}
+
 /// A scene with room for V vertices and S surfaces, SI units.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Store<const V: usize, const S: usize> {
+pub(super) struct Store<const V: usize, const S: usize, M: BoardModel> {
     vertices: Vec<[f32; 2], V>,
     pub(super) surfaces: Vec<SurfaceDescription<f32>, S>,
     pub(super) start: [f32; 3],
@@ -14,12 +31,13 @@ pub(super) struct Store<const V: usize, const S: usize> {
     pub(super) reach: f32,
     pub(super) stiffness_translation: f32,
     pub(super) stiffness_rotation: f32,
+    pub(super) obstacles: M::Kept,
 }
 
-impl<const V: usize, const S: usize> Store<V, S> {
-    /// Keeps a description; `None` where it has more vertices or surfaces than there is room for.
-    pub(super) fn new(description: &Description<'_, f32>) -> Option<Self> {
-        let d = description;
+impl<const V: usize, const S: usize, M: BoardModel> Store<V, S, M> {
+    /// Keeps a scene; `None` where it has more than there is room for.
+    pub(super) fn new(given: Described<'_, '_, M>) -> Option<Self> {
+        let d = given.description;
         Some(Self {
             vertices: Vec::from_slice(d.vertices).ok()?,
             surfaces: Vec::from_slice(d.surfaces).ok()?,
@@ -29,6 +47,18 @@ impl<const V: usize, const S: usize> Store<V, S> {
             reach: d.reach,
             stiffness_translation: d.stiffness_translation,
             stiffness_rotation: d.stiffness_rotation,
+            obstacles: M::keep(given.obstacles)?,
+        })
+    }
+
+    /// Shows what is kept as it was given.
+    pub(super) fn with_given<T>(&self, look: impl FnOnce(Described<'_, '_, M>) -> T) -> T {
+        let description = &self.description();
+        M::with_kept(&self.obstacles, |obstacles| {
+            look(Described {
+                description,
+                obstacles,
+            })
         })
     }
 

@@ -4,10 +4,12 @@ use super::intake::Intake;
 use super::refusal::Trouble;
 use super::{Desk, Link, Told};
 use crate::device::{Controller, Placement};
+use crate::model::BoardModel;
 use stiction_core::frame::{
-    Command, Frame, Mode, Parameters, Pong, Reason, Reply, Report, Reset, SceneCommand,
+    Command, Frame, Mode, Parameters, Pong, Reason, Reference, Reply, Report, Reset, SceneAmong,
+    SceneCommand,
 };
-use stiction_core::{Model, Output, Real, SurfaceDescription};
+use stiction_core::{Output, Real, SurfaceDescription};
 
 /// What comes after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +30,13 @@ const NOWHERE: SurfaceDescription<f32> = SurfaceDescription {
     memory: None,
 };
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
+/// After a lasting fault nothing is done.
+const STOPPED: Trouble = Trouble::whole(
+    Reason::NotNow,
+    "hello, ping, and reset of everything: the board is stopped by a fault",
+);
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
     /// A command came that is no sample.
     #[inline(never)]
     pub(super) fn command(
@@ -39,6 +47,9 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
     ) -> Next {
         match frame.message {
             Command::Hello => {
+                if let Some(room) = M::room_report() {
+                    self.outbox.send(now_us, room, link);
+                }
                 self.tell_info(self.longest_frame, now_us, link);
                 return Next::Enough;
             }
@@ -47,7 +58,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
                     sequence: frame.sequence,
                     time: frame.time,
                 };
-                self.outbox.send(now_us, Report::Pong(pong), link);
+                self.say(now_us, Report::Pong(pong), link);
                 return Next::Enough;
             }
             _ => {}
@@ -57,7 +68,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             Ok(settled) => (Reply::done(command), settled),
             Err(trouble) => (trouble.reply(command), None),
         };
-        self.outbox.send(now_us, Report::Reply(reply), link);
+        self.say(now_us, Report::Reply(reply), link);
         if let Some(output) = settled {
             self.happened(&output, now_us, link);
         }
@@ -65,6 +76,26 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             Command::Reset(Reset::Everything) => Next::Anew,
             _ => Next::Enough,
         }
+    }
+
+    /// A scene among obstacles came, to a board with room for some.
+    #[inline(never)]
+    pub(super) fn scene_among(
+        &mut self,
+        (scene, command): (&SceneAmong<'_>, Reference),
+        now_us: u32,
+        link: &mut impl Link,
+    ) -> Next {
+        let done = match self.latched {
+            true => Err(STOPPED),
+            false => self.set_among(scene),
+        };
+        let reply = match done {
+            Ok(()) => Reply::done(command),
+            Err(trouble) => trouble.reply(command),
+        };
+        self.say(now_us, Report::Reply(reply), link);
+        Next::Enough
     }
 
     /// A sample came to a board that measures the hand itself (FRAME 4.8): told once to a client that said hello.
@@ -79,15 +110,14 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         }
         let allowed = "no samples: the board measures the hand itself";
         let reply = Trouble::whole(Reason::Unsupported, allowed).reply(frame.reference());
-        self.intake.refused = self.outbox.send(now_us, Report::Reply(reply), link);
+        self.intake.refused = self.say(now_us, Report::Reply(reply), link);
         Next::Enough
     }
 
     /// Carries a command out. What the body did with it, if there was one.
     fn obey(&mut self, command: &Command<'_>) -> Result<Option<Output<f32>>, Trouble> {
         if self.latched && !matches!(command, Command::Reset(Reset::Everything)) {
-            let allowed = "hello, ping, and reset of everything: the board is stopped by a fault";
-            return Err(Trouble::whole(Reason::NotNow, allowed));
+            return Err(STOPPED);
         }
         match command {
             Command::Parameters(parameters) => return self.parameters(parameters),
@@ -122,8 +152,25 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         Ok(())
     }
 
+    fn set_among(&mut self, among: &SceneAmong<'_>) -> Result<(), Trouble> {
+        let mut vertices = [[0.0; 2]; V];
+        let mut surfaces = [NOWHERE; S];
+        let refused = |refusal| Trouble::of::<V, S, M>(&refusal);
+        let description = (among.scene)
+            .description(&mut vertices, &mut surfaces)
+            .map_err(|error| refused(error.into()))?;
+        let controller = &mut self.controller;
+        M::with_received(&among.obstacles, |obstacles| {
+            controller.set_scene_among(&description, obstacles, Placement::Start)
+        })
+        .map_err(|error| refused(error.into()))?
+        .map_err(refused)?;
+        self.begin_anew();
+        Ok(())
+    }
+
     fn set_mode(&mut self, mode: &Mode) -> Result<(), Trouble> {
-        self.setup.check(mode)?;
+        self.setup.check::<M>(mode)?;
         self.controller
             .set_settings(&self.setup.settings(mode))
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
@@ -137,7 +184,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
     /// As after power-up, but for the numbers of frames: they go on.
     fn power_up(&mut self) -> Result<(), Trouble> {
         let mode = self.setup.mode;
-        self.controller = Controller::new(&self.setup.scene, &self.setup.settings(&mode))
+        let settings = self.setup.settings(&mode);
+        self.controller = Controller::among(&self.setup.scene, self.obstacles, &settings)
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
         self.mode = mode;
         self.bytes_per_tick = self.setup.bytes_per_tick(&mode);

@@ -1,9 +1,10 @@
 //! Why a command is refused (FRAME 5.4): from what the control loop says to reason, subject, value, limit and words.
 
 use crate::device::Refusal;
+use crate::model::BoardModel;
 use crate::safety::{Allowed, LimitError, LimitParameter};
 use stiction_core::frame::{Reason, Reference, Reply, Subject, Text};
-use stiction_core::{Model, Parameter, SceneError};
+use stiction_core::{Parameter, SceneError};
 
 /// A reply that is not yet addressed.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +42,7 @@ impl Trouble {
     }
 
     /// Of a board with room for V vertices and S surfaces and the model M.
-    pub(super) fn of<const V: usize, const S: usize, M: Model>(refusal: &Refusal) -> Self {
+    pub(super) fn of<const V: usize, const S: usize, M: BoardModel>(refusal: &Refusal) -> Self {
         match refusal {
             Refusal::Scene(error) => scene::<V, S, M>(error),
             Refusal::Limit(error) => limit(error),
@@ -58,11 +59,13 @@ impl Trouble {
 }
 
 /// A scene that is wrong, or right but too much for the board.
-fn scene<const V: usize, const S: usize, M: Model>(error: &SceneError<f32>) -> Trouble {
+fn scene<const V: usize, const S: usize, M: BoardModel>(error: &SceneError<f32>) -> Trouble {
     let value = error.value;
     let room = match error.parameter {
         Parameter::VertexCount => Some(V as f32),
         Parameter::SurfaceCount => Some(S as f32),
+        Parameter::ObstacleCount => M::ROOM.map(|room| f32::from(room.obstacles)),
+        Parameter::CornerCount => M::ROOM.map(|room| f32::from(room.corners)),
         Parameter::Weight if !M::WEIGHT => Some(0.0),
         Parameter::FrictionStatic(_) if !M::FRICTION => Some(0.0),
         _ => None,

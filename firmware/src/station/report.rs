@@ -3,10 +3,11 @@
 
 use super::{Desk, Link};
 use crate::device::Tick;
+use crate::model::BoardModel;
 use stiction_core::frame::{
     Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
 };
-use stiction_core::{Model, Output, Real, Status};
+use stiction_core::{Output, Real, Status};
 
 /// The version of the firmware.
 const VERSION: [u8; 3] = [
@@ -79,7 +80,12 @@ fn due(since: &mut u16, every: u16) -> bool {
     is_due
 }
 
-impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, M> {
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V, S, M> {
+    /// Sends what every board can say; see [`Outbox::send`](super::Outbox::send).
+    pub(super) fn say(&mut self, now_us: u32, report: Report<'_>, link: &mut impl Link) -> bool {
+        self.outbox.send(now_us, M::Report::from(report), link)
+    }
+
     /// An answer of the solver: what happened in it is told at once, or with the next pose.
     pub(super) fn happened(&mut self, output: &Output<f32>, now_us: u32, link: &mut impl Link) {
         self.told.status = output.status;
@@ -94,7 +100,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
                 longest_slip: output.longest_slip,
                 list: List::from(list),
             };
-            self.outbox.send(now_us, Report::Events(events), link);
+            self.say(now_us, Report::Events(events), link);
         }
     }
 
@@ -102,7 +108,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
     pub(super) fn tell_step(&mut self, tick: &Tick, now_us: u32, link: &mut impl Link) {
         if due(&mut self.told.since_pose, self.mode.pose_every) {
             let pose = Report::Pose(self.pose(tick));
-            if self.outbox.send(now_us, pose, link) {
+            if self.say(now_us, pose, link) {
                 self.told.events = EventSet::default();
             }
         }
@@ -143,7 +149,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             turns: tick.pose.angle.turns,
             contacts: List::from(contacts.as_deref().unwrap_or_default()),
         };
-        self.outbox.send(now_us, Report::Forces(forces), link);
+        let outbox = &mut self.outbox;
+        M::with_forces(
+            forces,
+            (solver, state, self.controller.obstacles()),
+            |report| outbox.send(now_us, report, link),
+        );
     }
 
     /// Health, if it is due.
@@ -155,7 +166,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         }
         self.told.health_us = Some(last.wrapping_add(every_us));
         let health = self.health(faults);
-        self.outbox.send(now_us, Report::Health(health), link);
+        self.say(now_us, Report::Health(health), link);
     }
 
     pub(super) fn health(&self, faults: &Faults) -> Health {
@@ -190,6 +201,11 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
         let scene = self.controller.scene();
         let passivity = self.controller.settings().passivity;
         let surface = scene.surfaces.first();
+        let of_surface = surface.map(|s| ([s.friction_static, s.friction_dynamic], s.memory));
+        let obstacles = self.controller.obstacles();
+        let (friction_now, memory_now) = of_surface
+            .or_else(|| M::first_friction(obstacles))
+            .unwrap_or_default();
         let info = Info {
             version: VERSION,
             number: self.setup.number,
@@ -203,11 +219,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Desk<R, V, S, 
             budget: self.controller.solver().budget(),
             stiffest: passivity.map_or([f32::INFINITY; 2], |passivity| passivity.bounds()),
             stiffness: [scene.stiffness_translation, scene.stiffness_rotation],
-            friction_now: surface.map_or([0.0; 2], |s| [s.friction_static, s.friction_dynamic]),
-            memory_now: surface.and_then(|s| s.memory),
+            friction_now,
+            memory_now,
             mode: self.mode,
             name: Text::new(self.setup.name),
         };
-        self.outbox.send(now_us, Report::Info(info), link);
+        self.outbox
+            .send(now_us, M::Report::from(Report::Info(info)), link);
     }
 }

@@ -2,9 +2,12 @@
 
 use super::refusal::Trouble;
 use crate::device::Settings;
+use crate::model::BoardModel;
 use crate::safety::{Limits, Passivity};
-use stiction_core::frame::{Mode, NumberType, Reason, Stepping, Subject, wire_bytes};
-use stiction_core::{Description, Model, Real, Scene};
+use stiction_core::frame::{
+    Mode, NumberType, Reason, Stepping, Subject, frame_bytes, scene_bytes, wire_bytes,
+};
+use stiction_core::{Description, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -32,14 +35,17 @@ pub struct Setup {
 /// What a compiled-in scene says by its type: how much of the solver is in the image.
 pub trait SceneType {
     /// Its model.
-    type Model: Model;
+    type Model: BoardModel;
     /// Room for so many vertices.
     const VERTICES: usize;
     /// Room for so many surfaces.
     const SURFACES: usize;
+    /// Bytes of the longest frame that brings a scene.
+    const FRAME: usize =
+        frame_bytes(scene_bytes(Self::VERTICES, Self::SURFACES) + Self::Model::OBSTACLE_BYTES);
 }
 
-impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V, S, M> {
+impl<R: Real, const V: usize, const S: usize, M: BoardModel> SceneType for Scene<R, V, S, M> {
     type Model = M;
     const VERTICES: usize = V;
     const SURFACES: usize = S;
@@ -49,15 +55,14 @@ impl<R: Real, const V: usize, const S: usize, M: Model> SceneType for Scene<R, V
 const SLOWEST_TICK: u16 = 100;
 /// Of the eighths of a tick a step may take so many: the rest is for the line, the forces and interrupts.
 const EIGHTHS_OF_STEP: u32 = 7;
-/// On the wire: a sample of the hand, a pose, the forces of two contacts, health.
+/// On the wire: a sample of the hand, a pose, health.
 const SAMPLE: u32 = wire_bytes(21) as u32;
 const POSE: u32 = wire_bytes(20) as u32;
-const FORCES: u32 = wire_bytes(29 + 2 * 19) as u32;
 const HEALTH: u32 = wire_bytes(61) as u32;
 
 impl Setup {
     /// The mode is one that the board has the time and the line for.
-    pub(super) fn check(&self, mode: &Mode) -> Result<(), Trouble> {
+    pub(super) fn check<M: BoardModel>(&self, mode: &Mode) -> Result<(), Trouble> {
         let rate = mode.tick_rate;
         if rate < SLOWEST_TICK {
             return Err(Trouble {
@@ -77,7 +82,9 @@ impl Setup {
                 allowed: "what the board has the time for",
             });
         }
-        let bytes = self.bytes_per_second(mode);
+        // Those of two contacts.
+        let forces = const { wire_bytes(29 + 2 * M::CONTACT_BYTES) as u32 };
+        let bytes = self.bytes_per_second(mode, forces);
         if bytes > self.line_rate {
             return Err(Trouble {
                 reason: Reason::Unsupported,
@@ -91,7 +98,7 @@ impl Setup {
     }
 
     /// What a mode sends, but for events and replies (bytes per second).
-    fn bytes_per_second(&self, mode: &Mode) -> u32 {
+    fn bytes_per_second(&self, mode: &Mode, forces: u32) -> u32 {
         let ticks = u32::from(mode.tick_rate);
         let steps = match mode.stepping {
             Stepping::Timed => ticks,
@@ -100,7 +107,7 @@ impl Setup {
         };
         let every = |much: u32, every: u16| much.checked_div(u32::from(every)).unwrap_or(0);
         let poses = every(steps.saturating_mul(POSE), mode.pose_every);
-        let forces = every(steps.saturating_mul(FORCES), mode.forces_every);
+        let forces = every(steps.saturating_mul(forces), mode.forces_every);
         let health = every(HEALTH.saturating_mul(1_000), mode.health_every);
         poses.saturating_add(forces).saturating_add(health)
     }

@@ -3,8 +3,8 @@
 
 use std::collections::VecDeque;
 use stiction_core::frame::{
-    Command, Decoder, Faults, Forces, Frame, Health, Info, Mode, NumberType, Pose, Reason,
-    Reference, Reply, Report, SceneCommand, Subject,
+    Command, ContactAmong, Decoder, Faults, Forces, Frame, Health, Info, Message, Mode, NumberType,
+    Pose, Reason, Reference, Reply, Report, ReportAmong, Room, SceneCommand, Subject,
 };
 use stiction_core::{Contact, Description, Event, Hand, Wrench};
 
@@ -18,6 +18,12 @@ pub(crate) enum Said {
         turns: i32,
         contacts: Vec<Contact<f32>>,
     },
+    ForcesAmong {
+        wrench: Wrench<f32>,
+        turns: i32,
+        contacts: Vec<ContactAmong>,
+    },
+    Room(Room),
     Events {
         slips: u32,
         longest_slip: f32,
@@ -93,6 +99,20 @@ impl From<Report<'_>> for Said {
     }
 }
 
+impl From<ReportAmong<'_>> for Said {
+    fn from(report: ReportAmong<'_>) -> Self {
+        match report {
+            ReportAmong::Common(report) => report.into(),
+            ReportAmong::Room(room) => Self::Room(room),
+            ReportAmong::ForcesAmong(forces) => Self::ForcesAmong {
+                wrench: forces.wrench,
+                turns: forces.turns,
+                contacts: forces.contacts.iter().collect(),
+            },
+        }
+    }
+}
+
 fn said_forces(forces: &Forces<'_>) -> Said {
     Said::Forces {
         wrench: forces.wrench,
@@ -158,10 +178,10 @@ impl Client {
     }
 
     /// The next command as it goes over the wire.
-    pub(crate) fn encode(&mut self, message: Command<'_>) -> Vec<u8> {
+    pub(crate) fn encode<'a>(&mut self, message: impl Message<'a>) -> Vec<u8> {
         let sequence = self.sequence;
         self.sequence = sequence.wrapping_add(1);
-        let mut wire = [0; 512];
+        let mut wire = [0; 1024];
         let frame = Frame {
             sequence,
             time: 7,
@@ -172,7 +192,7 @@ impl Client {
 
     pub(crate) fn listen(&mut self, bytes: &[u8]) {
         for &byte in bytes {
-            if let Some(Ok(frame)) = self.decoder.push::<Report>(byte) {
+            if let Some(Ok(frame)) = self.decoder.push::<ReportAmong>(byte) {
                 self.heard.push_back(Heard {
                     sequence: frame.sequence,
                     time: frame.time,

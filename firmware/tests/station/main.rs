@@ -15,6 +15,7 @@ mod faulty_line;
 mod flood;
 mod modes;
 mod no_commands;
+mod obstacles;
 mod pantograph;
 mod random;
 mod rig;

@@ -4,15 +4,17 @@ use crate::client::{Answer, Client, Heard, Known, Said};
 use crate::common::BOX;
 use std::collections::VecDeque;
 use stiction_core::frame::{
-    Command, Health, Mode, NumberType, Pose, Reason, frame_bytes, scene_bytes,
+    Command, CommandAmong, Health, Message, Mode, NumberType, Pose, Reason, SceneAmong,
+    frame_bytes, scene_bytes,
 };
-use stiction_core::{Full, Hand, Model, Real, Wrench};
+use stiction_core::{Full, Hand, Real, Wrench};
 use stiction_firmware::device::{Actuators, FromLine, NoActuators, Source};
+use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
 
-const V: usize = 8;
-const S: usize = 4;
+pub(crate) const V: usize = 8;
+pub(crate) const S: usize = 4;
 const LONGEST: usize = frame_bytes(scene_bytes(V, S));
 
 pub(crate) fn setup() -> Setup {
@@ -76,8 +78,8 @@ impl Link for Line {
 /// No device.
 pub(crate) type Nothing = (FromLine, NoActuators);
 
-pub(crate) struct Rig<R: Real = f32, M: Model = Full, D = Nothing> {
-    pub(crate) station: Station<R, V, S, M, LONGEST>,
+pub(crate) struct Rig<R: Real = f32, M: BoardModel = Full, D = Nothing, const N: usize = LONGEST> {
+    pub(crate) station: Station<R, V, S, M, N>,
     pub(crate) client: Client,
     pub(crate) line: Line,
     pub(crate) device: D,
@@ -85,7 +87,7 @@ pub(crate) struct Rig<R: Real = f32, M: Model = Full, D = Nothing> {
     pub(crate) force: Wrench<f32>,
 }
 
-impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
+impl<R: Real<Si = f32>, M: BoardModel, const N: usize> Rig<R, M, Nothing, N> {
     pub(crate) fn of(setup: Setup) -> Self {
         Self::with(setup, (FromLine, NoActuators))
     }
@@ -95,7 +97,7 @@ impl<R: Real<Si = f32>, M: Model> Rig<R, M> {
     }
 }
 
-impl<R: Real<Si = f32>, M: Model, D: Source + Actuators> Rig<R, M, D> {
+impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Rig<R, M, D, N> {
     pub(crate) fn with(setup: Setup, device: D) -> Self {
         Self {
             station: Station::new(Box::leak(Box::new(setup))).unwrap(),
@@ -115,7 +117,7 @@ impl<R: Real<Si = f32>, M: Model, D: Source + Actuators> Rig<R, M, D> {
     }
 
     /// The command is on its way; its sequence number.
-    pub(crate) fn send(&mut self, message: Command<'_>) -> u8 {
+    pub(crate) fn send<'a>(&mut self, message: impl Message<'a>) -> u8 {
         let sequence = self.client.sequence;
         let bytes = self.client.encode(message);
         self.line.to_board.extend(bytes);
@@ -171,8 +173,22 @@ impl<R: Real<Si = f32>, M: Model, D: Source + Actuators> Rig<R, M, D> {
     /// The answer to a command: there is one, in the tick in which it came.
     pub(crate) fn ask(&mut self, message: Command<'_>) -> Answer {
         let (code, sequence) = (message_code(&message), self.send(message));
+        self.answer(code, sequence)
+    }
+
+    /// As [`Self::ask`], of a scene with obstacles.
+    pub(crate) fn ask_among(&mut self, scene: SceneAmong<'_>) -> Answer {
+        let sequence = self.send(CommandAmong::SceneAmong(scene));
+        self.answer(9, sequence)
+    }
+
+    fn answer(&mut self, code: u8, sequence: u8) -> Answer {
         self.client.heard.clear();
         self.tick();
+        while !self.line.to_board.is_empty() {
+            // Of a long frame a tick takes a part.
+            self.tick();
+        }
         let mut answers = Vec::new();
         for heard in &self.client.heard {
             if let Said::Reply(answer) = &heard.said {

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use stiction_core::frame::NumberType;
 
 use crate::compile::{OwnScene, compile};
-use crate::model::SceneModel;
+use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
 
 /// In what one board differs from another.
@@ -18,8 +18,8 @@ pub struct BoardBuild {
     pub target: &'static str,
     /// What its solver computes with.
     pub number: NumberType,
-    /// What the solver of the board's own scene has, as any scene may come over the wire. That of a scene file which is named by
-    /// STICTION_SCENE has what this scene needs.
+    /// What the solver of the board's own scene has, as any scene may come over the wire: obstacles with the feature `obstacles`
+    /// alone. That of a scene file which is named by STICTION_SCENE has what this scene needs.
     pub room: SceneModel,
     /// Where flash and RAM are: a file of `firmware/memory`.
     pub memory: &'static str,
@@ -38,6 +38,17 @@ impl BoardBuild {
         }
     }
 
+    /// The room that the package's features ask for.
+    fn room_of_features(&self) -> SceneModel {
+        match env::var_os("CARGO_FEATURE_OBSTACLES") {
+            Some(_) => self.room,
+            None => SceneModel {
+                obstacles: ObstacleRoom::default(),
+                ..self.room
+            },
+        }
+    }
+
     fn built(&self) -> Result<(), InputError> {
         if variable("TARGET")? != self.target {
             return Ok(());
@@ -46,7 +57,7 @@ impl BoardBuild {
         let folder = PathBuf::from(variable("OUT_DIR")?);
         let own = OwnScene {
             file: firmware.join("scenes/board.toml"),
-            room: self.room,
+            room: self.room_of_features(),
         };
         compile(&own, self.number, &folder)?;
         let memory = firmware.join("memory").join(self.memory);

@@ -50,6 +50,12 @@ impl Indices {
         }
     }
 
+    /// An obstacle of the solver in the file.
+    #[must_use]
+    pub fn obstacle(&self, obstacle: usize) -> Option<usize> {
+        self.0.get(obstacle).map(|kept| kept.obstacle)
+    }
+
     /// An obstacle and a corner of it.
     fn original(&self, obstacle: usize, corner: usize) -> (usize, usize) {
         match self.0.get(obstacle) {
@@ -63,8 +69,15 @@ impl Indices {
 
     /// A refusal, by the indices of the file.
     pub(crate) fn error<F>(&self, error: SceneError<F>) -> SceneError<F> {
+        let parameter = self.parameter(error.parameter);
+        SceneError { parameter, ..error }
+    }
+
+    /// What is refused, by the indices of the file.
+    #[must_use]
+    pub fn parameter(&self, parameter: Parameter) -> Parameter {
         let whole = |obstacle| self.original(obstacle, 0).0;
-        let parameter = match error.parameter {
+        match parameter {
             Parameter::Corners(i) => Parameter::Corners(whole(i)),
             Parameter::Corner { obstacle, corner } => {
                 let (obstacle, corner) = self.original(obstacle, corner);
@@ -79,8 +92,7 @@ impl Indices {
             Parameter::ObstacleMemory(i) => Parameter::ObstacleMemory(whole(i)),
             Parameter::Overlap(i) => Parameter::Overlap(whole(i)),
             other => other,
-        };
-        SceneError { parameter, ..error }
+        }
     }
 }
 

@@ -2,9 +2,9 @@
 //! parts of the solver.
 
 use stiction_core::frame::NumberType;
-use stiction_core::{Description, Evolution, SurfaceDescription};
+use stiction_core::{Description, Evolution, Fixed, ObstacleDescription, SurfaceDescription};
 
-use crate::model::SceneModel;
+use crate::model::{ObstacleRoom, SceneModel};
 use crate::written::WrittenScene;
 
 /// The type of the solver's numbers in the code of an image.
@@ -16,7 +16,7 @@ const fn path(number: NumberType) -> &'static str {
 }
 
 /// The code of a scene in a model that has all that it needs, and of how a frame is evolved, as in
-/// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE` and `EVOLUTION`.
+/// `firmware/scenes/box.rs`: `CompiledScene`, `SCENE`, `OBSTACLES` and `EVOLUTION`.
 pub fn rust_source(
     scene: &WrittenScene,
     model: SceneModel,
@@ -29,22 +29,57 @@ pub fn rust_source(
     )
 }
 
-/// The code of a scene alone: `CompiledScene` and `SCENE`.
+/// The code of a scene alone: `CompiledScene`, `SCENE` and `OBSTACLES`.
 pub(crate) fn scene_code(scene: &WrittenScene, model: SceneModel, number: NumberType) -> String {
     let SceneModel {
         vertices,
         surfaces,
         friction,
         weight,
+        obstacles: room,
     } = model;
+    let code = |d: &Description<'_, f32>, o: &[ObstacleDescription<'_, f32>]| {
+        (description(d), obstacles(o))
+    };
+    let ((description, obstacles), _) = match number {
+        NumberType::F32 => scene.described_among::<f32, _>(code),
+        NumberType::Fixed => scene.described_among::<Fixed, _>(code),
+    };
     let number = path(number);
-    let description = scene.described(description);
+    let parts = format!("stiction_core::Parts<{friction}, {weight}>");
+    let ObstacleRoom { count, corners } = room;
+    let (model, obstacles) = if room.is_empty() {
+        (parts, "() = ()".to_owned())
+    } else {
+        let of = "stiction_core::ObstacleDescription<'static, f32>";
+        (
+            format!("stiction_core::WithObstacles<{count}, {corners}, {parts}>"),
+            format!("&[{of}] = &[{obstacles}]"),
+        )
+    };
     format!(
         "pub(crate) type CompiledScene =
-    stiction_core::Scene<{number}, {vertices}, {surfaces}, stiction_core::Parts<{friction}, {weight}>>;
+    stiction_core::Scene<{number}, {vertices}, {surfaces}, {model}>;
 pub(crate) const SCENE: stiction_core::Description<'static, f32> = {description};
+pub(crate) const OBSTACLES: {obstacles};
 "
     )
+}
+
+fn obstacles(all: &[ObstacleDescription<'_, f32>]) -> String {
+    let code = |d: &ObstacleDescription<'_, f32>| {
+        format!(
+            "
+    stiction_core::ObstacleDescription {{
+        vertices: &{:?},
+        friction_static: {:?},
+        friction_dynamic: {:?},
+        memory: {:?},
+    }},",
+            d.vertices, d.friction_static, d.friction_dynamic, d.memory
+        )
+    };
+    all.iter().map(code).collect()
 }
 
 /// What reads back to the same bits.

@@ -7,9 +7,10 @@ use stiction_core::frame::NumberType;
 use stiction_core::{Fixed, Full, Real};
 
 use crate::code::scene_code;
-use crate::model::SceneModel;
+use crate::host_model::{Among, HostModel};
+use crate::model::{ObstacleRoom, SceneModel};
 use crate::source::InputError;
-use crate::written::{SURFACES, VERTICES, WrittenScene};
+use crate::written::WrittenScene;
 
 /// The environment variable with the scene file that takes the place of a board's own.
 const SCENE: &str = "STICTION_SCENE";
@@ -51,16 +52,28 @@ pub fn code(
     room: Option<SceneModel>,
 ) -> Result<String, InputError> {
     let scene = WrittenScene::read(file, f64::from(f32::MAX))?;
-    match number {
+    let obstacles = match number {
         NumberType::F32 => check::<f32>(&scene)?,
         NumberType::Fixed => check::<Fixed>(&scene)?,
-    }
-    let smallest = SceneModel::smallest(&scene);
+    };
+    let smallest = SceneModel {
+        obstacles,
+        ..SceneModel::smallest(&scene)
+    };
     let model = room.map_or(smallest, |room| room.with(smallest));
     Ok(scene_code(&scene, model, number))
 }
 
-/// The numbers make a scene.
-fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<(), InputError> {
-    scene.scene_in::<R, VERTICES, SURFACES, Full>().map(|_| ())
+/// The numbers make a scene. The room that its obstacles need, as many as are within the range of the number type.
+fn check<R: Real<Si = f32>>(scene: &WrittenScene) -> Result<ObstacleRoom, InputError> {
+    if scene.obstacles.is_empty() {
+        Full::scene::<R>(scene)?;
+    } else {
+        <Among>::scene::<R>(scene)?;
+    }
+    let (room, _) = scene.described_among::<R, _>(|_, obstacles| ObstacleRoom {
+        count: obstacles.len(),
+        corners: obstacles.iter().map(|o| o.vertices.len()).sum(),
+    });
+    Ok(room)
 }

@@ -6,7 +6,7 @@ use stiction_core::{
     WithObstacles,
 };
 
-use crate::clip::{Indices, clipped};
+use crate::clip::Indices;
 use crate::scene_file::{HostScene, HostSolver};
 use crate::source::InputError;
 use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
@@ -68,10 +68,8 @@ impl<M: Model> HostModel for Among<M> {
         written: &WrittenScene,
         description: &Description<'_, R::Si>,
     ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>> {
-        let (obstacles, indices) = clipped::<R>(written);
-        let scene = WrittenScene::described_obstacles(&obstacles, |obstacles| {
-            Scene::among(description, obstacles)
-        });
+        let (scene, indices) =
+            written.obstacles_in::<R, _>(|obstacles| Scene::among(description, obstacles));
         match scene {
             Ok(scene) => Ok((scene, indices)),
             Err(error) => Err(indices.as_ref().map_or(error, |known| known.error(error))),

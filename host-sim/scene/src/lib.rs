@@ -38,7 +38,7 @@ pub use compile::code;
 pub use hand_path::{HandPath, LivePlacement, Placement, Sample};
 pub use hand_section::{HandSection, Motion};
 pub use host_model::{Among, HostModel};
-pub use model::SceneModel;
+pub use model::{ObstacleRoom, SceneModel};
 pub use obstacle::ObstacleInfo;
 pub use scene_file::{HostScene, HostSolver, SceneFile};
 pub use source::{InputError, Source};

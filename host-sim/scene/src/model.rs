@@ -1,9 +1,9 @@
-//! The model of the solver that a scene needs: from a scene file to the room for vertices and surfaces, whether there is
+//! The model of the solver that a scene needs: from a scene file to the room for vertices, surfaces and obstacles, whether there is
 //! friction and weight, and why. What the model lacks is not in the binary.
 
 use std::fmt;
 
-use crate::surface::SurfaceInfo;
+use crate::obstacle::ObstacleInfo;
 use crate::written::WrittenScene;
 
 /// The V, S and M of a `Solver<R, V, S, M>`.
@@ -17,6 +17,41 @@ pub struct SceneModel {
     pub friction: bool,
     /// The body's weight.
     pub weight: bool,
+    /// Obstacles with corners; none: nothing of them is in the model.
+    pub obstacles: ObstacleRoom,
+}
+
+/// Room for obstacles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ObstacleRoom {
+    /// O: room for so many.
+    pub count: usize,
+    /// C: room for so many corners of all together.
+    pub corners: usize,
+}
+
+impl ObstacleRoom {
+    /// For these.
+    pub fn of(obstacles: &[ObstacleInfo]) -> Self {
+        Self {
+            count: obstacles.len(),
+            corners: obstacles.iter().map(|o| o.vertices.len()).sum(),
+        }
+    }
+
+    /// What either of two has.
+    #[must_use]
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            count: self.count.max(other.count),
+            corners: self.corners.max(other.corners),
+        }
+    }
+
+    /// No room.
+    pub const fn is_empty(self) -> bool {
+        self.count == 0
+    }
 }
 
 impl SceneModel {
@@ -25,12 +60,13 @@ impl SceneModel {
         Self {
             vertices: scene.vertices.len(),
             surfaces: scene.surfaces.len(),
-            friction: scene.surfaces.iter().any(is_rough),
+            friction: rough(scene).next().is_some(),
             weight: scene.weight > 0.0,
+            obstacles: ObstacleRoom::of(&scene.obstacles),
         }
     }
 
-    /// Every part of the solver: friction, weight, room for at least 4 vertices and 2 surfaces.
+    /// Every part of the solver: friction, weight, room for at least 4 vertices and 2 surfaces; obstacles as they are.
     #[must_use]
     pub fn full(self) -> Self {
         self.with(Self {
@@ -38,6 +74,7 @@ impl SceneModel {
             surfaces: 2,
             friction: true,
             weight: true,
+            obstacles: ObstacleRoom::default(),
         })
     }
 
@@ -49,10 +86,11 @@ impl SceneModel {
             surfaces: self.surfaces.max(other.surfaces),
             friction: self.friction || other.friction,
             weight: self.weight || other.weight,
+            obstacles: self.obstacles.with(other.obstacles),
         }
     }
 
-    /// The name of M in `stiction-core`.
+    /// The name of M in `stiction-core`; with obstacles that of the M in it.
     pub const fn name(self) -> &'static str {
         match (self.friction, self.weight) {
             (true, true) => "Full",
@@ -62,10 +100,14 @@ impl SceneModel {
         }
     }
 
-    /// Why the smallest model of a scene has what it has, part by part: V, S, friction, weight.
-    pub fn reasons(scene: &WrittenScene) -> [String; 4] {
+    /// Why the smallest model of a scene has what it has, part by part: V, S, friction, weight, and O and C where there are obstacles.
+    pub fn reasons(scene: &WrittenScene) -> Vec<String> {
         let model = Self::smallest(scene);
-        [
+        let ObstacleRoom { count, corners } = model.obstacles;
+        let obstacles = (count > 0).then(|| {
+            format!("O = {count}, C = {corners}: obstacles whose sides end, and corners that touch the body")
+        });
+        let parts = [
             format!("V = {}: {}", model.vertices, vertices(model.vertices)),
             format!("S = {}: {}", model.surfaces, surfaces(model)),
             friction(scene),
@@ -74,19 +116,28 @@ impl SceneModel {
             } else {
                 "no weight: it is 0".to_owned()
             },
-        ]
+        ];
+        parts.into_iter().chain(obstacles).collect()
     }
 }
 
 impl fmt::Display for SceneModel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (vertices, surfaces, name) = (self.vertices, self.surfaces, self.name());
-        write!(f, "V = {vertices}, S = {surfaces}, {name}")
+        write!(f, "V = {vertices}, S = {surfaces}, ")?;
+        if !self.obstacles.is_empty() {
+            let ObstacleRoom { count, corners } = self.obstacles;
+            write!(f, "O = {count}, C = {corners}, ")?;
+        }
+        f.write_str(name)
     }
 }
 
-fn is_rough(surface: &SurfaceInfo) -> bool {
-    surface.friction_static > 0.0
+/// Names and mu_s of surfaces and obstacles with friction.
+fn rough(scene: &WrittenScene) -> impl Iterator<Item = (&str, f64)> {
+    let surfaces = (scene.surfaces.iter()).map(|s| (s.name.as_str(), s.friction_static));
+    let obstacles = (scene.obstacles.iter()).map(|o| (o.name.as_str(), o.friction_static));
+    surfaces.chain(obstacles).filter(|(_, mu)| *mu > 0.0)
 }
 
 fn vertices(count: usize) -> &'static str {
@@ -99,6 +150,7 @@ fn vertices(count: usize) -> &'static str {
 
 fn surfaces(model: SceneModel) -> &'static str {
     match (model.vertices, model.surfaces) {
+        (_, 0 | 1) if !model.obstacles.is_empty() => "the body can touch obstacles besides",
         (_, 0) => "there is nothing to touch",
         (_, 1) => "there is no second surface, so no two-vertex, corner and locked state",
         (1, _) => "the point can touch two surfaces, in a corner",
@@ -107,9 +159,8 @@ fn surfaces(model: SceneModel) -> &'static str {
 }
 
 fn friction(scene: &WrittenScene) -> String {
-    let rough = scene.surfaces.iter().filter(|surface| is_rough(surface));
-    let rough: Vec<String> = rough
-        .map(|surface| format!("{:?} has mu_s = {}", surface.name, surface.friction_static))
+    let rough: Vec<String> = rough(scene)
+        .map(|(name, mu)| format!("{name:?} has mu_s = {mu}"))
         .collect();
     if rough.is_empty() {
         return "no friction: mu = 0 everywhere, so nothing ever sticks".to_owned();
@@ -171,9 +222,22 @@ mod tests {
         let rough = scene(point, 0.5, &[0.0, 0.25]);
         let model = SceneModel::smallest(&rough);
         assert_eq!(model.to_string(), "V = 1, S = 2, Full");
-        let [.., friction, weight] = SceneModel::reasons(&rough);
-        assert_eq!(friction, "friction: \"s1\" has mu_s = 0.25");
-        assert_eq!(weight, "weight: 0.5 N");
+        let reasons = SceneModel::reasons(&rough);
+        assert_eq!(reasons[2], "friction: \"s1\" has mu_s = 0.25");
+        assert_eq!(reasons[3..], ["weight: 0.5 N"]);
+    }
+
+    #[test]
+    fn obstacles_are_in_the_model_of_a_scene_with_some() {
+        for (name, expected) in [
+            ("table-edge", "V = 4, S = 0, O = 1, C = 4, Full"),
+            ("hook", "V = 4, S = 0, O = 2, C = 8, Full"),
+        ] {
+            let scene = bundled(name);
+            assert_eq!(SceneModel::smallest(&scene).to_string(), expected, "{name}");
+            let reasons = SceneModel::reasons(&scene).join("\n");
+            assert!(reasons.contains("corners that touch"), "{reasons}");
+        }
     }
 
     #[test]
@@ -198,6 +262,7 @@ mod tests {
             surfaces: 3,
             friction: false,
             weight: false,
+            obstacles: ObstacleRoom::default(),
         };
         assert_eq!(large.full().to_string(), "V = 7, S = 3, Full");
     }

@@ -8,6 +8,7 @@ use stiction_core::{
 };
 
 use crate::check::Check;
+use crate::clip::{Indices, clipped};
 use crate::document::{Body, Document};
 use crate::friction::Fallback;
 use crate::name::Names;
@@ -129,8 +130,28 @@ impl WrittenScene {
         })
     }
 
+    /// The scene and its obstacles, as they are given to a solver or sent to a board. And what the solver's indices of obstacles mean where
+    /// they are not those of the file.
+    pub fn described_among<R: Real<Si: SiFloat>, T>(
+        &self,
+        take: impl FnOnce(&Description<'_, R::Si>, &[ObstacleDescription<'_, R::Si>]) -> T,
+    ) -> (T, Option<Indices>) {
+        self.described(|description| {
+            self.obstacles_in::<R, _>(|obstacles| take(description, obstacles))
+        })
+    }
+
+    /// The obstacles, cut to what a number type can represent, in its float; and what their indices mean.
+    pub(crate) fn obstacles_in<R: Real<Si: SiFloat>, T>(
+        &self,
+        take: impl FnOnce(&[ObstacleDescription<'_, R::Si>]) -> T,
+    ) -> (T, Option<Indices>) {
+        let (obstacles, indices) = clipped::<R>(self);
+        (Self::described_obstacles(&obstacles, take), indices)
+    }
+
     /// Obstacles in the float of a solver.
-    pub(crate) fn described_obstacles<F: SiFloat, T>(
+    fn described_obstacles<F: SiFloat, T>(
         obstacles: &[ObstacleInfo],
         take: impl FnOnce(&[ObstacleDescription<'_, F>]) -> T,
     ) -> T {

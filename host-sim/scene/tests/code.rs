@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stiction_scene::{NumberType, SceneModel, code};
+use stiction_scene::{NumberType, ObstacleRoom, SceneModel, code};
 use tempfile::TempDir;
 
 const ROD: &str = r#"[body]
@@ -70,6 +70,7 @@ fn a_solver_for_other_scenes_too_has_at_least_what_it_is_given() {
             surfaces,
             friction: false,
             weight: false,
+            obstacles: ObstacleRoom::default(),
         };
         let code = code(&file, NumberType::Fixed, Some(room)).unwrap();
         let expected = format!("{expected}, stiction_core::Parts<true, true>>");

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::emulate::{EmulatedBoard, Emulator};
+use super::emulate::{EmulatedBoard, Emulator, Image};
 use super::error::BoardError;
 use super::link::{Link, reason};
 
@@ -63,13 +63,16 @@ impl ConnectArgs {
     }
 
     /// The place; builds and starts the emulator where one is wanted.
-    pub(super) fn address(&self) -> Result<Address, BoardError> {
+    pub(super) fn address(&self, image: Image) -> Result<Address, BoardError> {
         let place = self.place.clone();
         Ok(match (place.port, place.socket, place.tcp) {
             (Some(port), ..) => Address::Port(port, self.baud),
             (_, Some(socket), _) => Address::Socket(socket),
             (.., Some(tcp)) => Address::Tcp(tcp),
-            _ => Address::Emulated(Emulator::start(place.emulate.unwrap_or_default())?),
+            _ => {
+                let board = place.emulate.unwrap_or_default();
+                Address::Emulated(Emulator::start(board, image)?)
+            }
         })
     }
 

@@ -5,7 +5,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use stiction_tools::board::{Board, Emulator as Qemu};
+use stiction_tools::board::{Board, Emulator as Qemu, OBSTACLES};
 use stiction_tools::process::{EmulatorError, require_qemu_arm};
 
 use super::link::Link;
@@ -39,6 +39,15 @@ impl EmulatedBoard {
     }
 }
 
+/// Which image an emulated board runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Image {
+    /// That of every board.
+    Plain,
+    /// With room for obstacles.
+    Obstacles,
+}
+
 /// A running emulator.
 #[derive(Debug)]
 pub(super) struct Emulator {
@@ -48,10 +57,14 @@ pub(super) struct Emulator {
 
 impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
-    pub(super) fn start(board: EmulatedBoard) -> Result<Self, EmulatorError> {
+    pub(super) fn start(board: EmulatedBoard, image: Image) -> Result<Self, EmulatorError> {
         require_qemu_arm()?;
         eprintln!("building the image of {} ...", board.name());
-        let image = board.board().image("", None)?;
+        let features = match image {
+            Image::Plain => "",
+            Image::Obstacles => OBSTACLES,
+        };
+        let image = board.board().image(features, None)?;
         // Its clock goes with the real one.
         let mut qemu = board.board().emulator(&image, "shift=auto");
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.

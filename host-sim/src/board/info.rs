@@ -22,8 +22,11 @@ pub(super) fn about(about: &About) -> String {
         (
             "room for",
             format!(
-                "{} vertices, {} surfaces, frames of {} bytes",
-                about.vertices, about.surfaces, about.longest_frame
+                "{} vertices, {} surfaces, {}, frames of {} bytes",
+                about.vertices,
+                about.surfaces,
+                obstacles(about),
+                about.longest_frame
             ),
         ),
         ("actuators", actuators(about)),
@@ -56,10 +59,17 @@ pub(super) fn about(about: &About) -> String {
     table(&about.name, &rows)
 }
 
+fn obstacles(about: &About) -> String {
+    match about.room.obstacles {
+        0 => "no obstacles".to_owned(),
+        count => format!("{count} obstacles with {} corners", about.room.corners),
+    }
+}
+
 /// Where it has no room for the piece of work that takes most, it says so. That is the same in every number type.
 fn budget(about: &About) -> String {
     let least = match about.surfaces {
-        0 | 1 => Solver::<f32, 1, 1>::LEAST_BUDGET,
+        0 | 1 if about.room.obstacles == 0 => Solver::<f32, 1, 1>::LEAST_BUDGET,
         _ => Solver::<f32, 1, 2>::LEAST_BUDGET,
     };
     match about.budget {

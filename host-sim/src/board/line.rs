@@ -3,17 +3,17 @@
 use std::time::Instant;
 
 use stiction_core::frame::{
-    Command, Decoder, FaultKind, Faults, Frame, Report, Sequence, frame_bytes, scene_bytes,
-    wire_bytes,
+    CommandAmong, Decoder, FaultKind, Faults, Frame, ReportAmong, Sequence, frame_bytes,
+    obstacle_bytes, scene_bytes, wire_bytes,
 };
 
 use super::heard::Heard;
 use super::link::Open;
 
 /// Room for the longest report: forces with 255 contacts.
-const LONGEST_REPORT: usize = frame_bytes(5000);
-/// Room for the longest command: a scene of 255 vertices and 255 surfaces.
-const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255));
+const LONGEST_REPORT: usize = frame_bytes(7200);
+/// Room for the longest command: a scene of 255 vertices, surfaces, obstacles and corners of these.
+const LONGEST_COMMAND: usize = wire_bytes(scene_bytes(255, 255) + obstacle_bytes(255, 255));
 
 /// A link that carries frames.
 #[derive(Debug)]
@@ -68,7 +68,7 @@ impl Line {
     }
 
     /// Sends a command; its sequence number.
-    pub(super) fn send(&mut self, message: Command<'_>) -> Result<u8, String> {
+    pub(super) fn send(&mut self, message: CommandAmong<'_>) -> Result<u8, String> {
         let number = self.sequence;
         self.sequence = number.wrapping_add(1);
         let frame = Frame {
@@ -89,7 +89,7 @@ impl Line {
         let mut heard = Vec::new();
         self.bytes += bytes.len() as u64;
         for &byte in bytes {
-            match self.decoder.push::<Report<'_>>(byte) {
+            match self.decoder.push::<ReportAmong<'_>>(byte) {
                 None => {}
                 Some(Ok(frame)) => {
                     self.frames += 1;

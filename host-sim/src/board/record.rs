@@ -1,7 +1,8 @@
 //! From a sample and the board's answer to a frame of the trace, as the host's solver would have left it. How far the body is behind
 //! the hand a board does not tell: that is the host's, where the two are compared.
 
-use stiction_core::{Angle, Hand, Status, Touch};
+use stiction_core::{Angle, Hand, Status};
+use stiction_scene::Indices;
 
 use super::flight::Sent;
 use super::steps::Step;
@@ -14,8 +15,14 @@ pub(super) struct Recorder {
 }
 
 impl Recorder {
-    /// The frame of an answer; nothing where a part of it was lost.
-    pub(super) fn frame(&mut self, sent: &Sent, step: &Step) -> Option<Frame> {
+    /// The frame of an answer; nothing where a part of it was lost. `indices`: what the board's obstacles are in the scene file, where
+    /// they are not the same.
+    pub(super) fn frame(
+        &mut self,
+        sent: &Sent,
+        step: &Step,
+        indices: Option<&Indices>,
+    ) -> Option<Frame> {
         let pose = &step.pose;
         if !matches!(pose.status, Status::HeldLast | Status::Saturated) {
             self.hand = sent.hand;
@@ -30,7 +37,7 @@ impl Recorder {
             rest: pose.rest,
         };
         let placed = |[x, y]: [f32; 2], angle: f32| [f64::from(x), f64::from(y), f64::from(angle)];
-        Some(Frame {
+        let frame = Frame {
             t: sent.sample.t,
             hand: placed(self.hand.position, self.hand.angle.radians()),
             held: pose.held,
@@ -41,11 +48,8 @@ impl Recorder {
                 .contacts
                 .iter()
                 .map(|contact| ContactRecord {
-                    touch: Touch::Surface {
-                        vertex: contact.vertex,
-                        surface: contact.surface,
-                    },
-                    direction: None,
+                    touch: contact.touch,
+                    direction: contact.direction.map(|n| n.map(f64::from)),
                     point: contact.point.map(f64::from),
                     normal: f64::from(contact.normal),
                     friction: f64::from(contact.friction),
@@ -61,6 +65,7 @@ impl Recorder {
                 .expected
                 .as_ref()
                 .and_then(|expected| expected.behind()),
-        })
+        };
+        Some(frame.with_indices(indices))
     }
 }

@@ -4,12 +4,12 @@ use stiction_core::Parameter;
 use stiction_core::frame::{Reason, Subject};
 
 use super::heard::Answer;
+use crate::record::Names;
 
 /// What was refused, its value, what is allowed, and the nearest allowed value, or the bound that the value must stay below.
-/// `surfaces`: their names.
-pub(super) fn explain(command: &str, answer: &Answer, surfaces: &[String]) -> String {
+pub(super) fn explain(command: &str, answer: &Answer, names: &Names) -> String {
     let mut text = format!("the board refuses the {command}");
-    let subject = subject(answer.subject, surfaces);
+    let subject = subject(answer.subject, names);
     let unit = unit(answer.subject);
     match (&subject, answer.reason) {
         (None, reason) => {
@@ -51,23 +51,30 @@ const fn meaning(reason: Reason) -> &'static str {
     }
 }
 
-fn subject(subject: Subject, surfaces: &[String]) -> Option<String> {
+fn subject(subject: Subject, names: &Names) -> Option<String> {
     let parameter = match subject {
         Subject::Command => return None,
         Subject::TickRate => return Some("the tick rate".to_owned()),
         Subject::LineRate => return Some("the load of the line".to_owned()),
         Subject::Scene(parameter) => parameter,
     };
-    let surface = match parameter {
+    let name = match parameter {
         Parameter::Normal(i)
         | Parameter::Offset(i)
         | Parameter::FrictionStatic(i)
         | Parameter::FrictionDynamic(i)
         | Parameter::Memory(i)
-        | Parameter::Penetration { surface: i, .. } => surfaces.get(i),
+        | Parameter::Penetration { surface: i, .. } => names.surfaces.get(i),
+        Parameter::Corners(i)
+        | Parameter::Corner { obstacle: i, .. }
+        | Parameter::Side { obstacle: i, .. }
+        | Parameter::ObstacleFrictionStatic(i)
+        | Parameter::ObstacleFrictionDynamic(i)
+        | Parameter::ObstacleMemory(i)
+        | Parameter::Overlap(i) => names.obstacles.get(i),
         _ => None,
     };
-    Some(match surface {
+    Some(match name {
         Some(name) => format!("the {parameter} ({name:?})"),
         None => format!("the {parameter}"),
     })
@@ -85,7 +92,11 @@ const fn unit(subject: Subject) -> &'static str {
             | Parameter::HoldingPoint
             | Parameter::Vertex(_)
             | Parameter::Memory(_)
-            | Parameter::Penetration { .. } => " m",
+            | Parameter::Penetration { .. }
+            | Parameter::Corner { .. }
+            | Parameter::Side { .. }
+            | Parameter::ObstacleMemory(_)
+            | Parameter::Overlap(_) => " m",
             Parameter::StiffnessTranslation => " N/m",
             Parameter::StiffnessRotation => " N·m/rad",
             _ => "",
@@ -122,7 +133,7 @@ mod tests {
             "1 to 1000",
         );
         assert_eq!(
-            explain("mode", &tick, &[]),
+            explain("mode", &tick, &Names::default()),
             "the board refuses the mode: the tick rate is 5000.0 Hz, the board has no time, no room or no use for it, allowed: 1 to \
              1000, the nearest: 1000.0 Hz"
         );
@@ -137,7 +148,7 @@ mod tests {
             800.0,
             "0, or less than the limit",
         );
-        let text = explain("parameters", &spring, &[]);
+        let text = explain("parameters", &spring, &Names::default());
         assert!(
             text.ends_with(", allowed: 0, or less than the limit, the limit: 800.0 N/m"),
             "{text}"
@@ -148,17 +159,34 @@ mod tests {
     fn a_surface_is_told_by_its_name() {
         let subject = Subject::Scene(Parameter::FrictionDynamic(1));
         let friction = answer(Reason::Number, subject, -0.5, f32::NAN, "0 or more");
-        let names = ["floor".to_owned(), "wall".to_owned()];
+        let names = Names {
+            surfaces: vec!["floor".to_owned(), "wall".to_owned()],
+            obstacles: vec!["table".to_owned(), "post".to_owned()],
+        };
         assert_eq!(
             explain("scene", &friction, &names),
             "the board refuses the scene: the dynamic friction of surface 1 (\"wall\") is -0.5, allowed: 0 or more"
         );
+        let subject = Subject::Scene(Parameter::Overlap(1));
+        let sunk = answer(Reason::Number, subject, 0.25, f32::NAN, "at most 1e-5");
+        assert_eq!(
+            explain("scene", &sunk, &names),
+            "the board refuses the scene: the depth of the body in obstacle 1 at the start (\"post\") is 0.25 m, allowed: at most 1e-5"
+        );
+        let subject = Subject::Scene(Parameter::CornerCount);
+        let many = answer(Reason::Unsupported, subject, 17.0, 16.0, "0 to 16");
+        let text = explain("scene", &many, &names);
+        assert!(
+            text.contains("number of corners of all obstacles is 17.0, "),
+            "{text}"
+        );
+        assert!(text.ends_with("the nearest: 16.0"), "{text}");
     }
 
     #[test]
     fn a_command_as_a_whole_is_refused_without_a_value() {
         let not_now = answer(Reason::NotNow, Subject::Command, 0.0, f32::NAN, "");
-        let text = explain("scene", &not_now, &[]);
+        let text = explain("scene", &not_now, &Names::default());
         assert!(text.ends_with("another command is under way"), "{text}");
     }
 }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::time::{Duration, Instant};
 
-use stiction_core::frame::{Command, FaultKind, Health, Reason};
+use stiction_core::frame::{Command, CommandAmong, FaultKind, Health, Reason, Room};
 
 use super::address::Address;
 use super::error::BoardError;
@@ -12,6 +12,7 @@ use super::heard::{About, Answer, Heard, Said};
 use super::line::Line;
 use super::link::{News, Open};
 use super::refusal::explain;
+use crate::record::Names;
 use crate::stop;
 
 /// A command without an answer is sent again.
@@ -60,6 +61,8 @@ pub(super) struct Session {
     pub(super) line: Line,
     /// How the board fared when it last said so.
     pub(super) health: Option<Health>,
+    /// The room for obstacles that the board said last.
+    room: Room,
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
     /// What came while a command waited for its answer.
@@ -93,6 +96,7 @@ impl Session {
         let mut session = Self {
             line,
             health: None,
+            room: Room::default(),
             last_sample: None,
             before_answer: Vec::new(),
             after_answer: Vec::new(),
@@ -105,36 +109,43 @@ impl Session {
 
     /// Says hello; what the board says about itself.
     pub(super) fn greet(&mut self, mail: &mut Mail) -> Result<About, BoardError> {
-        self.ask(mail, Command::Hello, |said, _| match said {
+        self.room = Room::default();
+        let about = self.ask(mail, Command::Hello.into(), |said, _| match said {
             Said::About(about) => Some(about.clone()),
             _ => None,
-        })
+        })?;
+        let room = self.room;
+        Ok(About { room, ..about })
     }
 
     /// Sends a command that is answered by a reply. The reply, if it is a refusal.
-    pub(super) fn order(
+    pub(super) fn order<'a>(
         &mut self,
         mail: &mut Mail,
-        command: Command<'_>,
+        command: impl Into<CommandAmong<'a>>,
     ) -> Result<Option<Answer>, BoardError> {
-        let answer = self.ask(mail, command, |said, sent| match said {
+        let answer = self.ask(mail, command.into(), |said, sent| match said {
             Said::Answer(answer) if sent.contains(&answer.command.sequence) => Some(answer.clone()),
             _ => None,
         })?;
         Ok((answer.reason != Reason::Done).then_some(answer))
     }
 
-    /// As [`Self::order`]; a refusal is an error. `surfaces`: their names.
-    pub(super) fn demand(
+    /// As [`Self::order`]; a refusal is an error.
+    pub(super) fn demand<'a>(
         &mut self,
         mail: &mut Mail,
-        command: Command<'_>,
-        surfaces: &[String],
+        command: impl Into<CommandAmong<'a>>,
+        names: &Names,
     ) -> Result<(), BoardError> {
-        let name = command.name();
+        let command = command.into();
+        let name = match command {
+            CommandAmong::SceneAmong(_) => "scene",
+            CommandAmong::Common(command) => command.name(),
+        };
         match self.order(mail, command)? {
             None => Ok(()),
-            Some(refusal) => Err(BoardError::Refused(explain(name, &refusal, surfaces))),
+            Some(refusal) => Err(BoardError::Refused(explain(name, &refusal, names))),
         }
     }
 
@@ -142,7 +153,7 @@ impl Session {
     fn ask<T>(
         &mut self,
         mail: &mut Mail,
-        command: Command<'_>,
+        command: CommandAmong<'_>,
         mut pick: impl FnMut(&Said, &[u8]) -> Option<T>,
     ) -> Result<T, BoardError> {
         let end = Instant::now() + self.timeout;
@@ -219,12 +230,16 @@ impl Session {
         match said {
             Said::Health(health) => self.health = Some(*health),
             Said::Pose(pose) => self.last_sample = Some(pose.sample),
+            Said::Room(room) => self.room = *room,
             _ => {}
         }
     }
 
-    pub(super) fn send(&mut self, command: Command<'_>) -> Result<u8, BoardError> {
-        let sent = self.line.send(command);
+    pub(super) fn send<'a>(
+        &mut self,
+        command: impl Into<CommandAmong<'a>>,
+    ) -> Result<u8, BoardError> {
+        let sent = self.line.send(command.into());
         sent.map_err(|problem| self.gone(problem))
     }
 

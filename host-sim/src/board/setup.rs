@@ -3,16 +3,18 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use stiction_core::Evolution;
 use stiction_core::frame::{
-    Command, Mode, Parameters, Reason, SceneCommand, Stepping, Subject, frame_bytes, scene_bytes,
+    Command, CommandAmong, Mode, NumberType, Parameters, Reason, SceneAmong, SceneCommand,
+    Stepping, Subject, frame_bytes, obstacle_bytes, scene_bytes,
 };
-use stiction_scene::{SceneFile, SurfaceInfo};
+use stiction_core::{Description, Evolution, Fixed, ObstacleDescription};
+use stiction_scene::{Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
 use super::error::BoardError;
 use super::heard::{About, Answer};
 use super::refusal::explain;
 use super::session::{Mail, Session};
+use crate::record::Names;
 
 /// The board tells so often how it fares (ms): as often as leaves a line of 115200 baud room for 100 whole steps a second, the
 /// fewest that a board makes.
@@ -65,7 +67,7 @@ impl Setup {
         if anew {
             self.send_scene(session, about, mail)?;
         } else if self.frictions() != before.frictions() || self.stiffness() != before.stiffness() {
-            let names = self.surface_names();
+            let names = self.names();
             session.demand(mail, Command::Parameters(self.parameters()?), &names)?;
         }
         if self.evolution != before.evolution {
@@ -79,14 +81,13 @@ impl Setup {
         [scene.stiffness_translation, scene.stiffness_rotation]
     }
 
-    /// mu_s, mu_d and memory length of every surface.
+    /// mu_s, mu_d and memory length of every surface and obstacle.
     fn frictions(&self) -> Vec<([f64; 2], Option<f64>)> {
-        let surfaces = self.scene.surfaces.iter();
-        let friction = |surface: &SurfaceInfo| {
-            let coefficients = [surface.friction_static, surface.friction_dynamic];
-            (coefficients, surface.memory)
-        };
-        surfaces.map(friction).collect()
+        let of_surface = |s: &SurfaceInfo| ([s.friction_static, s.friction_dynamic], s.memory);
+        let of_obstacle = |o: &ObstacleInfo| ([o.friction_static, o.friction_dynamic], o.memory);
+        let surfaces = self.scene.surfaces.iter().map(of_surface);
+        let obstacles = self.scene.obstacles.iter().map(of_obstacle);
+        surfaces.chain(obstacles).collect()
     }
 
     /// The parameters, which a board has for all surfaces together.
@@ -94,7 +95,7 @@ impl Setup {
         let frictions = self.frictions();
         let first = frictions.first().copied().unwrap_or_default();
         if frictions.iter().any(|&friction| friction != first) {
-            let allowed = "the surfaces have frictions of their own, allowed on a board: the same static and dynamic one and the \
+            let allowed = "the surfaces and obstacles have frictions of their own, allowed on a board: the same static and dynamic one and the \
                            same memory length for all";
             return Err(BoardError::Refused(allowed.to_owned()));
         }
@@ -115,26 +116,79 @@ impl Setup {
         about: &About,
         mail: &mut Mail,
     ) -> Result<(), BoardError> {
+        if !self.scene.obstacles.is_empty() {
+            return self.send_scene_among(session, about, mail);
+        }
         let (vertices, surfaces) = (self.scene.vertices.len(), self.scene.surfaces.len());
         let bytes = frame_bytes(scene_bytes(vertices, surfaces));
-        // Such a frame would be counted by the board and never answered.
-        if bytes > usize::from(about.longest_frame) {
-            return Err(BoardError::Refused(format!(
-                "the scene has {vertices} vertices and {surfaces} surfaces, a frame of {bytes} bytes, allowed: {} vertices, \
-                 {} surfaces, {} bytes",
-                about.vertices, about.surfaces, about.longest_frame
-            )));
-        }
-        let names = self.surface_names();
+        check_frame(
+            about,
+            bytes,
+            &format!("{vertices} vertices and {surfaces} surfaces"),
+        )?;
+        let names = self.names();
         self.scene.described(|description| {
             let scene = SceneCommand::from(description);
             session.demand(mail, Command::Scene(scene), &names)
         })
     }
 
-    fn surface_names(&self) -> Vec<String> {
-        let surfaces = self.scene.surfaces.iter();
-        surfaces.map(|surface| surface.name.clone()).collect()
+    /// The obstacles as they are within the range of the board's numbers.
+    fn send_scene_among(
+        &self,
+        session: &mut Session,
+        about: &About,
+        mail: &mut Mail,
+    ) -> Result<(), BoardError> {
+        let names = self.names_on(about);
+        let (sent, _) = self.described_on(about, |description, obstacles| {
+            let (count, corners) = (obstacles.len(), corner_count(obstacles));
+            let room = [about.room.obstacles, about.room.corners].map(usize::from);
+            if count > room[0] || corners > room[1] {
+                return Err(BoardError::Refused(too_many(about, count, corners)));
+            }
+            let (vertices, surfaces) = (description.vertices.len(), description.surfaces.len());
+            let what = format!(
+                "{vertices} vertices, {surfaces} surfaces and {count} obstacles with {corners} corners"
+            );
+            let bytes = scene_bytes(vertices, surfaces) + obstacle_bytes(count, corners);
+            check_frame(about, frame_bytes(bytes), &what)?;
+            let scene = SceneAmong::new(description, obstacles);
+            session.demand(mail, CommandAmong::SceneAmong(scene), &names)
+        });
+        sent
+    }
+
+    /// The scene with its obstacles as a board's number type has them.
+    fn described_on<T>(
+        &self,
+        about: &About,
+        take: impl FnOnce(&Description<'_, f32>, &[ObstacleDescription<'_, f32>]) -> T,
+    ) -> (T, Option<Indices>) {
+        match about.number {
+            NumberType::F32 => self.scene.described_among::<f32, T>(take),
+            NumberType::Fixed => self.scene.described_among::<Fixed, T>(take),
+        }
+    }
+
+    /// What the board's obstacles are in the scene file, where they are not the same.
+    pub(super) fn indices(&self, about: &About) -> Option<Indices> {
+        self.described_on(about, |_, _| ()).1
+    }
+
+    /// The names of surfaces and obstacles.
+    fn names(&self) -> Names {
+        Names::of(&self.scene.surfaces, &self.scene.obstacles)
+    }
+
+    /// The same, the obstacles by the indices that they have on the board.
+    fn names_on(&self, about: &About) -> Names {
+        let mut names = self.names();
+        if let Some(indices) = self.indices(about) {
+            let name = |i: usize| names.obstacles.get(indices.obstacle(i)?).cloned();
+            names.obstacles = (0..).map_while(name).collect();
+        }
+        names
     }
 
     /// How the board is to work.
@@ -169,7 +223,13 @@ impl Setup {
             };
             match less(&mode, &refusal) {
                 Some(smaller) => mode = smaller,
-                None => return Err(BoardError::Refused(explain("mode", &refusal, &[]))),
+                None => {
+                    return Err(BoardError::Refused(explain(
+                        "mode",
+                        &refusal,
+                        &Names::default(),
+                    )));
+                }
             }
             remark = Some(match mode.stepping {
                 Stepping::PerSample => {
@@ -183,8 +243,47 @@ impl Setup {
                 }
             });
         }
-        session.demand(mail, Command::Mode(mode), &[])?;
+        session.demand(mail, Command::Mode(mode), &Names::default())?;
         Ok(remark)
+    }
+}
+
+/// A longer frame would be counted by the board and never answered.
+fn check_frame(about: &About, bytes: usize, what: &str) -> Result<(), BoardError> {
+    if bytes <= usize::from(about.longest_frame) {
+        return Ok(());
+    }
+    let (vertices, surfaces) = (about.vertices, about.surfaces);
+    let obstacles = match about.room.obstacles {
+        0 => String::new(),
+        count => format!(", {count} obstacles with {} corners", about.room.corners),
+    };
+    Err(BoardError::Refused(format!(
+        "the scene has {what}, a frame of {bytes} bytes, allowed: {vertices} vertices, {surfaces} surfaces{obstacles}, {} bytes",
+        about.longest_frame
+    )))
+}
+
+fn corner_count(obstacles: &[ObstacleDescription<'_, f32>]) -> usize {
+    obstacles
+        .iter()
+        .map(|obstacle| obstacle.vertices.len())
+        .sum()
+}
+
+/// There is no room for so many obstacles, or for none.
+fn too_many(about: &About, obstacles: usize, corners: usize) -> String {
+    let scene = format!("the scene has {obstacles} obstacles with {corners} corners");
+    match about.room.obstacles {
+        0 => format!(
+            "{scene}, allowed on this board: none; an image of the feature `obstacles` has room for some, and speaks version {} of \
+             the wire format",
+            stiction_core::frame::VERSION_AMONG
+        ),
+        count => format!(
+            "{scene}, allowed on this board: {count} with {} in all",
+            about.room.corners
+        ),
     }
 }
 

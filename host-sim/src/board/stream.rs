@@ -4,11 +4,12 @@ use std::time::{Duration, Instant};
 
 use stiction_core::frame::{Command, Reason};
 use stiction_core::narrow_hand;
-use stiction_scene::Sample;
+use stiction_scene::{Indices, Sample};
 
 use super::address::{Address, ConnectArgs};
 use super::audience::Audience;
 use super::counts::Counts;
+use super::emulate::Image;
 use super::error::BoardError;
 use super::feed::Feed;
 use super::flight::{Flight, Sent};
@@ -20,6 +21,7 @@ use super::session::{Mail, Session};
 use super::setup::Setup;
 use super::steps::{Step, Steps};
 use super::verify::{Twin, Verdict};
+use crate::record::Names;
 use crate::stop;
 
 /// Samples on their way to a board that makes a step with each: its queue holds them.
@@ -55,6 +57,8 @@ pub(super) struct Stream<'a, A> {
     pub(super) flight: Flight,
     pub(super) steps: Steps,
     pub(super) recorder: Recorder,
+    /// What the board's obstacles are in the scene file, where they are not the same.
+    pub(super) indices: Option<Indices>,
     /// Why the tracker is gone.
     pub(super) tracker_gone: Option<BoardError>,
 }
@@ -68,13 +72,19 @@ impl<'a, A: Audience> Stream<'a, A> {
         mut audience: A,
     ) -> Result<(Self, Session), BoardError> {
         let (begun, timeout) = (Instant::now(), args.timeout());
-        let (mut address, mut mail) = (args.address()?, Mail::new());
+        let image = match setup.scene.obstacles.is_empty() {
+            true => Image::Plain,
+            false => Image::Obstacles,
+        };
+        let (mut address, mut mail) = (args.address(image)?, Mail::new());
         let (mut session, mut about) = Session::begin(&mut address, &mut mail, timeout, begun)?;
         if let Some(remark) = setup.apply(&mut session, &mut about, &mut mail)? {
             audience.note(&remark);
         }
+        let indices = setup.indices(&about);
         let stream = Self {
             setup,
+            indices,
             about,
             address,
             mail,
@@ -253,7 +263,11 @@ impl<'a, A: Audience> Stream<'a, A> {
             Said::Answer(answer)
                 if answer.command.code == HAND && answer.reason != Reason::Done =>
             {
-                return Err(BoardError::Refused(explain("hand", answer, &[])));
+                return Err(BoardError::Refused(explain(
+                    "hand",
+                    answer,
+                    &Names::default(),
+                )));
             }
             _ => {}
         }
@@ -276,7 +290,7 @@ impl<'a, A: Audience> Stream<'a, A> {
             self.verdict
                 .add((sent.index, sent.sample.t), step, expected);
         }
-        let frame = self.recorder.frame(&sent, step);
+        let frame = self.recorder.frame(&sent, step, self.indices.as_ref());
         self.counts.incomplete += u64::from(frame.is_none());
         self.audience.frame(&sent.sample, frame, latency)
     }

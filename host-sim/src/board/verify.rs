@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use stiction_core::frame::{EventSet, NumberType};
-use stiction_core::{Contact, Fixed, Hand, Model, Output, Parts, Real, SiFloat, Solver, Wrench};
-use stiction_scene::{HostSolver, InputError, SceneFile};
+use stiction_core::frame::{ContactAmong, EventSet, NumberType};
+use stiction_core::{Fixed, Hand, Output, Parts, Real, SiFloat, State, Wrench};
+use stiction_scene::{Among, HostModel, HostSolver, InputError, SceneFile};
 
-use super::heard::About;
+use super::heard::{About, Touched};
 use super::steps::Step;
 use crate::simulate::Running;
 
@@ -15,7 +15,7 @@ use crate::simulate::Running;
 pub(super) struct Expected {
     output: Output<f32>,
     wrench: Wrench<f32>,
-    contacts: Vec<Contact<f32>>,
+    contacts: Vec<Touched>,
     has_budget: bool,
 }
 
@@ -31,7 +31,7 @@ pub(super) trait Twin: Send {
     fn step(&mut self, hand: Hand<f32>) -> Expected;
 }
 
-impl<R: Real<Si = f32> + Send, M: Model> Twin for Running<R, M>
+impl<R: Real<Si = f32> + Send, M: HostModel> Twin for Running<R, M>
 where
     HostSolver<R, M>: Send,
 {
@@ -40,8 +40,24 @@ where
         Expected {
             output,
             wrench: solver.wrench(state),
-            contacts: solver.contacts(state).to_vec(),
+            contacts: touched(solver, state),
             has_budget: solver.budget() < u32::MAX,
+        }
+    }
+}
+
+/// The contacts as a board says them: among obstacles with what touches what.
+fn touched<R: Real<Si = f32>, M: HostModel>(
+    solver: &HostSolver<R, M>,
+    state: &State<R>,
+) -> Vec<Touched> {
+    let contacts = solver.contacts(state);
+    match M::touches(solver, state) {
+        None => contacts.iter().copied().map(Touched::from).collect(),
+        Some(touches) => {
+            let pairs = contacts.iter().zip(touches.iter());
+            let among = pairs.map(|(contact, touching)| ContactAmong::new(contact, touching));
+            among.map(Touched::from).collect()
         }
     }
 }
@@ -62,23 +78,37 @@ where
     f32: SiFloat,
 {
     match (about.friction, about.weight) {
-        (true, true) => host::<R, Parts<true, true>>(about, scene),
-        (true, false) => host::<R, Parts<true, false>>(about, scene),
-        (false, true) => host::<R, Parts<false, true>>(about, scene),
-        (false, false) => host::<R, Parts<false, false>>(about, scene),
+        (true, true) => in_place::<R, true, true>(about, scene),
+        (true, false) => in_place::<R, true, false>(about, scene),
+        (false, true) => in_place::<R, false, true>(about, scene),
+        (false, false) => in_place::<R, false, false>(about, scene),
     }
 }
 
-fn host<R: Real<Si = f32> + Send + 'static, M: Model>(
+/// With obstacles only where the scene has some.
+fn in_place<R: Real<Si = f32> + Send + 'static, const FRICTION: bool, const WEIGHT: bool>(
+    about: &About,
+    scene: &SceneFile,
+) -> Result<Box<dyn Twin>, InputError>
+where
+    f32: SiFloat,
+{
+    if scene.obstacles.is_empty() {
+        host::<R, Parts<FRICTION, WEIGHT>>(about, scene)
+    } else {
+        host::<R, Among<Parts<FRICTION, WEIGHT>>>(about, scene)
+    }
+}
+
+fn host<R: Real<Si = f32> + Send + 'static, M: HostModel>(
     about: &About,
     scene: &SceneFile,
 ) -> Result<Box<dyn Twin>, InputError>
 where
     HostSolver<R, M>: Send,
 {
-    let solver = Solver::new(scene.scene_in::<R, M>()?, about.mode.evolution);
-    let solver = solver.with_budget(about.budget);
-    Ok(Box::new(Running::new(solver)))
+    let running = Running::<R, M>::of(scene, about.mode.evolution, about.budget)?;
+    Ok(Box::new(running))
 }
 
 /// What is not equal, and both values.
@@ -164,13 +194,16 @@ fn compare_forces(step: &Step, expected: &Expected) -> Result<(), Difference> {
     same("turns", forces.turns, expected.output.angle.turns)?;
     same("contacts", forces.contacts.len(), expected.contacts.len())?;
     for (i, (board, host)) in forces.contacts.iter().zip(&expected.contacts).enumerate() {
-        let pair = |contact: &Contact<f32>| (contact.vertex, contact.surface);
         same(
-            &format!("vertex and surface of contact {i}"),
-            pair(board),
-            pair(host),
+            &format!("what touches what in contact {i}"),
+            board.touch,
+            host.touch,
         )?;
+        let direction = |contact: &Touched| contact.direction.unwrap_or_default();
+        let ([n_x, n_y], [host_x, host_y]) = (direction(board), direction(host));
         for (what, board, host) in [
+            ("normal x", n_x, host_x),
+            ("normal y", n_y, host_y),
             ("point x", board.point[0], host.point[0]),
             ("point y", board.point[1], host.point[1]),
             ("N", board.normal, host.normal),

@@ -26,6 +26,7 @@ impl<A: Audience> Stream<'_, A> {
             self.take(session, heard)?;
         }
         if result.is_ok() {
+            self.indices = setup.indices(&self.about);
             self.setup = setup;
             if anew {
                 self.feed.drop_waiting();

@@ -22,6 +22,20 @@ pub enum Machine {
     WebAssembly,
 }
 
+/// Where the hand walks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// By a floor and a wall.
+    ByWalls,
+    /// Among obstacles with corners.
+    AmongObstacles,
+}
+
+impl Place {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::ByWalls, Self::AmongObstacles];
+}
+
 impl Machine {
     /// All machines.
     pub const ALL: [Self; 8] = [
@@ -45,12 +59,16 @@ impl Machine {
         }
     }
 
-    /// The hash of all answers of a walk of so many frames.
+    /// The hash of all answers of a walk of so many frames in a place.
     ///
     /// # Errors
     /// A program is missing, the image cannot be built, or its run ends with an error.
-    pub fn bits(self, number: NumberType, frames: u32) -> Result<u64, EmulatorError> {
-        let (name, frames) = (number.name(), frames.to_string());
+    pub fn bits(self, number: NumberType, place: Place, frames: u32) -> Result<u64, EmulatorError> {
+        let name = match place {
+            Place::ByWalls => number.name().to_owned(),
+            Place::AmongObstacles => format!("among_{}", number.name()),
+        };
+        let (name, frames) = (name.as_str(), frames.to_string());
         let text = match self {
             Self::Debug => on_this_computer(Profile::Dev, [name, &frames])?,
             Self::Release => on_this_computer(Profile::Release, [name, &frames])?,

@@ -126,6 +126,7 @@ mod tests {
     use stiction_core::StateKind;
     use stiction_core::{Angle, Status};
     use stiction_firmware::job::{Frame, Totals};
+    use stiction_scene::ObstacleRoom;
 
     fn measured(instructions: &[u32]) -> Measured {
         let frame = |&instructions: &u32| Frame {
@@ -158,6 +159,7 @@ mod tests {
             surfaces: 1,
             friction: false,
             weight: false,
+            obstacles: ObstacleRoom::default(),
         };
         let table = Table {
             rows: vec![Row {

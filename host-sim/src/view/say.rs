@@ -14,7 +14,7 @@ use super::pair::{Comparison, Pair, SlipMark};
 use super::stage::Stage;
 use crate::board::{Fares, Identity};
 use crate::meter;
-use crate::record::{Frame, Scenery};
+use crate::record::{Frame, Names, Scenery};
 use crate::trace::Record;
 
 /// Of the protocol.
@@ -264,8 +264,7 @@ impl News {
         let latest = &self.latest;
         let scene = &latest.scene;
         let scenery = Scenery {
-            surfaces: scene.surfaces.iter().map(|s| s.name.clone()).collect(),
-            obstacles: scene.obstacles.iter().map(|o| o.name.clone()).collect(),
+            names: Names::of(&scene.surfaces, &scene.obstacles),
             meter: latest.meter.as_deref().cloned(),
         };
         let springs = Springs::of(scene, &latest.frame);

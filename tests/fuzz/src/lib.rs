@@ -7,13 +7,18 @@
 //! tests/fuzz/run.sh solver 60
 //! ```
 
+mod case;
+mod clamp;
+mod draw;
 mod hand_path;
+mod obstacles;
 mod scene_file;
 mod solver;
 mod station;
 mod wire;
 
 pub use hand_path::hand_path;
+pub use obstacles::obstacles;
 pub use scene_file::scene_file;
 pub use solver::{as_files, solver};
 pub use wire::wire;

@@ -1,10 +1,9 @@
 //! Bytes as a scene, its parameters and a hand's path, and the laws on every frame of it in every number type.
 
-mod case;
-mod draw;
-
-use case::Case;
-use stiction_core::{Fixed, Hand, Solver, State};
+use crate::case::Case;
+use crate::clamp;
+use crate::draw::Draw;
+use stiction_core::{Contact, Fixed, Hand, Solver, State};
 use stiction_tests::laws::{Bounds, Finding, judge_within, judged, law};
 use stiction_tests::run::planar;
 use stiction_tests::{Frame, Number};
@@ -12,7 +11,7 @@ use stiction_tests::{Frame, Number};
 /// # Panics
 /// Where a law does not hold.
 pub fn solver(bytes: &[u8]) {
-    if let Some(case) = Case::read(bytes) {
+    if let Some(case) = Case::read(Draw::new(bytes)) {
         follow::<f32>(&case);
         follow::<Fixed>(&case);
         follow::<f64>(&case);
@@ -21,7 +20,7 @@ pub fn solver(bytes: &[u8]) {
 
 /// The case of these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` for too few bytes.
 pub fn as_files(bytes: &[u8]) -> Option<(String, String, String)> {
-    Case::read(bytes).map(|case| case.as_files())
+    Case::read(Draw::new(bytes)).map(|case| case.as_files())
 }
 
 /// All frames of a case; none where its scene is refused.
@@ -119,23 +118,12 @@ fn shared(a: &Frame, b: &Frame) -> usize {
     a.iter().filter(|contact| b.contains(contact)).count()
 }
 
-/// Reactions are reckoned in parts along the edges of the friction cones, which in fixed point are at most 128 k_h L: from half
-/// of it on they need not be exact (STATICS 10), nor in the frames after that, as long as two contacts last.
+/// Reactions of a frame are beyond what the number type computes exactly.
 fn clamps<R: Number>(case: &Case, frame: &Frame) -> bool {
     let setup = &case.setup;
-    let is_large = |force: f64| {
-        let lengths = force / (128.0 * setup.stiffness_translation);
-        // The L of a point is a power of two.
-        match setup.vertices.len() {
-            1 => (lengths.log2() - lengths.log2().round()).abs() < 1e-6,
-            _ => lengths / setup.size() > 0.5,
-        }
+    let reaction = |c: &Contact<f64>| {
+        let slope = setup.surfaces[c.surface].friction_static;
+        (c.normal, c.friction, slope)
     };
-    R::NAME == "fixed"
-        && frame.contacts.iter().any(|contact| {
-            let slope = setup.surfaces[contact.surface].friction_static;
-            let edge = slope.hypot(1.0);
-            let part = 0.5 * edge * (contact.normal + contact.friction.abs() / slope);
-            is_large(contact.normal) || is_large(part)
-        })
+    clamp::clamps::<R>(setup, frame.contacts.iter().map(reaction))
 }

@@ -3,14 +3,16 @@
 
 use crate::station;
 use stiction_core::frame::{
-    Command, Decoder, Fault, Frame, LogitechDecoder, Message, Report, frame_bytes, scene_bytes,
-    wire_bytes,
+    Command, CommandAmong, Decoder, Fault, Frame, LogitechDecoder, Message, Report, ReportAmong,
+    frame_bytes, obstacle_bytes, scene_bytes, wire_bytes,
 };
 use stiction_core::{Axis, Projection};
 
-/// Room for every frame that there can be: 255 vertices and 255 surfaces.
-const LONGEST: usize = frame_bytes(scene_bytes(255, 255));
-const WIRE: usize = wire_bytes(scene_bytes(255, 255));
+/// The longest payload that there can be: 255 vertices, surfaces, obstacles and corners of these.
+const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
+/// Room for every frame.
+const LONGEST: usize = frame_bytes(PAYLOAD);
+const WIRE: usize = wire_bytes(PAYLOAD);
 /// Room for some frames only.
 const SHORT: usize = 40;
 
@@ -38,35 +40,48 @@ pub fn wire(bytes: &[u8]) {
     }
 }
 
-/// A board and a client hear the same traffic.
+/// Boards and clients hear the same traffic, those without room for obstacles and those with it.
 fn hear<const ROOM: usize>(traffic: &[u8]) {
     let (mut board, mut client) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
+    let (mut board_among, mut client_among) = (Decoder::<ROOM>::new(), Decoder::<ROOM>::new());
     let mut faults = [0; 2];
     for &byte in traffic {
-        match board.push::<Command>(byte) {
-            Some(Ok(frame)) => same_again(&frame, taken_by_board),
+        let command = board.push::<Command>(byte).and_then(Result::ok);
+        let command = command.map(|frame| encoded(&frame));
+        match board_among.push::<CommandAmong>(byte) {
+            Some(Ok(frame)) => same_again(&frame, command, taken_by_board),
             Some(Err(_)) => faults[0] += 1,
             None => {}
         }
-        match client.push::<Report>(byte) {
-            Some(Ok(frame)) => same_again(&frame, taken_by_client),
+        let report = client.push::<Report>(byte).and_then(Result::ok);
+        let report = report.map(|frame| encoded(&frame));
+        match client_among.push::<ReportAmong>(byte) {
+            Some(Ok(frame)) => same_again(&frame, report, taken_by_client),
             Some(Err(_)) => faults[1] += 1,
             None => {}
         }
     }
     assert_eq!(
-        [board.faults().total(), client.faults().total()],
+        [board_among.faults().total(), client_among.faults().total()],
         faults,
         "every fault is counted"
     );
+    for (without, with) in [(board, board_among), (client, client_among)] {
+        assert!(
+            without.faults().total() >= with.faults().total(),
+            "with obstacles more is understood"
+        );
+    }
 }
 
-/// A frame is said again, and what is said is taken for the same.
+/// A frame is said again, and what is said is taken for the same. A peer that knows no obstacles took it for the same or not at all.
 fn same_again<'a, M: Message<'a>>(
     frame: &Frame<M>,
+    without: Option<Vec<u8>>,
     taken: impl Fn(&[u8]) -> Result<Vec<u8>, Fault>,
 ) {
     let said = encoded(frame);
+    assert!(without.is_none_or(|without| without == said));
     assert_eq!(taken(&said).as_ref(), Ok(&said), "what is said is taken");
 }
 
@@ -83,7 +98,7 @@ fn taken_by_board(wire: &[u8]) -> Result<Vec<u8>, Fault> {
     for &byte in before {
         assert!(decoder.push::<Command>(byte).is_none(), "one frame");
     }
-    let frame = decoder.push::<Command>(end).expect("a whole frame");
+    let frame = decoder.push::<CommandAmong>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }
 
@@ -94,7 +109,7 @@ fn taken_by_client(wire: &[u8]) -> Result<Vec<u8>, Fault> {
     for &byte in before {
         assert!(decoder.push::<Report>(byte).is_none(), "one frame");
     }
-    let frame = decoder.push::<Report>(end).expect("a whole frame");
+    let frame = decoder.push::<ReportAmong>(end).expect("a whole frame");
     frame.map(|frame| encoded(&frame))
 }
 

@@ -103,7 +103,8 @@ impl Laws {
         }
     }
 
-    /// The laws that a frame breaks. Where the status says that the pose is out of balance nothing is asked of forces.
+    /// The laws that a frame breaks. Where the status says that the pose is out of balance, or no hand holds the body, nothing is asked of
+    /// forces.
     pub fn broken(&self, frame: &Frame) -> Vec<Finding> {
         let mut findings = Findings::default();
         if !is_finite(frame) || frame.unequal {
@@ -113,7 +114,7 @@ impl Laws {
         let body = placed(&self.among.setup.vertices, frame.pose);
         self.names(frame, &mut findings);
         self.geometry(frame, &body, &mut findings);
-        if !excuses_balance(frame.status) {
+        if frame.held && !excuses_balance(frame.status) {
             self.statics(frame, &body, &mut findings);
         }
         findings.0

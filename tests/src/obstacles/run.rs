@@ -1,11 +1,11 @@
 //! The driver among obstacles: leads the hand through a scene and gives every answer as a frame in f64.
 
-use super::scene::{Among, Model, SURFACES, VERTICES};
+use super::scene::{Among, Model, SURFACES, Scene, VERTICES};
 use super::shape::Point;
 use crate::number::Number;
 use crate::reference::Touch;
 use crate::run::planar;
-use stiction_core::{Event, Evolution, Output, Solver, State, Status};
+use stiction_core::{Event, Evolution, Hand, Output, Solver, State, Status};
 
 /// A contact in f64, SI units, world frame; forces are those on the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +78,13 @@ impl<R: Number> Run<R> {
     pub fn start(among: &Among, evolution: Evolution, hand: [f64; 3]) -> Self {
         let scene = among.within::<R>().scene::<R>();
         let scene = scene.unwrap_or_else(|e| panic!("{}: {e}: {among:?}", R::NAME));
+        Self::of(scene, evolution, planar::<R>(hand))
+    }
+
+    /// Starts a scene that was taken.
+    pub fn of(scene: Scene<R>, evolution: Evolution, hand: Hand<R::Si>) -> Self {
         let solver = Solver::new(scene, evolution);
-        let (state, output) = solver.start(planar::<R>(hand));
+        let (state, output) = solver.start(hand);
         let frame = frame::<R>(&solver, &state, &output);
         Self {
             solver,

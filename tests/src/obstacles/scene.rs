@@ -2,7 +2,7 @@
 
 use super::shape::Point;
 use crate::number::Number;
-use crate::reference;
+use crate::reference::{self, Touch};
 use crate::setup::Setup;
 use std::fmt::Write;
 use stiction_core::{
@@ -42,6 +42,19 @@ pub struct Among {
 }
 
 impl Among {
+    /// mu_s and mu_d of a contact.
+    pub fn friction(&self, touch: Touch) -> [f64; 2] {
+        match touch {
+            Touch::Surface { surface, .. } => {
+                let surface = &self.setup.surfaces[surface];
+                [surface.friction_static, surface.friction_dynamic]
+            }
+            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => {
+                self.obstacles[obstacle].friction
+            }
+        }
+    }
+
     /// The scene of a number type.
     ///
     /// # Errors

@@ -1,5 +1,6 @@
 //! The wire: FRAME.md and the code say the same, and no line makes a wrong message of a right one.
 
+mod among;
 mod examples;
 mod faulty_line;
 mod logitech;
@@ -13,12 +14,16 @@ mod round_trip;
 mod said;
 mod solver_bits;
 
-use stiction_core::frame::{Command, Decoder, Fault, Frame, Message, Report};
+use stiction_core::frame::{
+    Command, CommandAmong, Decoder, Fault, Frame, Message, Report, ReportAmong, frame_bytes,
+    obstacle_bytes, scene_bytes, wire_bytes,
+};
 
-/// Room for every frame that there can be: 255 vertices and 255 surfaces.
-const LONGEST: usize =
-    stiction_core::frame::frame_bytes(stiction_core::frame::scene_bytes(255, 255));
-const WIRE: usize = stiction_core::frame::wire_bytes(stiction_core::frame::scene_bytes(255, 255));
+/// The longest payload that there can be: 255 vertices, surfaces, obstacles and corners of these.
+const PAYLOAD: usize = scene_bytes(255, 255) + obstacle_bytes(255, 255);
+/// Room for every frame.
+const LONGEST: usize = frame_bytes(PAYLOAD);
+const WIRE: usize = wire_bytes(PAYLOAD);
 
 /// How often something is tried: so many times, or, in the slow interpreter, a few.
 const fn times(count: u32) -> u32 {
@@ -30,10 +35,28 @@ fn sampled<I: Iterator>(all: I, of: usize) -> impl Iterator<Item = I::Item> {
     all.step_by(if cfg!(miri) { of } else { 1 })
 }
 
-/// A frame of either direction.
+/// A frame of either direction, of peers without obstacles or with them.
 enum Either<'a> {
     Command(Frame<Command<'a>>),
     Report(Frame<Report<'a>>),
+    CommandAmong(Frame<CommandAmong<'a>>),
+    ReportAmong(Frame<ReportAmong<'a>>),
+}
+
+impl Either<'_> {
+    fn encoded(&self) -> Vec<u8> {
+        match self {
+            Self::Command(frame) => encoded(frame),
+            Self::Report(frame) => encoded(frame),
+            Self::CommandAmong(frame) => encoded(frame),
+            Self::ReportAmong(frame) => encoded(frame),
+        }
+    }
+
+    /// It goes to the board.
+    fn to_board(&self) -> bool {
+        matches!(self, Self::Command(_) | Self::CommandAmong(_))
+    }
 }
 
 /// The bytes of a frame on the wire.
@@ -42,8 +65,25 @@ fn encoded<'a, M: Message<'a>>(frame: &Frame<M>) -> Vec<u8> {
     frame.encode(&mut wire).expect("there is room").to_vec()
 }
 
-/// What `look` makes of the only frame in these bytes.
+/// What `look` makes of the only frame in these bytes, heard by a peer without obstacles.
 fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, Fault>) -> T) -> T {
+    heard(wire, (to_board, false), look)
+}
+
+/// As [`decoded`], by a peer with obstacles.
+fn decoded_among<T>(
+    wire: &[u8],
+    to_board: bool,
+    look: impl FnOnce(Result<Either<'_>, Fault>) -> T,
+) -> T {
+    heard(wire, (to_board, true), look)
+}
+
+fn heard<T>(
+    wire: &[u8],
+    (to_board, among): (bool, bool),
+    look: impl FnOnce(Result<Either<'_>, Fault>) -> T,
+) -> T {
     let (&last, bytes) = wire.split_last().expect("a frame has bytes");
     let mut decoder = Decoder::<LONGEST>::new();
     for &byte in bytes {
@@ -52,16 +92,12 @@ fn decoded<T>(wire: &[u8], to_board: bool, look: impl FnOnce(Result<Either<'_>, 
             "a frame ends at its delimiter"
         );
     }
-    look(if to_board {
-        decoder
-            .push(last)
-            .expect("a delimiter ends a frame")
-            .map(Either::Command)
-    } else {
-        decoder
-            .push(last)
-            .expect("a delimiter ends a frame")
-            .map(Either::Report)
+    let end = "a delimiter ends a frame";
+    look(match (to_board, among) {
+        (true, false) => decoder.push(last).expect(end).map(Either::Command),
+        (false, false) => decoder.push(last).expect(end).map(Either::Report),
+        (true, true) => decoder.push(last).expect(end).map(Either::CommandAmong),
+        (false, true) => decoder.push(last).expect(end).map(Either::ReportAmong),
     })
 }
 

@@ -13,11 +13,8 @@ fn fault(bytes: &[u8], to_board: bool) -> Option<Fault> {
 }
 
 /// Head and payload of a message.
-fn bare(frame: &Either<'_>) -> (Vec<u8>, bool) {
-    let (wire, to_board) = match frame {
-        Either::Command(frame) => (encoded(frame), true),
-        Either::Report(frame) => (encoded(frame), false),
-    };
+pub(crate) fn bare(frame: &Either<'_>) -> (Vec<u8>, bool) {
+    let (wire, to_board) = (frame.encoded(), frame.to_board());
     let mut raw = wire[..wire.len() - 1].to_vec();
     let length = cobs::decode_in_place(&mut raw).expect("COBS");
     raw.truncate(length - 4);

@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 
 use stiction_core::frame::{
-    Command, Drive, FaultKind, Frame, NumberType, Reason, Report, Reset, Stepping,
+    Command, CommandAmong, Drive, FaultKind, Frame, NumberType, Reason, Report, ReportAmong, Reset,
+    Stepping,
 };
 use stiction_core::{Event, Evolution, StateKind, Status};
 
@@ -51,6 +52,32 @@ fn messages_are_named_by_what_they_are() {
             Either::Report(Frame { message, .. }) => {
                 assert_eq!(Report::name(&message), hyphenated(&message));
             }
+            among => panic!("{}", among.to_board()),
+        }
+    }
+}
+
+#[test]
+fn messages_about_obstacles_are_named_by_what_they_are() {
+    let mut random = Random(5);
+    for _ in 0..200 {
+        let store = Store::fill(&mut random, 3);
+        match store.frame_among(&mut random) {
+            Either::CommandAmong(Frame { message, .. }) => {
+                let named = match &message {
+                    CommandAmong::Common(command) => hyphenated(command),
+                    message => hyphenated(message),
+                };
+                assert_eq!(message.name(), named);
+            }
+            Either::ReportAmong(Frame { message, .. }) => {
+                let named = match &message {
+                    ReportAmong::Common(report) => hyphenated(report),
+                    message => hyphenated(message),
+                };
+                assert_eq!(message.name(), named);
+            }
+            common => panic!("{}", common.to_board()),
         }
     }
 }

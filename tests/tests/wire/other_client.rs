@@ -1,9 +1,9 @@
 //! A client written from FRAME.md alone, `board_client.py`, and this crate understand each other.
 
+use crate::encoded;
 use crate::examples::examples;
 use crate::random::{Random, Store};
 use crate::said::Said;
-use crate::{Either, encoded};
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::Path;
@@ -152,12 +152,11 @@ fn frames() -> (Vec<String>, Vec<Said>) {
         .collect();
     for i in 0..4000 {
         let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
-        let frame = store.frame(&mut random);
-        let wire = match &frame {
-            Either::Command(frame) => encoded(frame),
-            Either::Report(frame) => encoded(frame),
+        let frame = match i % 2 {
+            0 => store.frame(&mut random),
+            _ => store.frame_among(&mut random),
         };
-        frames.push((hex(&wire), Said::of(&frame)));
+        frames.push((hex(&frame.encoded()), Said::of(&frame)));
     }
     frames.into_iter().unzip()
 }
@@ -204,10 +203,11 @@ fn client_finds_the_same_faults() {
     let mut faults = Vec::new();
     for i in 0..20_000 {
         let store = Store::fill(&mut random, 4);
-        let Either::Report(frame) = store.frame(&mut random) else {
+        let frame = store.frame_among(&mut random);
+        if frame.to_board() {
             continue;
-        };
-        let wire = encoded(&frame);
+        }
+        let wire = frame.encoded();
         let mut raw = cobs_undone(&wire);
         let place = random.below(raw.len());
         match i % 3 {
@@ -220,7 +220,7 @@ fn client_finds_the_same_faults() {
             continue;
         }
         let wire = crate::sealed(&raw);
-        let fault = crate::decoded(&wire, false, |received| {
+        let fault = crate::decoded_among(&wire, false, |received| {
             received.err().map(|fault| fault.kind.name())
         });
         lines.push(hex(&wire));

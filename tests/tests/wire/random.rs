@@ -1,15 +1,18 @@
 //! Random messages of every type, the same in every run.
 
+mod among;
+
+use self::among::{contact_among, obstacles};
 use crate::Either;
 use stiction_core::frame::FaultKind;
 use stiction_core::frame::{
-    Command, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List, Mode, NumberType,
-    Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset, SceneCommand, Stepping,
-    Subject, Text,
+    Command, ContactAmong, Drive, EventSet, Events, Faults, Forces, Frame, Health, Info, List,
+    Mode, NumberType, Parameters, Pong, Pose, Reason, Reference, Reply, Report, Reset,
+    SceneCommand, Stepping, Subject, Text,
 };
 use stiction_core::{
-    Angle, Axis, Contact, Event, Evolution, Hand, Parameter, StateKind, Status, SurfaceDescription,
-    TrackerSample, Wrench,
+    Angle, Axis, Contact, Event, Evolution, Hand, ObstacleDescription, Parameter, StateKind,
+    Status, SurfaceDescription, TrackerSample, Wrench,
 };
 
 /// Random numbers (splitmix64).
@@ -115,7 +118,9 @@ impl Random {
 pub(crate) struct Store {
     vertices: Vec<[f32; 2]>,
     surfaces: Vec<SurfaceDescription<f32>>,
+    obstacles: Vec<ObstacleDescription<'static, f32>>,
     contacts: Vec<Contact<f32>>,
+    contacts_among: Vec<ContactAmong>,
     events: Vec<Event>,
     text: String,
 }
@@ -133,7 +138,9 @@ impl Store {
         Self {
             vertices: (0..v).map(|_| random.floats()).collect(),
             surfaces: (0..s).map(|_| surface(random)).collect(),
+            obstacles: obstacles(random, longest),
             contacts: (0..c).map(|_| contact(random)).collect(),
+            contacts_among: (0..c).map(|_| contact_among(random)).collect(),
             events: (0..e).map(|_| random.one(&Event::ALL)).collect(),
             text: (0..t)
                 .map(|_| char::from(b' ' + random.below(95) as u8))
@@ -157,6 +164,30 @@ impl Store {
                 time,
                 message,
             })
+        }
+    }
+
+    fn scene(&self, random: &mut Random) -> SceneCommand<'_> {
+        SceneCommand {
+            vertices: List::from(self.vertices.as_slice()),
+            start: random.floats(),
+            weight: random.float(),
+            holding_point: random.flag().then(|| random.floats()),
+            reach: random.float(),
+            stiffness_translation: random.float(),
+            stiffness_rotation: random.float(),
+            surfaces: List::from(self.surfaces.as_slice()),
+        }
+    }
+
+    fn reply(&self, random: &mut Random) -> Reply<'_> {
+        Reply {
+            command: random.reference(),
+            reason: random.one(&Reason::ALL),
+            subject: random.subject(),
+            value: random.float(),
+            limit: random.float(),
+            allowed: Text::new(&self.text),
         }
     }
 
@@ -184,16 +215,7 @@ impl Store {
                 friction_dynamic: random.float(),
                 memory: random.option(),
             }),
-            3 => Command::Scene(SceneCommand {
-                vertices: List::from(self.vertices.as_slice()),
-                start: random.floats(),
-                weight: random.float(),
-                holding_point: random.flag().then(|| random.floats()),
-                reach: random.float(),
-                stiffness_translation: random.float(),
-                stiffness_rotation: random.float(),
-                surfaces: List::from(self.surfaces.as_slice()),
-            }),
+            3 => Command::Scene(self.scene(random)),
             4 => Command::Mode(random.mode()),
             5 => Command::Hello,
             6 => Command::Ping,
@@ -215,14 +237,7 @@ impl Store {
                 longest_slip: random.float(),
                 list: List::from(self.events.as_slice()),
             }),
-            3 => Report::Reply(Reply {
-                command: random.reference(),
-                reason: random.one(&Reason::ALL),
-                subject: random.subject(),
-                value: random.float(),
-                limit: random.float(),
-                allowed: Text::new(&self.text),
-            }),
+            3 => Report::Reply(self.reply(random)),
             4 => Report::Info(Info {
                 version: [random.byte(), random.byte(), random.byte()],
                 number: random.one(&NumberType::ALL),

@@ -15,10 +15,7 @@ fn random_messages_arrive_as_they_were_sent() {
     for i in 0..times(20_000) {
         let store = Store::fill(&mut random, if i % 50 == 0 { 255 } else { 12 });
         let sent = store.frame(&mut random);
-        let (wire, to_board) = match &sent {
-            Either::Command(frame) => (encoded(frame), true),
-            Either::Report(frame) => (encoded(frame), false),
-        };
+        let (wire, to_board) = (sent.encoded(), sent.to_board());
         assert_eq!(
             wire.iter().position(|b| *b == 0),
             Some(wire.len() - 1),
@@ -27,11 +24,11 @@ fn random_messages_arrive_as_they_were_sent() {
         decoded(&wire, to_board, |received| {
             let received = received.expect("an undamaged frame");
             assert_eq!(Said::of(&received), Said::of(&sent));
-            let again = match &received {
-                Either::Command(frame) => encoded(frame),
-                Either::Report(frame) => encoded(frame),
-            };
-            assert_eq!(again, wire, "a received message can be sent on");
+            assert_eq!(
+                received.encoded(),
+                wire,
+                "a received message can be sent on"
+            );
         });
     }
 }
@@ -198,12 +195,14 @@ fn frame_is_referred_to_by_its_type_and_number() {
     let mut random = Random(5);
     for _ in 0..200 {
         let store = Store::fill(&mut random, 3);
-        let frame = store.frame(&mut random);
-        let (reference, wire) = match &frame {
-            Either::Command(frame) => (frame.reference(), encoded(frame)),
-            Either::Report(frame) => (frame.reference(), encoded(frame)),
+        let frame = store.frame_among(&mut random);
+        let reference = match &frame {
+            Either::Command(frame) => frame.reference(),
+            Either::Report(frame) => frame.reference(),
+            Either::CommandAmong(frame) => frame.reference(),
+            Either::ReportAmong(frame) => frame.reference(),
         };
-        let mut bytes = wire;
+        let mut bytes = frame.encoded();
         bytes.pop();
         cobs::decode_in_place(&mut bytes).expect("COBS");
         assert_eq!([reference.code, reference.sequence], bytes[1..3]);

@@ -1,12 +1,17 @@
 //! What a frame says, with the field names of FRAME.md.
 
+mod among;
+
+use self::among::subject_among;
 use crate::Either;
 use serde_json::{Map, Value as Json};
 use std::collections::BTreeMap;
 use stiction_core::frame::{
-    Command, Events, Forces, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
+    Command, Events, Info, List, Mode, Pose, Reason, Report, SceneCommand, Subject,
 };
-use stiction_core::{Contact, Event, Evolution, Parameter, StateKind, Status, SurfaceDescription};
+use stiction_core::{
+    Contact, Event, Evolution, Parameter, StateKind, Status, SurfaceDescription, Wrench,
+};
 
 /// The value of a field. Floats are told apart by their bits.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +34,8 @@ impl Said {
         let (name, sequence, time) = match frame {
             Either::Command(f) => (f.message.name(), f.sequence, f.time),
             Either::Report(f) => (f.message.name(), f.sequence, f.time),
+            Either::CommandAmong(f) => (f.message.name(), f.sequence, f.time),
+            Either::ReportAmong(f) => (f.message.name(), f.sequence, f.time),
         };
         said.text("type", name)
             .int("sequence", sequence)
@@ -36,6 +43,8 @@ impl Said {
         match frame {
             Either::Command(f) => said.command(&f.message),
             Either::Report(f) => said.report(&f.message),
+            Either::CommandAmong(f) => said.command_among(&f.message),
+            Either::ReportAmong(f) => said.report_among(&f.message),
         }
         said
     }
@@ -173,7 +182,10 @@ impl Said {
     fn report(&mut self, report: &Report<'_>) {
         match report {
             Report::Pose(pose) => self.pose(pose),
-            Report::Forces(forces) => self.forces(forces),
+            Report::Forces(f) => {
+                let contacts = f.contacts.iter().map(contact);
+                self.forces([f.wrench, f.feedback], f.turns, contacts);
+            }
             Report::Events(events) => self.events(events),
             Report::Reply(reply) => {
                 let reason = Reason::ALL.iter().position(|r| *r == reply.reason);
@@ -228,26 +240,21 @@ impl Said {
             .int("sample", pose.sample);
     }
 
-    fn forces(&mut self, forces: &Forces<'_>) {
+    fn forces(
+        &mut self,
+        [wrench, feedback]: [Wrench<f32>; 2],
+        turns: i32,
+        contacts: impl Iterator<Item = Value>,
+    ) {
         for (names, wrench) in [
-            ("wrench_x wrench_y wrench_m", forces.wrench),
-            ("hand_x hand_y hand_m", forces.feedback),
+            ("wrench_x wrench_y wrench_m", wrench),
+            ("hand_x hand_y hand_m", feedback),
         ] {
             let [x, y] = wrench.force;
             self.floats(names, &[x, y, wrench.moment]);
         }
-        let contact = |c: Contact<f32>| {
-            let [x, y] = c.point;
-            let indices = [c.vertex, c.surface].map(|i| Value::Int(i as i64));
-            let numbers = [x, y, c.normal, c.friction].map(float);
-            let sliding = [Value::Int(c.sliding.into())];
-            Value::List(indices.into_iter().chain(numbers).chain(sliding).collect())
-        };
-        self.int("turns", forces.turns).list(
-            "contacts",
-            "contact",
-            forces.contacts.iter().map(contact),
-        );
+        self.int("turns", turns)
+            .list("contacts", "contact", contacts);
     }
 
     fn events(&mut self, events: &Events<'_>) {
@@ -286,6 +293,14 @@ impl Said {
         self.mode(&info.mode);
         self.text("name", &info.name.to_string());
     }
+}
+
+fn contact(c: Contact<f32>) -> Value {
+    let [x, y] = c.point;
+    let indices = [c.vertex, c.surface].map(|i| Value::Int(i as i64));
+    let numbers = [x, y, c.normal, c.friction].map(float);
+    let sliding = [Value::Int(c.sliding.into())];
+    Value::List(indices.into_iter().chain(numbers).chain(sliding).collect())
 }
 
 fn status(status: Status) -> i64 {
@@ -329,8 +344,7 @@ fn subject(subject: Subject) -> (i64, [usize; 2]) {
         Parameter::FrictionDynamic(i) => (13, [i, 0]),
         Parameter::Penetration { surface, vertex } => (14, [surface, vertex]),
         Parameter::Memory(i) => (15, [i, 0]),
-        // No command brings obstacles.
-        _ => (0, [0; 2]),
+        of_obstacle => subject_among(of_obstacle),
     }
 }
 

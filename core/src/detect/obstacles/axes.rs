@@ -324,6 +324,8 @@ pub(super) fn widest<R: Real, W: World<R>>(
         // A point and a pin have no axis: they do not touch.
         return (None, R::HUGE);
     }
+    // What has an inside is told by it: round an acute vertex the normal turns by more than a right angle.
+    let is_flat = corners(scene, obstacle).len() <= 2 && scene.vertices().len() <= 2;
     let all_face = |pairs: &[Pair], way: Vec2<R>| {
         let mut sides = pairs
             .iter()
@@ -338,7 +340,7 @@ pub(super) fn widest<R: Real, W: World<R>>(
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         let touches = gap.abs() <= beside.near;
         let is_beside = || beside.last.is_none_or(|last| faces(way, last));
-        if touches && !(all_face(beside.left, way) && is_beside()) {
+        if touches && is_flat && !(all_face(beside.left, way) && is_beside()) {
             continue;
         }
         let rate = if touches {

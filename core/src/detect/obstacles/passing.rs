@@ -111,7 +111,10 @@ impl<R: Real> Placed<R> {
                 -R::in_plane()
             };
             let turn = turn(pair);
-            let is_here = apart.length_bound() <= near && !contacts.contains(&pair);
+            let is_taken = |&other: &Pair| {
+                other == pair || other != left && self.are_one(scene, [other, pair])
+            };
+            let is_here = apart.length_bound() <= near && !contacts.iter().any(is_taken);
             if is_here && turn > least && found.is_none_or(|(first, _)| turn < first) {
                 found = Some((turn, pair));
             }

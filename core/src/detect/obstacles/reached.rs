@@ -12,6 +12,7 @@ use crate::geometry::Vec2;
 use crate::motion::Instant;
 use crate::real::Real;
 use crate::search::Found;
+use crate::thresholds::Thresholds;
 use crate::world::World;
 use heapless::Vec;
 
@@ -62,6 +63,16 @@ const MOST_DOUBLINGS: usize = 24;
 
 /// So many pieces of a motion are looked at before it is taken for as long as that.
 const MOST_PIECES: usize = 400;
+
+/// What has been reached is looked for within a touch, and so many times as far, again and again: one place of a motion in few digits may
+/// be far from the next.
+const WIDENINGS: i32 = 4;
+const WIDENING: i32 = 8;
+
+/// The farthest from contact at which what has been reached is looked for (L).
+fn farthest_look<R: Real>() -> R {
+    (1..WIDENINGS).fold(R::TOUCH, |near, _| near * R::from_int(WIDENING))
+}
 
 /// A place of a motion, and the body there.
 type Place<R> = (R, Instant<R>);
@@ -136,7 +147,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             let beside = Beside {
                 left: if x == R::ZERO { left } else { &[] },
                 last: last.map(|&(_, last)| last),
-                near: R::TOUCH,
+                near: near_at(&here.placed),
             };
             match closes(scene, obstacle, (before, beside), piece, at) {
                 Closing::Nothing => {}
@@ -210,6 +221,11 @@ fn falls<R: Real>(
     }
 }
 
+/// Gaps up to this are closed: a touch, or what rounding makes of a place so far from the origin.
+fn near_at<R: Real>(placed: &Placed<R>) -> R {
+    R::TOUCH.max(placed.rounding())
+}
+
 /// Where an obstacle is reached on a piece of a motion.
 fn closes<R: Real, W: World<R>>(
     scene: &W,
@@ -237,7 +253,7 @@ fn closes<R: Real, W: World<R>>(
         let side = direction(scene, &end.1.placed, axis);
         if !found {
             let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
-            return if gap <= R::TOUCH {
+            return if gap <= near_at(&end.1.placed) {
                 Closing::Near(side)
             } else {
                 Closing::Nothing
@@ -246,12 +262,16 @@ fn closes<R: Real, W: World<R>>(
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),
-            near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
+            near: near_at(&end.1.placed)
+                - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
+        if gap < -farthest_look::<R>() {
+            let gap = |place: &Place<R>| widest(scene, &place.1, obstacle, (lasting, beside)).1;
+            return Closing::At(before_leap([from, end], at, gap), None);
+        }
         if gap <= beside.near
-            && let Some(contact) =
-                touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
+            && let Some(contact) = touched(scene, (lasting, beside), obstacle, (before, &end.1))
         {
             return Closing::At(end, Some(contact));
         }
@@ -261,14 +281,37 @@ fn closes<R: Real, W: World<R>>(
     Closing::At(from, None)
 }
 
-/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before. Where the
-/// obstacle's own corner is covered, it is one of another obstacle.
+/// The last place before one at which the body has leapt into an obstacle: as the number type sees it the motion has no place in between.
+fn before_leap<R: Real>(
+    [mut from, mut to]: [Place<R>; 2],
+    at: &dyn Fn(R) -> Instant<R>,
+    gap: impl Fn(&Place<R>) -> R,
+) -> Place<R> {
+    for _ in 0..MOST_DOUBLINGS {
+        let x = from.0 + (to.0 - from.0).halved();
+        if x <= from.0 || x >= to.0 {
+            break;
+        }
+        let place = (x, at(x));
+        if gap(&place) < -R::TOUCH {
+            to = place;
+        } else {
+            from = place;
+        }
+    }
+    from
+}
+
+/// The contact with an obstacle that a motion has reached: of those that close there the one whose gap was the largest before, and of
+/// those whose gaps were closed before the one whose gap closes slowest. Where the obstacle's own corner is covered, it is one of
+/// another obstacle.
 fn touched<R: Real, W: World<R>>(
     scene: &W,
-    lasting: &[Pair],
-    (obstacle, side): (usize, Vec2<R>),
-    (before, now): (&Placed<R>, &Placed<R>),
+    (lasting, beside): (&[Pair], Beside<'_, R>),
+    obstacle: usize,
+    (before, body): (&Placed<R>, &Instant<R>),
 ) -> Option<Pair> {
+    let now = &body.placed;
     let own = corners(scene, obstacle);
     let is_own = |pair: Pair| {
         let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
@@ -284,23 +327,24 @@ fn touched<R: Real, W: World<R>>(
         };
         !lasting.contains(&pair) && !lasting.iter().any(is_taken)
     };
-    let mut near = R::TOUCH;
-    for _ in 0..4 {
+    let mut near = beside.near;
+    for _ in 0..WIDENINGS {
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
-        let mut latest: Option<(bool, R, Pair)> = None;
+        let mut latest: Option<((bool, R, R), Pair)> = None;
         for pair in list.into_iter().filter(|&pair| is_new(pair)) {
             let normal = scene.face(pair, now.orientation.rotation()).normal;
-            let is_beside = is_own(pair) && faces(normal, side);
-            let this = (is_beside, before.gap(scene, pair), pair);
-            if latest.is_none_or(|latest| (this.0, this.1) > (latest.0, latest.1)) {
-                latest = Some(this);
+            let is_beside = is_own(pair) && beside.last.is_none_or(|side| faces(normal, side));
+            let gap = before.gap(scene, pair).max(R::met_before());
+            let order = (is_beside, gap, body.gap(scene, pair).slope);
+            if latest.is_none_or(|(most, _)| order > most) {
+                latest = Some((order, pair));
             }
         }
-        if let Some((.., pair)) = latest {
+        if let Some((_, pair)) = latest {
             return Some(pair);
         }
-        near = near * R::from_int(8);
+        near = near * R::from_int(WIDENING);
     }
     None
 }

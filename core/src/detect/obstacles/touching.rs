@@ -19,15 +19,15 @@ pub(super) struct Leaving<R> {
     pub(super) normal: Vec2<R>,
 }
 
-/// The sides of obstacles but two that leave a place.
+/// The sides of obstacles but two that leave a place, which is known to some length.
 pub(super) fn leaving<R: Real, W: World<R>>(
     scene: &W,
-    place: Vec2<R>,
+    (place, known_to): (Vec2<R>, R),
     but: [u8; 2],
 ) -> impl Iterator<Item = Leaving<R>> + Clone + '_ {
     let first = scene.surface_indices().end;
     let others = (first..).zip(scene.corners()).filter(move |(_, corner)| {
-        let is_here = (corner.place - place).length_bound() <= together();
+        let is_here = (corner.place - place).length_bound() <= known_to;
         is_here && !but.contains(&corner.obstacle)
     });
     others.flat_map(move |(index, corner)| {
@@ -48,7 +48,7 @@ pub(super) fn leaving<R: Real, W: World<R>>(
 
 impl<R: Real> Placed<R> {
     /// The rounding of a gap to an obstacle near the body.
-    pub(in crate::detect) fn rounding(&self) -> R {
+    pub(crate) fn rounding(&self) -> R {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
     }
 
@@ -126,15 +126,15 @@ impl<R: Real> Placed<R> {
     }
 
     /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and no other obstacle in between; and
-    /// a side of the body has all of them behind.
-    pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair) -> bool {
+    /// a side of the body has all of them behind. The contact touches to a tolerance.
+    pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair, tolerance: R) -> bool {
         let own = scene.obstacle_of(contact);
         let arm = self.arm_to(scene, contact);
-        let point = self.point + arm;
+        let place = (self.point + arm, together::<R>().max(tolerance.doubled()));
         let surface = scene.face(contact, self.orientation.rotation());
         let leaving = own
             .into_iter()
-            .flat_map(|own| leaving(scene, point, [own; 2]));
+            .flat_map(|own| leaving(scene, place, [own; 2]));
         if contact.is_corner() {
             return leaving
                 .clone()
@@ -201,7 +201,7 @@ impl<R: Real> Placed<R> {
                 self.gap(scene, pair).abs() <= tolerance
                     && self.beyond(scene, pair) <= tolerance
                     && self.supports(scene, pair, tolerance)
-                    && self.meets(scene, pair)
+                    && self.meets(scene, pair, tolerance)
             });
             for pair in pairs {
                 if !list.contains(&pair) {
@@ -237,14 +237,14 @@ impl<R: Real> Placed<R> {
             return false;
         };
         // Sides that end at one place bound what is free there where each is in front of the other, and nothing else in between.
-        let point = self.point + self.arm_to(scene, a);
+        let place = (self.point + self.arm_to(scene, a), together());
         let is_between = |side: Vec2<R>| {
             let angle = |side: Vec2<R>| first.normal.dot(side).atan2(along_a.dot(side));
             first.normal.dot(side) > R::MICRO && angle(side) + R::MICRO < angle(along_b)
         };
         along_a.dot(second.normal) < -R::MICRO
             || along_b.dot(first.normal) < -R::MICRO
-            || leaving(scene, point, [of_a, of_b]).any(|side| is_between(side.direction))
+            || leaving(scene, place, [of_a, of_b]).any(|side| is_between(side.direction))
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.

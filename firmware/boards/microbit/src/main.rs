@@ -30,9 +30,9 @@ mod scene {
 mod app {
     use crate::board::{self, Board, Clock, Uart, Watchdog};
     use crate::log::info;
-    use crate::scene::{CompiledScene, SCENE};
+    use crate::scene::{CompiledScene, OBSTACLES, SCENE};
     use nrf51_hal::pac::Interrupt;
-    use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
+    use stiction_core::frame::{Mode, NumberType};
     use stiction_core::{Evolution, Fixed};
     use stiction_firmware::device::{FromLine, NoActuators};
     use stiction_firmware::ring::Ring;
@@ -49,7 +49,7 @@ mod app {
     /// Half of its time is for the interrupts of the line and what else a tick does.
     const WORK_RATE: u32 = 16_000_000 / 3_430 / 2;
     type Model = <CompiledScene as SceneType>::Model;
-    type Program = Station<Fixed, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
+    type Program = Station<Fixed, V, S, Model, { CompiledScene::FRAME }>;
 
     static SETUP: Setup = Setup {
         name: "microbit",
@@ -87,7 +87,7 @@ mod app {
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Ok(program) = Program::new(&SETUP) else {
+        let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
             board::stop()
         };
         let rate = SETUP.mode.tick_rate;

@@ -42,8 +42,8 @@ mod app {
     use crate::board::{self, Board, Clock, Device, Uart, Watchdog};
     use crate::device::{LIMITS, PASSIVITY};
     use crate::log::info;
-    use crate::scene::{CompiledScene, SCENE};
-    use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
+    use crate::scene::{CompiledScene, OBSTACLES, SCENE};
+    use stiction_core::frame::{Mode, NumberType};
     use stiction_firmware::ring::Ring;
     use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
     use stm32f4xx_hal::pac::Interrupt;
@@ -56,7 +56,7 @@ mod app {
     /// An eighth of its time is for the interrupts of the line.
     const WORK_RATE: u32 = 168_000_000 / 630 / 8 * 7;
     type Model = <CompiledScene as SceneType>::Model;
-    type Program = Station<f32, V, S, Model, { frame_bytes(scene_bytes(V, S)) }>;
+    type Program = Station<f32, V, S, Model, { CompiledScene::FRAME }>;
 
     static SETUP: Setup = Setup {
         name: "olimex-stm32-h405",
@@ -91,7 +91,7 @@ mod app {
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Ok(program) = Program::new(&SETUP) else {
+        let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
             board::stop()
         };
         let rate = SETUP.mode.tick_rate;

@@ -3,18 +3,8 @@
 use super::super::run::{Contact, Frame};
 use super::super::shape::{Point, centroid, cross, length, sub, tangent};
 use super::{CARRIED, CONE, FORCES, Findings, LISTED, Laws, MOMENTS, PUSH, WRENCH};
-use crate::reference::Touch;
 
 impl Laws {
-    fn mu(&self, touch: Touch) -> f64 {
-        match touch {
-            Touch::Surface { surface, .. } => self.among.setup.surfaces[surface].friction_static,
-            Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => {
-                self.among.obstacles[obstacle].friction[0]
-            }
-        }
-    }
-
     pub(super) fn statics(&self, frame: &Frame, body: &[Point], findings: &mut Findings) {
         let setup = &self.among.setup;
         let grip = setup.world(frame.pose, setup.holding_point.unwrap_or_default());
@@ -33,7 +23,8 @@ impl Laws {
             let Some(_) = self.line(body, contact.touch) else {
                 continue;
             };
-            let excess = contact.friction.abs() - self.mu(contact.touch) * contact.normal;
+            let excess =
+                contact.friction.abs() - self.among.friction(contact.touch)[0] * contact.normal;
             findings.add(PUSH, -contact.normal / scale.force, self.residual);
             findings.add(CONE, excess / scale.force, self.residual);
         }
@@ -63,9 +54,11 @@ impl Laws {
         let force = largest.max(floor).max(f64::MIN_POSITIVE);
         let levers = frame.contacts.iter().map(|c| length(sub(c.point, grip)));
         let lever = levers.fold(0.0, f64::max) / self.size;
+        // A contact is rounded as a coordinate, and its force acts there.
         let moment = (couple.abs() / self.size)
             .max(carried * setup.stiffness_rotation * turns / self.size)
-            .max(floor * lever);
+            .max(floor * lever)
+            .max(carried * largest * extent / self.size);
         Scale {
             force,
             moment: force.max(moment),

@@ -1,6 +1,6 @@
 //! A scene with its parameters and a hand's path, out of bytes.
 
-use super::draw::Draw;
+use crate::draw::Draw;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use stiction_core::Evolution;
 use stiction_tests::Setup;
@@ -10,13 +10,13 @@ const FRAMES: usize = 400;
 
 /// What is run.
 #[derive(Clone, Debug)]
-pub(super) struct Case {
-    pub(super) setup: Setup,
-    pub(super) evolution: Evolution,
+pub(crate) struct Case {
+    pub(crate) setup: Setup,
+    pub(crate) evolution: Evolution,
     /// Its steps are repeated within budgets, too.
-    pub(super) is_cut: bool,
+    pub(crate) is_cut: bool,
     /// x, y (m), phi (rad) of the hand at the start, and whether it holds.
-    pub(super) home: ([f64; 3], bool),
+    pub(crate) home: ([f64; 3], bool),
     moves: Vec<Move>,
 }
 
@@ -30,8 +30,7 @@ struct Move {
 
 impl Case {
     /// `None` where there are too few bytes for a case.
-    pub(super) fn read(bytes: &[u8]) -> Option<Self> {
-        let mut draw = Draw::new(bytes);
+    pub(crate) fn read(mut draw: Draw<'_>) -> Option<Self> {
         let evolution = draw.one_of([Evolution::Path, Evolution::Frame]);
         let (memory, is_cut) = dials(&mut draw);
         let mut setup = scene(&mut draw);
@@ -68,7 +67,7 @@ impl Case {
     }
 
     /// The hand of every frame after the first, and whether it holds.
-    pub(super) fn hands(&self) -> impl Iterator<Item = ([f64; 3], bool)> + '_ {
+    pub(crate) fn hands(&self) -> impl Iterator<Item = ([f64; 3], bool)> + '_ {
         let mut from = self.home.0;
         let legs = self.moves.iter().flat_map(move |leg| {
             let begin = from;
@@ -83,7 +82,7 @@ impl Case {
 
 impl Case {
     /// As a scene file, a recorded path and options.
-    pub(super) fn as_files(&self) -> (String, String, String) {
+    pub(crate) fn as_files(&self) -> (String, String, String) {
         let setup = &self.setup;
         let mut scene = format!(
             "[body]\nvertices = {:?}\nstart = {:?}\nweight = {:?}\n\n[grasp]\nreach = {:?}\n",
@@ -200,7 +199,7 @@ fn scene(draw: &mut Draw<'_>) -> Setup {
 }
 
 /// mu_s and mu_d.
-fn friction(draw: &mut Draw<'_>) -> [f64; 2] {
+pub(crate) fn friction(draw: &mut Draw<'_>) -> [f64; 2] {
     let stick = match draw.byte() {
         0..192 => 0.1 + 1.4 * draw.part(),
         192..232 => draw.power(-3.0, 1.5),

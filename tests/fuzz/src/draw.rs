@@ -4,44 +4,44 @@ use arbitrary::Unstructured;
 use std::f64::consts::PI;
 
 /// What is left of the bytes; zeros after their end.
-pub(super) struct Draw<'a>(Unstructured<'a>);
+pub(crate) struct Draw<'a>(Unstructured<'a>);
 
 impl<'a> Draw<'a> {
-    pub(super) fn new(bytes: &'a [u8]) -> Self {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
         Self(Unstructured::new(bytes))
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    pub(super) fn byte(&mut self) -> u8 {
+    pub(crate) fn byte(&mut self) -> u8 {
         self.0.arbitrary().unwrap_or_default()
     }
 
-    pub(super) fn flag(&mut self) -> bool {
+    pub(crate) fn flag(&mut self) -> bool {
         self.byte() & 1 != 0
     }
 
     /// One of a few.
-    pub(super) fn one_of<T: Copy, const N: usize>(&mut self, all: [T; N]) -> T {
+    pub(crate) fn one_of<T: Copy, const N: usize>(&mut self, all: [T; N]) -> T {
         all[usize::from(self.byte()) % N]
     }
 
     /// -1 to 1: in steps of 1/64 where the byte is even, with a fine part of up to one step more where it is odd.
-    pub(super) fn place(&mut self) -> f64 {
+    pub(crate) fn place(&mut self) -> f64 {
         let byte = self.byte() as i8;
         let fine = if byte & 1 != 0 { self.fine() } else { 0.0 };
         f64::from(byte >> 1) / 64.0 + fine / 64.0
     }
 
     /// 0 to 1.
-    pub(super) fn part(&mut self) -> f64 {
+    pub(crate) fn part(&mut self) -> f64 {
         self.place().abs()
     }
 
     /// -pi to pi, a multiple of pi/24 or anything else.
-    pub(super) fn angle(&mut self) -> f64 {
+    pub(crate) fn angle(&mut self) -> f64 {
         let byte = self.byte();
         let steps = i32::from(byte >> 1) % 49 - 24;
         let fine = if byte & 1 != 0 { self.fine() } else { 0.0 };
@@ -49,7 +49,7 @@ impl<'a> Draw<'a> {
     }
 
     /// A power of ten.
-    pub(super) fn power(&mut self, from: f64, to: f64) -> f64 {
+    pub(crate) fn power(&mut self, from: f64, to: f64) -> f64 {
         10f64.powf(from + (to - from) * self.part())
     }
 

@@ -1,0 +1,11 @@
+//! Prints what the walk of the hand among obstacles comes to with `f32`.
+#![no_std]
+#![no_main]
+
+use stiction_firmware::bits::Among;
+use stiction_firmware::board::{self, entry};
+
+#[entry]
+fn main() -> ! {
+    board::print_bits::<f32, Among>()
+}

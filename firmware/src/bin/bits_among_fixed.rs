@@ -1,0 +1,12 @@
+//! Prints what the walk of the hand among obstacles comes to with `Fixed`.
+#![no_std]
+#![no_main]
+
+use stiction_core::Fixed;
+use stiction_firmware::bits::Among;
+use stiction_firmware::board::{self, entry};
+
+#[entry]
+fn main() -> ! {
+    board::print_bits::<Fixed, Among>()
+}

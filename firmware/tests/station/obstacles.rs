@@ -1,0 +1,349 @@
+//! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): to the bits of a solver beside it; what does not fit is
+//! refused with the numbers, and a board without room says so.
+
+use crate::beside::assert_same;
+use crate::client::{Heard, Said, scene};
+use crate::common::{BOX, FLOOR};
+use crate::rig::{Nothing, Rig, S, V};
+use stiction_core::frame::{
+    Command, ContactAmong, Mode, Parameters, Reason, Reset, Room, SceneAmong, Stepping, Subject,
+    frame_bytes, obstacle_bytes, scene_bytes,
+};
+use stiction_core::{
+    Description, Evolution, Fixed, Full, Hand, ObstacleDescription, Parameter, Real, Scene, Solver,
+    State, StateKind, Touch, WithObstacles,
+};
+
+const LONGEST: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(4, 16));
+type Model = WithObstacles<4, 16, Full>;
+/// A board with room for 4 obstacles with 16 corners.
+type Among<R> = Rig<R, Model, Nothing, LONGEST>;
+
+const TABLE: ObstacleDescription<'static, f32> = ObstacleDescription {
+    vertices: &[[-0.4, -0.04], [0.0, -0.04], [0.0, 0.0], [-0.4, 0.0]],
+    friction_static: 0.5,
+    friction_dynamic: 0.3,
+    memory: None,
+};
+const PIN: ObstacleDescription<'static, f32> = ObstacleDescription {
+    vertices: &[[0.08, 0.02]],
+    ..TABLE
+};
+/// The box over the edge of a table, a pin before it.
+const EDGE: Description<'static, f32> = Description {
+    start: [-0.02, 0.03, 0.0],
+    weight: 2.0,
+    surfaces: &[],
+    ..BOX
+};
+const OBSTACLES: [ObstacleDescription<'static, f32>; 2] = [TABLE, PIN];
+
+fn edge() -> SceneAmong<'static> {
+    SceneAmong::new(&EDGE, &OBSTACLES)
+}
+
+/// Pressed, drawn over the edge until the box tips, against the pin, up and away, and let go.
+fn hands() -> impl Iterator<Item = Hand<f32>> {
+    let legs: [[f32; 3]; 7] = [
+        [-0.02, 0.05, 0.0],
+        [-0.02, 0.045, 0.0],
+        [0.02, 0.043, 0.0],
+        [0.05, 0.02, -0.5],
+        [0.07, 0.0, -0.9],
+        [0.0, 0.08, 0.3],
+        [-0.1, 0.04, 0.0],
+    ];
+    (0..1_200).map(move |i| {
+        let (leg, part) = (i / 200, (i % 200) as f32 / 200.0);
+        let at = |k: usize| legs[leg][k] + (legs[leg + 1][k] - legs[leg][k]) * part;
+        let hand = Hand::new(at(0), at(1), at(2));
+        if (900..905).contains(&i) {
+            hand.released()
+        } else {
+            hand
+        }
+    })
+}
+
+/// The contacts as the solver says them.
+fn contacts<R: Real<Si = f32>>(
+    solver: &Solver<R, V, S, Model>,
+    state: &State<R>,
+) -> Vec<ContactAmong> {
+    let (contacts, touches) = (solver.contacts(state), solver.touches(state));
+    let pairs = contacts.iter().zip(touches.iter());
+    pairs
+        .map(|(contact, touching)| ContactAmong::new(contact, touching))
+        .collect()
+}
+
+/// Every pose and all forces have the bits of a solver beside the board; which states and kinds of contacts there were.
+fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
+    let mut rig = Among::<R>::new();
+    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
+    rig.mode(Mode {
+        evolution,
+        stepping: Stepping::PerSample,
+        tick_rate: 500,
+        forces_every: 1,
+        health_every: 0,
+        ..Mode::DEFAULT
+    });
+    let there = Scene::<R, V, S, Model>::among(&EDGE, &OBSTACLES).expect("a scene");
+    let solver = Solver::new(there, evolution);
+    let mut state: Option<State<R>> = None;
+    let (mut states, mut kinds) = (Vec::new(), [false; 2]);
+    for (i, hand) in hands().enumerate() {
+        rig.client.heard.clear();
+        rig.hand(hand);
+        let output = match &mut state {
+            Some(state) => solver.step(state, hand),
+            None => {
+                let (begun, output) = solver.start(hand);
+                state = Some(begun);
+                output
+            }
+        };
+        let state = state.as_ref().expect("it has begun");
+        let (mut poses, mut forces) = (0, 0);
+        for Heard { said, .. } in rig.heard() {
+            match said {
+                Said::Pose(pose) => {
+                    assert_same(&pose, &output, &format!("sample {i}"));
+                    poses += 1;
+                }
+                Said::ForcesAmong {
+                    wrench,
+                    turns,
+                    contacts: said,
+                } => {
+                    assert_eq!((wrench, turns), (solver.wrench(state), output.angle.turns));
+                    assert_eq!(said, contacts(&solver, state), "sample {i}");
+                    let touches = |pick: fn(&Touch) -> bool| said.iter().any(|c| pick(&c.touch));
+                    kinds[0] |= touches(|touch| matches!(touch, Touch::Side { .. }));
+                    kinds[1] |= touches(|touch| matches!(touch, Touch::Corner { .. }));
+                    forces += 1;
+                }
+                Said::Events { .. } => {}
+                other => panic!("{other:?}"),
+            }
+        }
+        assert_eq!((poses, forces), (1, 1), "sample {i}");
+        if !states.contains(&output.state) {
+            states.push(output.state);
+        }
+    }
+    assert_eq!(kinds, [true; 2], "sides and corners are touched");
+    for state in [
+        StateKind::NonContact,
+        StateKind::SingleVertex,
+        StateKind::Edge,
+    ] {
+        assert!(states.contains(&state), "{states:?}");
+    }
+}
+
+#[test]
+fn every_sample_is_stepped_among_obstacles_bit_for_bit() {
+    for evolution in [Evolution::Path, Evolution::Frame] {
+        every_sample_is_stepped::<f32>(evolution);
+        every_sample_is_stepped::<Fixed>(evolution);
+    }
+}
+
+#[test]
+fn room_is_told_before_info_and_by_boards_with_room_alone() {
+    let mut rig = Among::<f32>::new();
+    rig.send(Command::Hello);
+    rig.client.heard.clear();
+    rig.tick();
+    let said: Vec<Said> = rig.heard().into_iter().map(|heard| heard.said).collect();
+    let room = Said::Room(Room {
+        obstacles: 4,
+        corners: 16,
+    });
+    assert_eq!(said[0], room);
+    let Said::Info(info) = &said[1] else {
+        panic!("{said:?}");
+    };
+    assert_eq!(usize::from(info.longest_frame), LONGEST);
+    let mut rig = Rig::<f32>::new();
+    rig.send(Command::Hello);
+    rig.client.heard.clear();
+    rig.tick();
+    assert!(
+        !rig.heard()
+            .iter()
+            .any(|heard| matches!(heard.said, Said::Room(_)))
+    );
+}
+
+#[test]
+fn a_board_without_room_refuses_the_version_and_changes_nothing() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(Hand::new(0.02, 0.045, 0.1), 60);
+    let before = rig.pose();
+    let answer = rig.ask_among(edge());
+    assert_eq!(
+        (answer.reason, answer.subject),
+        (Reason::Version, Subject::Command)
+    );
+    rig.tick();
+    let after = rig.pose();
+    assert_eq!((before.position, before.rest), (after.position, after.rest));
+}
+
+#[test]
+fn scenes_among_obstacles_that_cannot_be_used_are_refused_with_the_numbers() {
+    use Parameter as P;
+    let nan = f32::NAN;
+    let round: Vec<[f32; 2]> = (0..16)
+        .map(|i| {
+            let (sin, cos) = (std::f32::consts::TAU * i as f32 / 16.0).sin_cos();
+            [1.0 + 0.2 * cos, 0.2 * sin]
+        })
+        .collect();
+    let round = ObstacleDescription {
+        vertices: &round,
+        ..TABLE
+    };
+    let clockwise = ObstacleDescription {
+        vertices: &[[0.2, 0.0], [0.2, 0.1], [0.3, 0.0]],
+        ..TABLE
+    };
+    let slippery = ObstacleDescription {
+        friction_static: 0.1,
+        ..PIN
+    };
+    let empty = ObstacleDescription {
+        vertices: &[],
+        ..PIN
+    };
+    let sunk = Description {
+        start: [-0.02, 0.02, 0.0],
+        ..EDGE
+    };
+    let (number, unsupported) = (Reason::Number, Reason::Unsupported);
+    let corner = P::Corner {
+        obstacle: 1,
+        corner: 2,
+    };
+    let mut rig = Among::<f32>::new();
+    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
+    rig.stay(Hand::new(-0.02, 0.045, 0.1), 60);
+    let before = rig.pose();
+    for (description, obstacles, reason, parameter, value, limit) in [
+        (EDGE, &[PIN; 5][..], unsupported, P::ObstacleCount, 5.0, 4.0),
+        (EDGE, &[round, PIN], unsupported, P::CornerCount, 17.0, 16.0),
+        (EDGE, &[TABLE, clockwise], number, corner, 0.3, nan),
+        (EDGE, &[PIN, empty], number, P::Corners(1), 0.0, nan),
+        (
+            EDGE,
+            &[slippery],
+            number,
+            P::ObstacleFrictionStatic(0),
+            0.1,
+            nan,
+        ),
+        (sunk, &[TABLE], number, P::Overlap(0), 0.01, nan),
+    ] {
+        let answer = rig.ask_among(SceneAmong::new(&description, obstacles));
+        assert_eq!(answer.reason, reason, "{answer:?}");
+        assert_eq!(answer.subject, Subject::Scene(parameter));
+        assert!((answer.value - value).abs() < 1e-6, "{answer:?}");
+        assert_eq!(answer.limit.is_nan(), limit.is_nan());
+        assert!(limit.is_nan() || answer.limit == limit, "{answer:?}");
+        assert!(!answer.allowed.is_empty());
+    }
+    // What is allowed is taken: 16 corners.
+    let many = Description {
+        vertices: &[[0.0; 2]; 9],
+        ..EDGE
+    };
+    let answer = rig.ask_among(SceneAmong::new(&many, &[TABLE]));
+    assert_eq!((answer.reason, answer.limit), (unsupported, 8.0));
+    rig.tick();
+    let after = rig.pose();
+    assert_eq!((before.position, before.rest), (after.position, after.rest));
+    assert_eq!(
+        rig.ask_among(SceneAmong::new(&EDGE, &[round])).reason,
+        Reason::Done
+    );
+}
+
+#[test]
+fn obstacles_are_kept_and_their_friction_follows_the_parameters() {
+    let mut rig = Among::<f32>::new();
+    assert_eq!(rig.ask_among(edge()).reason, Reason::Done);
+    assert_eq!(rig.info().friction, [0.5, 0.3], "of the first obstacle");
+    // 10 mm down and 4 mm along: it sticks, and slips once mu_s is less than 0.4 of the load.
+    rig.stay(Hand::new(-0.02, 0.04, 0.0), 60);
+    rig.stay(Hand::new(-0.016, 0.04, 0.0), 60);
+    let stuck = rig.pose();
+    assert_eq!(stuck.state, StateKind::Edge);
+    rig.done(Command::Parameters(Parameters {
+        stiffness_translation: 500.0,
+        stiffness_rotation: 0.5,
+        friction_static: 0.1,
+        friction_dynamic: 0.1,
+        memory: Some(0.0),
+    }));
+    let info = rig.info();
+    assert_eq!((info.friction, info.memory), ([0.1, 0.1], Some(0.0)));
+    rig.stay(Hand::new(-0.016, 0.04, 0.0), 2);
+    let slid = rig.pose();
+    // The weight of 2 N presses, too: 0.1 (5 + 2) N of friction are 1.4 mm.
+    assert!(
+        (slid.position[0] + 0.0174).abs() < 2e-5,
+        "{slid:?} {stuck:?}"
+    );
+    assert!((stuck.position[0] + 0.02).abs() < 1e-5, "{stuck:?}");
+    // The body goes back to its start, the obstacles stay; after a reset of everything there is the board's own scene.
+    rig.done(Command::Reset(Reset::Body));
+    rig.stay(Hand::new(-0.02, 0.045, 0.0), 2);
+    assert_eq!(rig.pose().state, StateKind::Edge);
+    rig.done(Command::Reset(Reset::Everything));
+    assert_eq!(rig.info().friction, [0.5, 0.3]);
+    rig.mode(Mode {
+        tick_rate: 500,
+        forces_every: 1,
+        ..Mode::DEFAULT
+    });
+    rig.client.heard.clear();
+    rig.stay(Hand::new(0.02, 0.045, 0.0), 2);
+    let forces = rig.heard();
+    let plain = |heard: &Heard| matches!(heard.said, Said::Forces { .. });
+    assert!(
+        forces.iter().any(plain),
+        "forces of a scene without obstacles"
+    );
+    let among = |heard: &Heard| matches!(heard.said, Said::ForcesAmong { .. });
+    assert!(!forces.iter().any(among));
+}
+
+/// A client without obstacles has a board with room for them as any other.
+#[test]
+fn a_scene_without_obstacles_goes_either_way() {
+    const WITH_FLOOR: Description<'static, f32> = Description {
+        surfaces: &[FLOOR],
+        ..EDGE
+    };
+    let walk = |rig: &mut Among<f32>| {
+        let poses = hands().map(|hand| {
+            rig.hand(Hand {
+                position: [hand.position[0], hand.position[1] + 0.01],
+                ..hand
+            });
+            let pose = rig.pose();
+            (pose.position, pose.rest, pose.state, pose.events)
+        });
+        poses.collect::<Vec<_>>()
+    };
+    let mut rig = Among::<f32>::new();
+    rig.done(scene(&WITH_FLOOR));
+    let plain = walk(&mut rig);
+    let mut rig = Among::<f32>::new();
+    let empty = SceneAmong::new(&WITH_FLOOR, &[]);
+    assert_eq!(rig.ask_among(empty).reason, Reason::Done);
+    assert_eq!(walk(&mut rig), plain);
+}
