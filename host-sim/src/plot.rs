@@ -89,8 +89,8 @@ pub(crate) fn places(run: &Run, dir: &Path) -> Vec<PathBuf> {
     pictures(run).flat_map(both).collect()
 }
 
-/// Writes `trajectory`, `forces`, `motion`, `strip` and, of a peg and a hole, `insertion`, each as `.svg` and `.png`, into `dir`, which is created where it is
-/// missing. Gives the paths of the files in that order.
+/// Writes `trajectory`, `forces`, `motion`, `strip` and, of a peg and a hole, `insertion`, each as `.svg` and `.png`, into `dir`,
+/// which is created where it is missing. Gives the paths of the files in that order.
 ///
 /// # Errors
 /// [`PlotError`]: no frames, or the directory or a file cannot be written.

@@ -49,7 +49,8 @@ const frameOf = ({ normal }) => ({ tx: normal[1], ty: normal[0], nx: normal[0], 
 
 /**
  * The two cones of a contact: static with a dashed border, dynamic within it with a dotted one.
- * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface @param {SceneParameters} parameters
+ * @param {Ink} ctx @param {View} view @param {Contact} contact @param {Facing} surface
+ * @param {SceneParameters} parameters
  */
 export function drawCones(ctx, view, contact, surface, parameters) {
   const { tx, ty, nx, ny } = frameOf(surface);
@@ -141,7 +142,7 @@ export function labelContact(ctx, view, contact, surface, perNewton, labels) {
  * @param {Ink} ctx @param {{text: string, x: number, y: number}} place @param {number} toward
  * @param {string} color @param {Label[]} labels
  */
-function label(ctx, { text, x, y }, toward, color, labels) {
+export function label(ctx, { text, x, y }, toward, color, labels) {
   const { width } = ctx.measureText(text);
   const left = toward > 0.5 ? x : toward < -0.5 ? x - width : x - width / 2;
   const down = labels.every((other) => y >= other.y) ? 1 : -1;

@@ -13,11 +13,36 @@ const PAUSE = 100;
 const LEFT = 40;
 const BELOW = 32;
 
-/** A window of two axes on a canvas. @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes */
+/**
+ * A window of two axes on a canvas.
+ * @typedef {{ctx: Ink, px: (x: number) => number, py: (y: number) => number, width: number, height: number}} Axes
+ */
 
-export class InsertionPanel {
+const PANEL = `
+  <h2 id="h-insertion">Peg in its hole <small id="verdict">–</small></h2>
+  <canvas id="jamming" class="plot" role="img" aria-label="Jamming diagram"></canvas>
+  <p class="keys"><span><i class="key two"></i>two points slide in</span>
+    <span><i class="key wall"></i>one wall slides in</span></p>
+  <canvas id="force-depth" class="plot" role="img" aria-label="Insertion force over depth"></canvas>
+  <p class="keys"><span><i class="key m"></i>Fz</span> <span><i class="key d"></i>small angles: one point</span>
+    <span><i class="key both"></i>two points</span></p>
+  <dl class="pairs">
+    <div><dt>depth</dt><dd id="peg-depth">–</dd></div>
+    <div><dt>load Fx, Fz</dt><dd id="peg-load">–</dd></div>
+    <div><dt>margin</dt><dd id="peg-margin">–</dd></div>
+  </dl>`;
+
+class InsertionPanel {
   constructor() {
-    this.root = byId("insertion");
+    this.root = document.createElement("section");
+    this.root.id = "insertion";
+    this.root.setAttribute("aria-labelledby", "h-insertion");
+    this.root.innerHTML = PANEL;
+    byId("trade").closest("section")?.before(this.root);
+    const style = document.createElement("link");
+    style.rel = "stylesheet";
+    style.href = "insertion.css";
+    document.head.append(style);
     this.jamming = byId("jamming", HTMLCanvasElement);
     this.forces = byId("force-depth", HTMLCanvasElement);
     /** @type {Peg | null} */
@@ -98,7 +123,7 @@ export class InsertionPanel {
   drawJamming({ friction, radius }) {
     const lambda = this.deepest / (2 * radius * friction);
     const across = friction > 0 ? 1.3 / friction : 1;
-    const up = 1.2 * (2 * (Number.isFinite(lambda) ? lambda : 0) + 1);
+    const up = 1.4 * (2 * (Number.isFinite(lambda) ? lambda : 0) + 1);
     const axes = axesOn(this.jamming, [-across, across], [-up, up], ["Fx / Fz", "M / (r Fz)"]);
     if (!axes) return;
     const { ctx, px, py } = axes;
@@ -144,6 +169,9 @@ export class InsertionPanel {
   }
 }
 
+/** The panel, over that of the trade. */
+export const panel = new InsertionPanel();
+
 /** Adds to a list that keeps so many. @template T @param {T[]} list @param {T} item @param {number} most */
 function push(list, item, most) {
   list.push(item);
@@ -152,7 +180,8 @@ function push(list, item, most) {
 
 /**
  * Empties a canvas and draws two axes with their ends and names; null where it is not seen.
- * @param {HTMLCanvasElement} canvas @param {Vec} xs @param {Vec} ys @param {[string, string]} names @returns {Axes | null}
+ * @param {HTMLCanvasElement} canvas @param {Vec} xs @param {Vec} ys @param {[string, string]} names
+ * @returns {Axes | null}
  */
 function axesOn(canvas, xs, ys, [xName, yName]) {
   const { clientWidth: width, clientHeight: height } = canvas;

@@ -30,7 +30,7 @@ let board = null;
  * @type {{hello: HelloMessage | null, state: StateMessage | null}}
  */
 const server = { hello: null, state: null };
-/** The meter of a peg in its hole, from the first scene on that has one. @type {import("./insertion.js").InsertionPanel | null} */
+/** Of a peg in its hole. @type {typeof import("./insertion.js").panel | null} */
 let insertion = null;
 let connected = false;
 let framesReceived = 0;
@@ -89,12 +89,8 @@ function showState(message) {
 
 /** @param {Scene} scene */
 async function showPeg(scene) {
-  if (scene.peg && !insertion) {
-    const { InsertionPanel } = await import("./insertion.js");
-    insertion ??= new InsertionPanel();
-    if (stage.state) scene = stage.state.scene;
-  }
-  insertion?.setScene(scene);
+  if (scene.peg) insertion = (await import("./insertion.js")).panel;
+  insertion?.setScene(stage.state?.scene ?? scene);
 }
 
 /** @param {FrameMessage} message */

@@ -1,9 +1,10 @@
 // Obstacles: convex polygons, thin walls and pins. Their inside, their free sides with hatching, their names, and the
 // corners that touch the object.
 
+import { label } from "./forces.js";
 import { colors } from "./theme.js";
 
-/** Spacing of the hatching and its depth, as of surfaces; width of a wall; radii of a pin and of a corner's ring (px). */
+/** Spacing and depth of the hatching, as of surfaces; width of a wall; radii of pins and of rings at corners (px). */
 const SPACING = 11;
 const DEPTH = 12;
 const WALL = 4;
@@ -12,7 +13,10 @@ const RING = 9;
 /** Just outside of a side, in parts of its length. */
 const OUTSIDE = 1e-6;
 
-/** A part of a side: from where to where (m), with its unit normal. @typedef {{from: Vec, to: Vec, normal: Vec}} Piece */
+/**
+ * A part of a side: from where to where (m), with its unit normal.
+ * @typedef {{from: Vec, to: Vec, normal: Vec}} Piece
+ */
 
 /** The outward unit normal of a side. @param {Vec} a @param {Vec} b @returns {Vec} */
 function outward(a, b) {
@@ -45,7 +49,8 @@ function freeParts([a, b], others, surfaces) {
   const normal = outward(a, b);
   const off = OUTSIDE * Math.hypot(b[0] - a[0], b[1] - a[1]);
   /** How far both ends are beyond a line. @param {Vec} n @param {number} offset */
-  const beyond = (n, offset) => [a, b].map(([x, y]) => n[0] * (x + off * normal[0]) + n[1] * (y + off * normal[1]) - offset);
+  const beyond = (n, offset) => [a, b]
+    .map(([x, y]) => n[0] * (x + off * normal[0]) + n[1] * (y + off * normal[1]) - offset);
   const solids = surfaces.map((surface) => [beyond(surface.normal, surface.offset)]);
   for (const { vertices } of others) {
     if (vertices.length < 3) continue;
@@ -55,7 +60,8 @@ function freeParts([a, b], others, surfaces) {
     }));
   }
   const hidden = solids.map(within).filter(([from, to]) => from < to).sort((one, other) => one[0] - other[0]);
-  const at = (/** @type {number} */ part) => /** @type {Vec} */ ([a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])]);
+  /** @param {number} part @returns {Vec} */
+  const at = (part) => [a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])];
   /** @type {Piece[]} */
   const pieces = [];
   let begin = 0;
@@ -66,7 +72,10 @@ function freeParts([a, b], others, surfaces) {
   return pieces;
 }
 
-/** From where to where all of these are negative, which are affine along a side. @param {number[][]} heights @returns {Vec} */
+/**
+ * From where to where all of these are negative, which are affine along a side.
+ * @param {number[][]} heights @returns {Vec}
+ */
 function within(heights) {
   let from = 0, to = 1;
   for (const [low, high] of heights) {
@@ -102,9 +111,9 @@ function drawInside(ctx, view, corners) {
     trace(ctx, view, corners);
   }
   ctx.fill();
-  if (corners.length !== 2) return;
-  ctx.strokeStyle = colors.ink;
-  ctx.lineWidth = WALL;
+  // A seam between two is not seen.
+  ctx.strokeStyle = ctx.fillStyle;
+  ctx.lineWidth = corners.length === 2 ? WALL : 1;
   ctx.stroke();
 }
 
@@ -159,7 +168,10 @@ function seen(view, corners) {
   return points;
 }
 
-/** The name in the middle of what is seen; of what is too small for it, beside it. @param {Ink} ctx @param {View} view @param {Obstacle} obstacle */
+/**
+ * The name in the middle of what is seen; of what is too small for it, beside it.
+ * @param {Ink} ctx @param {View} view @param {Obstacle} obstacle
+ */
 function drawName(ctx, view, { name, vertices }) {
   const points = seen(view, vertices);
   if (points.length === 0) return;
@@ -169,37 +181,34 @@ function drawName(ctx, view, { name, vertices }) {
   const fits = points.length > 2 && right - left > width + 3 * DEPTH && bottom - top > 3 * DEPTH;
   const beside = right + 8 + width < view.width ? right + 8 : left - 8 - width;
   const mean = (/** @type {number[]} */ values) => values.reduce((sum, value) => sum + value, 0) / values.length;
-  write(ctx, name, fits ? mean(xs) - width / 2 : beside, fits ? mean(ys) : (top + bottom) / 2, colors.muted);
+  const [x, y] = fits ? [mean(xs) - width / 2, mean(ys)] : [beside, (top + bottom) / 2];
+  label(ctx, { text: name, x, y }, 1, colors.muted, []);
 }
 
-/** A text with a halo of paper. @param {Ink} ctx @param {string} text @param {number} x @param {number} y @param {string} color */
-function write(ctx, text, x, y, color) {
-  ctx.textAlign = "left";
-  ctx.textBaseline = "middle";
-  ctx.lineJoin = "round";
-  ctx.lineWidth = 4;
-  ctx.strokeStyle = colors.paper;
-  ctx.strokeText(text, x, y);
-  ctx.fillStyle = color;
-  ctx.fillText(text, x, y);
-}
-
-/** A ring at every corner that touches the object, with its obstacle and number. @param {Ink} ctx @param {View} view @param {Contact[]} contacts @param {boolean} named */
-export function drawCorners(ctx, view, contacts, named) {
-  for (const { corner, obstacle, point, direction } of contacts) {
-    if (corner === undefined || !direction) continue;
+/** A ring at every corner that touches the object. @param {Ink} ctx @param {View} view @param {Contact[]} contacts */
+export function drawCorners(ctx, view, contacts) {
+  for (const { corner, point } of contacts) {
+    if (corner === undefined) continue;
     const x = view.px(point[0]), y = view.py(point[1]);
     ctx.beginPath();
     ctx.arc(x, y, RING, 0, 2 * Math.PI);
     ctx.strokeStyle = colors.friction;
     ctx.lineWidth = 2;
     ctx.stroke();
-    if (!named) continue;
-    const text = `${obstacle}, corner ${corner}`;
-    // In the obstacle.
-    const away = RING + 7;
-    const { width } = ctx.measureText(text);
-    const side = direction[0] > 0.2 ? -away - width : direction[0] < -0.2 ? away : -width / 2;
-    write(ctx, text, x + side, y + (away + 4) * direction[1], colors.muted);
+  }
+}
+
+/**
+ * Obstacle and number of every corner that touches the object, beside it in the obstacle.
+ * @param {Ink} ctx @param {View} view @param {Contact[]} contacts
+ * @param {import("./forces.js").Label[]} labels those that are there already
+ */
+export function nameCorners(ctx, view, contacts, labels) {
+  for (const { corner, obstacle, point, direction } of contacts) {
+    if (corner === undefined || !direction) continue;
+    const [nx, ny] = direction;
+    const x = view.px(point[0]) - (RING + 7) * nx, y = view.py(point[1]) + (RING + 11) * ny;
+    const toward = Math.abs(nx) > 0.2 ? -Math.sign(nx) : 0;
+    label(ctx, { text: `${obstacle}, corner ${corner}`, x, y }, toward, colors.muted, labels);
   }
 }

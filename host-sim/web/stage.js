@@ -4,7 +4,6 @@
 import { colors, onTheme } from "./theme.js";
 import { drawContact, drawCones, drawSliding, ForceScale, labelContact } from "./forces.js";
 import { drawGrid, drawScales, drawSurfaces } from "./ground.js";
-import { drawCorners, drawObstacles } from "./obstacles.js";
 import { drawBody, drawCoil, drawGhost, drawHand, drawHolding, drawSpiral } from "./object.js";
 import { Samples } from "./samples.js";
 import { Trails } from "./trails.js";
@@ -33,6 +32,8 @@ export class Stage {
     this.message = null;
     /** @type {Record<Layer, boolean>} */
     this.layers = { ghost: true, trails: true, cones: true, bars: true, values: true };
+    /** Draws obstacles, where scenes have some. @type {typeof import("./obstacles.js") | null} */
+    this.obstacles = null;
     /** Text that tells one scene from another. */
     this.sceneKey = "";
     /** The reader has zoomed or moved the window. */
@@ -91,6 +92,12 @@ export class Stage {
       this.fit();
     }
     this.state = state;
+    this.ask();
+    if (state.scene.obstacles?.length) this.loadObstacles();
+  }
+
+  async loadObstacles() {
+    this.obstacles ??= await import("./obstacles.js");
     this.ask();
   }
 
@@ -160,11 +167,11 @@ export class Stage {
 
   /** The layers from the back to the front. @param {StateMessage} state @param {FrameMessage} message */
   drawScene({ scene, parameters }, { frame, holding, ghost }) {
-    const { ctx, view, layers, trails } = this;
+    const { ctx, view, layers, trails, obstacles } = this;
     ctx.font = "12px system-ui, sans-serif";
     ctx.lineCap = "round";
     drawGrid(ctx, view);
-    drawObstacles(ctx, view, scene);
+    obstacles?.drawObstacles(ctx, view, scene);
     drawSurfaces(ctx, view, scene.surfaces);
     if (layers.trails) {
       trails.draw(ctx, view);
@@ -182,12 +189,13 @@ export class Stage {
     const { perNewton } = this.force;
     if (layers.bars) for (const [contact, surface] of contacts) drawContact(ctx, view, contact, surface, perNewton);
     for (const [contact, surface] of contacts) drawSliding(ctx, view, contact, surface);
-    drawCorners(ctx, view, frame.contacts, layers.values);
+    obstacles?.drawCorners(ctx, view, frame.contacts);
     drawHand(ctx, view, frame.hand, holding !== null);
     if (layers.bars && layers.values) {
       /** @type {import("./forces.js").Label[]} */
       const labels = [];
       for (const [contact, surface] of contacts) labelContact(ctx, view, contact, surface, perNewton, labels);
+      obstacles?.nameCorners(ctx, view, frame.contacts, labels);
     }
     drawScales(ctx, view, perNewton);
   }
@@ -199,9 +207,8 @@ export class Stage {
   contactsOf(frame, scene) {
     return frame.contacts.flatMap((contact) => {
       const surface = scene.surfaces.find(({ name }) => name === contact.surface);
-      const obstacle = scene.obstacles?.find(({ name }) => name === contact.obstacle);
+      const solid = surface ?? scene.obstacles?.find(({ name }) => name === contact.obstacle);
       const normal = contact.direction ?? surface?.normal;
-      const solid = surface ?? obstacle;
       return solid && normal ? [/** @type {[Contact, Facing]} */ ([contact, { ...solid, normal }])] : [];
     });
   }

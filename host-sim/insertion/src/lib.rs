@@ -17,11 +17,11 @@
 //!
 //! # The meter
 //!
-//! While both ends of the peg's tip are below the mouth and between the walls. l is the depth below the mouth, along the hole, of that end of the tip that
-//! is less deep: the one that meets a wall when the peg tilts. The load is what the walls' reactions balance, in the **peg's frame**: F_x lateral,
-//! F_z along the peg into the hole, M counter-clockwise about the middle of the tip, with x to the left of z. What a
-//! contact bears whose normal is within 45 degrees of the peg's axis (the bottom) is not in it. mu is the smaller mu_d of the walls,
-//! lambda = l/(2 r mu).
+//! While both ends of the peg's tip are below the mouth and between the walls. l is the depth below the mouth, along the hole, of
+//! that end of the tip that is less deep: the one that meets a wall when the peg tilts. The load is what the walls' reactions
+//! balance, in the **peg's frame**: F_x lateral, F_z along the peg into the hole, M counter-clockwise about the middle of the tip,
+//! with x to the left of z. What a contact bears whose normal is within 45 degrees of the peg's axis (the bottom) is not in it. mu
+//! is the smaller mu_d of the walls, lambda = l/(2 r mu).
 //!
 //! The jamming diagram, F_x/F_z across and M/(r F_z) up, has for small angles the parallelogram of [`Diagram`]. A load inside
 //! slides the peg in, one outside jams it, however large it is. The margin is the signed distance to the nearest of the four lines,
@@ -30,9 +30,9 @@
 //!
 //! # Small angles, and the exact balance
 //!
-//! In the peg's frame a corner of the mouth on the peg's side has F_x/F_z = 1/mu exactly, whatever the tilt theta; the end of the tip on
-//! a wall has cot(atan mu + theta), because the wall's normal leans against the insertion. The corner's lever along the peg is l cos theta + D_h sin theta. So
-//! the lines are exact to about 2 theta/mu, and a load counts as jammed only farther outside.
+//! In the peg's frame a corner of the mouth on the peg's side has F_x/F_z = 1/mu exactly, whatever the tilt theta; the end of the
+//! tip on a wall has cot(atan mu + theta), because the wall's normal leans against the insertion. The corner's lever along the peg
+//! is l cos theta + D_h sin theta. So the lines are exact to about 2 theta/mu, and a load counts as jammed only farther outside.
 //!
 //! Along the **hole's** axis the same force is larger by what the tilt of a reaction on the peg's side adds, N_1 sin theta.
 //! OBSTACLES 11 has a case at l = 9.842262 mm whose exact F_z is 3.775724 N along the hole, 3.722823 N along the peg, and 3.515731 N by

@@ -14,15 +14,16 @@ use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
 /// A model with obstacles, with the capacities of the host.
 pub type Among<M = Full> = WithObstacles<OBSTACLES, CORNERS, M>;
 
+/// A scene for a solver, and what its indices of obstacles mean, where they are not those of the file.
+type Built<R, M> = (HostScene<R, M>, Option<Indices>);
+
 /// What differs between scenes with obstacles and scenes without.
 pub trait HostModel: Model {
     /// The scene for a solver, and what its indices of obstacles mean, where they are not those of the file.
     ///
     /// # Errors
     /// The numbers do not make a scene, or the model lacks what it needs.
-    fn scene<R: Real<Si: SiFloat>>(
-        written: &WrittenScene,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError>;
+    fn scene<R: Real<Si: SiFloat>>(written: &WrittenScene) -> Result<Built<R, Self>, InputError>;
 
     /// The scene of a description, which may differ from the written one in all but obstacles, and what its indices mean.
     ///
@@ -31,23 +32,21 @@ pub trait HostModel: Model {
     fn build<R: Real<Si: SiFloat>>(
         written: &WrittenScene,
         description: &Description<'_, R::Si>,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>>;
+    ) -> Result<Built<R, Self>, SceneError<R::Si>>;
 
     /// What touches what, and where it faces; `None` without obstacles, where the contacts say all.
     fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>>;
 }
 
 impl<const FRICTION: bool, const WEIGHT: bool> HostModel for Parts<FRICTION, WEIGHT> {
-    fn scene<R: Real<Si: SiFloat>>(
-        written: &WrittenScene,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
+    fn scene<R: Real<Si: SiFloat>>(written: &WrittenScene) -> Result<Built<R, Self>, InputError> {
         Ok((written.scene_in()?, None))
     }
 
     fn build<R: Real<Si: SiFloat>>(
         _: &WrittenScene,
         description: &Description<'_, R::Si>,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>> {
+    ) -> Result<Built<R, Self>, SceneError<R::Si>> {
         Ok((Scene::new(description)?, None))
     }
 
@@ -57,9 +56,7 @@ impl<const FRICTION: bool, const WEIGHT: bool> HostModel for Parts<FRICTION, WEI
 }
 
 impl<M: Model> HostModel for Among<M> {
-    fn scene<R: Real<Si: SiFloat>>(
-        written: &WrittenScene,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), InputError> {
+    fn scene<R: Real<Si: SiFloat>>(written: &WrittenScene) -> Result<Built<R, Self>, InputError> {
         let built = written.described(|description| Self::build(written, description));
         built.map_err(|error| written.explain(&error, [VERTICES, SURFACES]))
     }
@@ -67,7 +64,7 @@ impl<M: Model> HostModel for Among<M> {
     fn build<R: Real<Si: SiFloat>>(
         written: &WrittenScene,
         description: &Description<'_, R::Si>,
-    ) -> Result<(HostScene<R, Self>, Option<Indices>), SceneError<R::Si>> {
+    ) -> Result<Built<R, Self>, SceneError<R::Si>> {
         let (scene, indices) =
             written.obstacles_in::<R, _>(|obstacles| Scene::among(description, obstacles));
         match scene {

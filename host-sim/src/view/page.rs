@@ -29,6 +29,7 @@ const FILES: &[File] = files![
     "ground.js": SCRIPT,
     "icon.svg": PICTURE,
     "index.html": HTML,
+    "insertion.css": CSS,
     "insertion.js": SCRIPT,
     "keys.js": SCRIPT,
     "link.js": SCRIPT,

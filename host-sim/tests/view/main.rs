@@ -5,6 +5,7 @@ mod boards;
 #[path = "../common/mod.rs"]
 mod common;
 mod messages;
+mod obstacles;
 mod outward;
 mod paths;
 #[cfg(unix)]

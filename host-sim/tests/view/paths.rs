@@ -27,7 +27,7 @@ fn dragged(client: &mut Client) -> Vec<Value> {
 }
 
 /// The files of the recording, run again.
-fn run_again(view: &View, number: &str, evolution: &str) -> (Vec<u8>, Vec<u8>) {
+pub(crate) fn run_again(view: &View, number: &str, evolution: &str) -> (Vec<u8>, Vec<u8>) {
     let folder = Folder::new();
     folder.write("scene.toml", view.get("/recording/scene.toml"));
     folder.write("hand.csv", view.get("/recording/hand.csv"));

@@ -1,7 +1,7 @@
 // Every control of the page does what it says, judged by what the solver then does and the page then shows.
 
 import assert from "node:assert/strict";
-import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { liveTest, newFolder } from "./live.js";
 
@@ -177,10 +177,8 @@ liveTest("after a reset the hand is at the beginning, also for a press that foll
 liveTest("every scene loads and is drawn", async (bench) => {
   const live = await bench.open();
   const scenes = new URL("../../scenes/", import.meta.url);
-  // The page does not know obstacles with corners yet.
   const bundled = readdirSync(scenes)
     .filter((file) => file.endsWith(".toml"))
-    .filter((file) => !readFileSync(new URL(file, scenes), "utf8").includes("[[obstacle]]"))
     .map((file) => file.replace(/\.toml$/, ""))
     .sort();
   const offered = await live.page.locator("#scene option").allTextContents();

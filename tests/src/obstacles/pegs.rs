@@ -51,8 +51,8 @@ impl End {
 }
 
 impl Insertion {
-    /// The one of a number: a hand up to 2.5 mm beside the hole and 50 mrad askew, mu_s from 0.05 to 0.6, springs of a wide range; it goes straight
-    /// down until the unloaded peg would be 2 mm below the bottom.
+    /// The one of a number: a hand up to 2.5 mm beside the hole and 50 mrad askew, mu_s from 0.05 to 0.6, springs of a wide range;
+    /// it goes straight down until the unloaded peg would be 2 mm below the bottom.
     pub fn of(number: u64) -> Self {
         let draw = &mut Draw::new(0x9E60_0000 + number);
         let [x, phi] = [draw.between(-0.0025, 0.0025), draw.between(-0.05, 0.05)];
