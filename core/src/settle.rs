@@ -328,16 +328,15 @@ fn pass_on<R: Real, W: World<R>>(
         let normal = scene.face(next, pose.orientation.rotation()).normal;
         !others.is_empty() || -normal.dot(load.force) > load.rounding()
     });
-    let lasting = pressed.into_iter().chain(others);
-    let mut lasting = lasting.collect::<Pairs>().into_iter();
-    let Some(first) = lasting.next() else {
+    let lasting = pressed.into_iter().chain(others.iter().copied());
+    let lasting: Pairs = lasting.collect();
+    let Some((&first, others)) = lasting.split_first() else {
         log.transitions.add(clear_arm(state));
         log.event(Event::Lift);
         *state = ContactState::Free(Free::leaving(scene, state));
         return Next::Relax(None);
     };
-    let others: Pairs = lasting.collect();
-    *state = ContactState::seated(scene, pivot_of(scene, state, first), &others);
+    *state = ContactState::seated(scene, pivot_of(scene, state, first), others);
     state.set_regime(Regime::Stick { stiction });
     match state.kind() {
         StateKind::SingleVertex => Next::Slip(sign),
@@ -361,7 +360,7 @@ fn wall_ahead<R: Real, W: World<R>>(
     let rotation = placed.orientation.rotation();
     let ahead = scene.face(left, rotation).tangent * sign;
     let touching = placed.touching(scene, R::met_before());
-    let mut walls = touching.into_iter().filter(|&pair| {
+    let mut walls = touching.iter().copied().filter(|&pair| {
         let is_taken = |&other: &Pair| other == pair || placed.are_one(scene, [other, pair]);
         let normal = scene.face(pair, rotation).normal;
         normal.dot(ahead) < -R::MICRO && !contacts.iter().any(is_taken)

@@ -54,6 +54,32 @@ fn the_emulated_microbit_has_the_bits_of_this_computer() {
     streamed_and_verified("microbit", 100.0);
 }
 
+/// A bundled scene with obstacles, every answer with the bits of this computer, and the obstacles by their names in the trace.
+fn among_obstacles(board: &str, rate: &str, scene: &str) {
+    let folder = Folder::new();
+    let emulate = ["board", scene, "--emulate", board, "--rate", rate];
+    let rest = ["--verify", "--quiet", "--out", "board.jsonl"];
+    let Some(said) = emulated(&folder, &[&emulate[..], &rest].concat()) else {
+        return;
+    };
+    let (equal, rest) = said.split_once(" of ").expect("a verdict");
+    assert_eq!(rest, format!("{equal} frames equal\n"), "{board}: {said}");
+    let trace = std::fs::read_to_string(folder.file("board.jsonl")).expect("a trace");
+    for part in ["\"obstacle\":\"table\"", "\"corner\":2", "\"direction\":["] {
+        assert!(trace.contains(part), "{part} in the trace of {board}");
+    }
+}
+
+#[test]
+fn the_emulated_f405_has_the_bits_of_this_computer_among_obstacles() {
+    among_obstacles("olimex-stm32-h405", "500", "table-edge");
+}
+
+#[test]
+fn the_emulated_microbit_has_the_bits_of_this_computer_among_obstacles() {
+    among_obstacles("microbit", "20", "table-edge");
+}
+
 #[test]
 fn emulated_boards_say_what_they_are() {
     let folder = Folder::new();

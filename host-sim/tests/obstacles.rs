@@ -254,13 +254,12 @@ fn commands_that_take_no_obstacles_say_so() {
     for command in [
         "view scene.toml --headless --socket absent",
         "footprint scene.toml",
-        "board scene.toml --socket absent",
     ] {
         let words: Vec<&str> = command.split(' ').collect();
         let output = folder.stiction(&words);
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{command}: {message}");
-        let expected = "scene.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep` and, without a board, `view` take obstacles";
+        let expected = "scene.toml, line 23: there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep`, `board` and, without a board, `view` take obstacles";
         assert!(message.contains(expected), "{command}: {message}");
     }
 }

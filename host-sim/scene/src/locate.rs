@@ -23,7 +23,7 @@ impl WrittenScene {
         let Some(first) = self.document.obstacle.first() else {
             return Ok(());
         };
-        let problem = "there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep` and, without a board, `view` take obstacles";
+        let problem = "there is an `[[obstacle]]`, allowed: `[[surface]]` alone; `run`, `replay`, `check`, `sweep`, `board` and, without a board, `view` take obstacles";
         Err(self.source.error_at(first.span().start, problem))
     }
 

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use stiction_core::frame::{VERSION, VERSION_AMONG};
 use stiction_scene::InputError;
 use stiction_tools::process::EmulatorError;
 
@@ -41,8 +42,7 @@ pub enum BoardError {
     },
     /// Another version of the wire format.
     #[error(
-        "{0}: the board speaks another version of the wire format, allowed: {version}",
-        version = stiction_core::frame::VERSION
+        "{0}: the board speaks another version of the wire format, allowed: {VERSION}, and {VERSION_AMONG} for obstacles"
     )]
     Version(String),
     /// The board refuses a command, or the scene is too large for it.

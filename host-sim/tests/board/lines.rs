@@ -148,6 +148,31 @@ fn another_version_is_an_error() {
     );
 }
 
+/// A board without room for obstacles, or of version 2, says nothing of room.
+#[test]
+fn a_board_without_room_for_obstacles_is_an_error_with_the_numbers() {
+    let obstacle =
+        "[[obstacle]]\nname = \"post\"\nvertices = [[0.5, 0.0], [0.6, 0.0], [0.6, 0.1]]\n[hand]";
+    let (folder, socket) = place(&DRAGGED.replace("[hand]", obstacle));
+    let _fake = behind_socket::<f32>(&socket, 1, Tricks::default());
+    assert_error(
+        &board(&folder, &[]),
+        &[
+            "the scene has 1 obstacles with 3 corners, allowed on this board: none",
+            "feature `obstacles`",
+            "version 3",
+        ],
+    );
+}
+
+#[test]
+fn an_obstacle_that_cannot_be_used_is_said_with_its_line() {
+    let obstacle = "[[obstacle]]\nvertices = [[0.5, 0.0], [0.6, 0.1], [0.6, 0.0]]\n[hand]";
+    let (folder, _) = place(&DRAGGED.replace("[hand]", obstacle));
+    let parts = ["scene.toml, line ", "obstacle[0].vertices["];
+    assert_error(&board(&folder, &[]), &parts);
+}
+
 #[test]
 fn a_scene_that_cannot_be_used_is_said_before_anything_is_opened() {
     let (folder, _) = place(&DRAGGED.replace("offset = 0.0", "offset = 1.0"));

@@ -1,7 +1,7 @@
 //! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.
 
 use crate::board::Board;
-use crate::chip::{Chip, F405, MICROBIT};
+use crate::chip::{Chip, F405, F405_AMONG, MICROBIT, MICROBIT_AMONG};
 use crate::client::{Known, Said, hand_path, scene};
 use crate::common::BOX;
 use std::fs;
@@ -18,10 +18,14 @@ pub(crate) struct Budget(Table);
 
 impl Budget {
     pub(crate) fn of(chip: &Chip) -> Self {
+        Self::named(chip.name())
+    }
+
+    fn named(name: &str) -> Self {
         let path = workspace().join("firmware/budgets.toml");
         let text = fs::read_to_string(path).unwrap();
         let all: Table = text.parse().unwrap();
-        Self(all[chip.name()].as_table().unwrap().clone())
+        Self(all[name].as_table().unwrap().clone())
     }
 
     /// The figure is within its budget.
@@ -147,4 +151,23 @@ fn the_f405_is_within_its_budget() {
 #[test]
 fn the_microbit_is_within_its_budget() {
     within_budget(&MICROBIT);
+}
+
+/// Nothing panics in it, and it fits.
+fn fits_among_obstacles(chip: &Chip) {
+    let Some(image) = chip.image() else { return };
+    assert_eq!(image.contents.panics(), [""; 0]);
+    let budget = Budget::named(&format!("{}-obstacles", chip.name()));
+    budget.holds("flash", image.contents.flash);
+    budget.holds("variables", image.contents.variables);
+}
+
+#[test]
+fn the_f405_with_obstacles_is_within_its_budget() {
+    fits_among_obstacles(&F405_AMONG);
+}
+
+#[test]
+fn the_microbit_with_obstacles_is_within_its_budget() {
+    fits_among_obstacles(&MICROBIT_AMONG);
 }

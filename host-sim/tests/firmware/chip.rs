@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
 use std::sync::Mutex;
-use stiction_tools::board::Board;
+use stiction_tools::board::{Board, OBSTACLES};
 use stiction_tools::image::Contents;
 use stiction_tools::process::{if_installed, output_of, require_qemu_arm};
 use stiction_tools::workspace;
@@ -37,6 +37,18 @@ pub(crate) const MICROBIT: Chip = Chip {
     board: Board::MICROBIT,
     features: "",
     shift: 6,
+};
+
+/// With room for obstacles.
+pub(crate) const F405_AMONG: Chip = Chip {
+    features: OBSTACLES,
+    ..F405
+};
+
+/// With room for obstacles.
+pub(crate) const MICROBIT_AMONG: Chip = Chip {
+    features: OBSTACLES,
+    ..MICROBIT
 };
 
 /// An image and what is in it.

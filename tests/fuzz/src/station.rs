@@ -3,15 +3,21 @@
 
 use std::collections::VecDeque;
 
-use stiction_core::frame::{Decoder, Mode, NumberType, Report, Sequence, frame_bytes, scene_bytes};
-use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
+use stiction_core::frame::{
+    Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
+};
+use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription, WithObstacles};
 use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
 
 const V: usize = 8;
 const S: usize = 2;
 const ROOM: usize = frame_bytes(scene_bytes(V, S));
+/// Of a board with room for obstacles.
+const ROOM_AMONG: usize = frame_bytes(scene_bytes(V, S) + obstacle_bytes(3, 9));
+type Among = WithObstacles<3, 9, Full>;
 /// More bytes than that are not heard.
 const LONGEST_TRAFFIC: usize = 8192;
 
@@ -50,16 +56,26 @@ static FIXED: Setup = board(NumberType::Fixed);
 
 /// A board that computes in f32.
 pub(crate) fn single(traffic: &[u8]) {
-    hears::<f32>(&SINGLE, traffic);
+    hears::<f32, Full, ROOM>(&SINGLE, traffic);
+}
+
+/// The same with room for obstacles.
+pub(crate) fn single_among(traffic: &[u8]) {
+    hears::<f32, Among, ROOM_AMONG>(&SINGLE, traffic);
 }
 
 /// A board that computes in fixed point.
 pub(crate) fn fixed(traffic: &[u8]) {
-    hears::<Fixed>(&FIXED, traffic);
+    hears::<Fixed, Full, ROOM>(&FIXED, traffic);
 }
 
-fn hears<R: Real<Si = f32>>(setup: &'static Setup, traffic: &[u8]) {
-    let station = Station::<R, V, S, Full, ROOM>::new(setup);
+/// The same with room for obstacles.
+pub(crate) fn fixed_among(traffic: &[u8]) {
+    hears::<Fixed, Among, ROOM_AMONG>(&FIXED, traffic);
+}
+
+fn hears<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup, traffic: &[u8]) {
+    let station = Station::<R, V, S, M, N>::new(setup);
     let mut station = station.expect("a sound setup");
     let mut line = Line::new(traffic);
     let (mut now_us, limits) = (0u32, &setup.limits);
@@ -93,7 +109,7 @@ fn hears<R: Real<Si = f32>>(setup: &'static Setup, traffic: &[u8]) {
 struct Line {
     came: VecDeque<u8>,
     said: Vec<u8>,
-    client: Decoder<256>,
+    client: Decoder<512>,
     sequence: Sequence,
 }
 
@@ -111,7 +127,7 @@ impl Line {
     /// The client hears what the board has said: whole frames, none lost.
     fn hear(&mut self) {
         for byte in self.said.drain(..) {
-            let Some(received) = self.client.push::<Report>(byte) else {
+            let Some(received) = self.client.push::<ReportAmong>(byte) else {
                 continue;
             };
             let frame = received.expect("a board says what can be taken");

@@ -17,7 +17,8 @@ const WIRE: usize = wire_bytes(PAYLOAD);
 const SHORT: usize = 40;
 
 /// The first byte says how the others are meant. Bit 0: pieces, each with its length before it, that get a checksum and a
-/// delimiter and so pass for frames; otherwise they are the traffic as they are. Bit 1: the board computes in fixed point.
+/// delimiter and so pass for frames; otherwise they are the traffic as they are. Bit 1: the board computes in fixed point. Bit 2: it has
+/// room for obstacles.
 ///
 /// # Panics
 /// Where something does not hold.
@@ -33,10 +34,11 @@ pub fn wire(bytes: &[u8]) {
     hear::<LONGEST>(&traffic);
     hear::<SHORT>(&traffic);
     track(&traffic);
-    if kind & 2 == 0 {
-        station::single(&traffic);
-    } else {
-        station::fixed(&traffic);
+    match (kind & 2 == 0, kind & 4 == 0) {
+        (true, true) => station::single(&traffic),
+        (false, true) => station::fixed(&traffic),
+        (true, false) => station::single_among(&traffic),
+        (false, false) => station::fixed_among(&traffic),
     }
 }
 

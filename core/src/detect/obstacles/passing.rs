@@ -103,7 +103,7 @@ impl<R: Real> Placed<R> {
         let mut list = Pairs::new();
         self.touching_obstacles(scene, near, &mut list);
         let mut found: Option<(R, Pair)> = None;
-        for pair in list {
+        for &pair in &list {
             let apart = self.arm_to(scene, pair) - self.arm_to(scene, left);
             let least = if scene.obstacle_of(pair) == scene.obstacle_of(left) {
                 R::in_plane()

@@ -332,7 +332,7 @@ fn touched<R: Real, W: World<R>>(
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<((bool, R, R), Pair)> = None;
-        for pair in list.into_iter().filter(|&pair| is_new(pair)) {
+        for pair in list.iter().copied().filter(|&pair| is_new(pair)) {
             let normal = scene.face(pair, now.orientation.rotation()).normal;
             let is_beside = is_own(pair) && beside.last.is_none_or(|side| faces(normal, side));
             let gap = before.gap(scene, pair).max(R::met_before());
