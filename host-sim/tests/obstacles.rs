@@ -254,7 +254,6 @@ fn commands_that_take_no_obstacles_say_so() {
     for command in [
         "view scene.toml --headless --socket absent",
         "footprint scene.toml",
-        "board scene.toml --socket absent",
     ] {
         let words: Vec<&str> = command.split(' ').collect();
         let output = folder.stiction(&words);
