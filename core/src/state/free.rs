@@ -3,7 +3,7 @@
 use super::ContactState;
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::contact::Pairs;
+use crate::contact::{Opened, Pair, Pairs};
 use crate::detect::{Known, Placed, PointPath};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
@@ -19,14 +19,14 @@ use crate::world::World;
 pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
     /// Contacts with obstacles that have opened where the body is still: they say on which side of a thin wall it is.
-    left: Pairs,
+    left: Opened,
 }
 
 impl<R: Real> Free<R> {
     pub(crate) fn new(pose: Pose<R>) -> Self {
         Self {
             pose,
-            left: Pairs::new(),
+            left: Opened::NONE,
         }
     }
 
@@ -34,7 +34,7 @@ impl<R: Real> Free<R> {
     pub(crate) fn leaving<W: World<R>>(scene: &W, state: &ContactState<R>) -> Self {
         let mut free = Self::new(state.pose(scene));
         if W::CORNERS {
-            free.left = state.contacts();
+            free.left = Opened::of(state.contacts());
         }
         free
     }
@@ -82,7 +82,10 @@ impl<R: Real> Free<R> {
             is_certified = after.room_among(scene, &[]) > way;
         }
         if is_certified {
-            *self = after;
+            self.pose = after.pose;
+            if W::CORNERS {
+                self.left = after.left;
+            }
         }
         is_certified
     }
@@ -250,9 +253,14 @@ impl<R: Real> Free<R> {
         segment: &mut Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
+        let left = if W::CORNERS {
+            self.left.pairs()
+        } else {
+            Pairs::new()
+        };
         let known = Known {
             lasting: &[],
-            left: &self.left,
+            left: &left,
         };
         segment.stop_at_touch_of(scene, placed, (&PointPath::straight(shift), known));
         let end = Placed {
@@ -263,9 +271,10 @@ impl<R: Real> Free<R> {
         self.pose = end.pose();
         if W::CORNERS {
             let placed = Placed::at(&self.pose);
-            self.left.retain(|&pair| {
+            let is_still_there = |&pair: &Pair| {
                 placed.gap(scene, pair).abs() <= R::TOUCH && placed.beyond(scene, pair) <= R::TOUCH
-            });
+            };
+            self.left = Opened::of(left.into_iter().filter(is_still_there));
         }
         segment.moved()
     }
