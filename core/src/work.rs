@@ -71,9 +71,12 @@ const REST_OF_CORNER: u32 = 1;
 /// What a slip of a vertex takes besides.
 pub(crate) const SLIP: u32 = 2;
 /// What a search for a touch takes to begin; what each surface adds that is near, and each vertex that may reach it.
-pub(crate) const TOUCH: u8 = 2;
-pub(crate) const SURFACE: u8 = 1;
-pub(crate) const VERTEX_AT_SURFACE: u8 = 1;
+pub(crate) const TOUCH: u16 = 2;
+pub(crate) const SURFACE: u16 = 1;
+pub(crate) const VERTEX_AT_SURFACE: u16 = 1;
+/// What a place of a motion takes at which obstacles are looked at; one at which functions are looked at that fall.
+pub(crate) const PLACE: u32 = 1;
+pub(crate) const LOOK_AT_FALL: u32 = 2;
 /// What three edges of a cone take that are to bear a load; some that are to come nearer to bearing it.
 pub(crate) const THREE: u32 = 1;
 pub(crate) const TRIAL: u32 = 2;

@@ -10,6 +10,7 @@ use core::ops::Range;
 mod axes;
 mod passing;
 mod reached;
+mod tally;
 mod touching;
 
 pub(crate) use passing::Tip;

@@ -40,7 +40,7 @@ where
     R::Si: From<f32> + Into<f64>,
 {
     let mut looks = 0;
-    let found = first_fall((number(END), number(LONGEST)), |x: R| {
+    let found = first_fall((number(END), number(LONGEST)), MOST_FALLS, |x: R| {
         looks += 1;
         let x: f64 = x.to_si(R::Si::ONE).into();
         [0, 1].map(|i| {

@@ -9,7 +9,7 @@ use super::side_end::{room_ahead, stop_at_end};
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::friction::SlidingEdge;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -22,6 +22,9 @@ use crate::search::Found;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
 use crate::world::World;
+
+/// What a look at a place of a slide takes, in units of work.
+const LOOK: u32 = 9;
 
 /// Corrections of a place of a slide.
 const MAX_CORRECTIONS: usize = 6;
@@ -409,7 +412,11 @@ impl<R: Real> SingleVertex<R> {
             }
             end = end.halved();
         }
-        let found = first_fall((end, end), |x| slide.ends(&slide.along(x)));
+        let mut work = 0;
+        let found = first_fall((end, end), MOST_FALLS, |x| {
+            work += LOOK;
+            slide.ends(&slide.along(x))
+        });
         let (mut x, which, mut unsure) = match found {
             Found::Nothing { .. } => (end, None, false),
             Found::Zero { x, which } => (x, Some(which), false),
@@ -425,9 +432,10 @@ impl<R: Real> SingleVertex<R> {
             Some(_) => Trigger::Balanced,
         };
         let at = |x: R| slide.instant(&slide.along(x));
-        if let Some(reached) =
-            first_reached(scene, (Known::of(&self.contacts()), Among::All), x, &at)
-        {
+        let contacts = self.contacts();
+        let known = (Known::of(&contacts), Among::All);
+        let (reached, searched) = first_reached(scene, known, x, (&at, LOOK));
+        if let Some(reached) = reached {
             Reached { x, unsure, .. } = reached;
             trigger = Trigger::Touch(reached.contact);
         }
@@ -445,6 +453,7 @@ impl<R: Real> SingleVertex<R> {
         Moved {
             part,
             unsure,
+            work: work + searched,
             ..Moved::by(trigger)
         }
     }

@@ -130,7 +130,7 @@ impl WrittenScene {
     }
 
     /// Obstacles in the float of a solver.
-    pub(crate) fn described_obstacles<F: SiFloat, T>(
+    pub fn described_obstacles<F: SiFloat, T>(
         obstacles: &[ObstacleInfo],
         take: impl FnOnce(&[ObstacleDescription<'_, F>]) -> T,
     ) -> T {

@@ -4,6 +4,7 @@ use super::super::Placed;
 use super::axes::{
     Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, widest,
 };
+use super::tally::{Sizes, Tally};
 use super::{corners, line_of};
 use crate::bounded::Sloped;
 use crate::contact::{Pair, Pairs};
@@ -78,13 +79,31 @@ enum Closing<R> {
     At(Place<R>, Option<Pair>),
 }
 
-/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
-/// motion.
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last, and what it took to find it, in
+/// units of work. `at`: the body at a place of the motion, which takes so many units.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
     (known, among): (Known<'_>, Among),
     end: R,
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, place): (&dyn Fn(R) -> Instant<R>, u32),
+) -> (Option<Reached<R>>, u32) {
+    let tally = Tally::of_search(Sizes::of(scene), place);
+    let at = |x: R| {
+        tally.spend_units(place);
+        at(x)
+    };
+    (
+        first_in_pieces(scene, (known, among), end, (&at, &tally)),
+        tally.units(),
+    )
+}
+
+/// The same, piece by piece.
+fn first_in_pieces<R: Real, W: World<R>>(
+    scene: &W,
+    (known, among): (Known<'_>, Among),
+    end: R,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Option<Reached<R>> {
     let Known { lasting, left } = known;
     let start = at(R::ZERO);
@@ -92,7 +111,10 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
     let mut step = end;
     // The obstacles that it touches there, and on which side.
     let mut near: Nearby<R> = Nearby::new();
-    for _ in 0..MOST_PIECES {
+    for piece in 0..MOST_PIECES {
+        if piece > 0 && tally.left() == 0 {
+            break;
+        }
         let mut to = end.min(x + step);
         let mut there = at(to);
         for _ in 0..64 {
@@ -113,7 +135,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             });
             for pair in pairs.filter(|pair| !lasting.contains(pair)) {
                 let gap = |body: &Instant<R>| body.gap(scene, pair);
-                if let Some(end) = falls([(x, here), (to, there)], at, gap) {
+                if let Some(end) = falls([(x, here), (to, there)], (at, tally), gap) {
                     (to, there) = end;
                     first = Some((end.0, Some(pair)));
                 }
@@ -125,6 +147,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
         let mut now_near: Nearby<R> = Nearby::new();
         for (obstacle, round) in scene.rounds().iter().enumerate() {
+            tally.spend(1);
             let is_over =
                 || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
             if here.placed.apart(round) > reach || is_over() {
@@ -138,7 +161,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 last: last.map(|&(_, last)| last),
                 near: R::TOUCH,
             };
-            match closes(scene, obstacle, (before, beside), piece, at) {
+            match closes(scene, obstacle, (before, beside), piece, (at, tally)) {
                 Closing::Nothing => {}
                 Closing::Near(side) => {
                     // Of more than there is room for it is not known.
@@ -174,7 +197,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
 /// Where a gap closes on a piece of a motion.
 fn falls<R: Real>(
     [from, to]: [Place<R>; 2],
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
 ) -> Option<Place<R>> {
     let width = to.0 - from.0;
@@ -186,7 +209,8 @@ fn falls<R: Real>(
             (end, unit) = (end.doubled(), unit.doubled());
         }
     }
-    let found = first_fall((end, end), |x| {
+    let found = first_fall((end, end), tally.looks(), |x| {
+        tally.spend(1);
         let body = if x == R::ZERO {
             from.1
         } else if x == end {
@@ -216,9 +240,14 @@ fn closes<R: Real, W: World<R>>(
     obstacle: usize,
     ((before, lasting), mut beside): ((&Placed<R>, &[Pair]), Beside<'_, R>),
     [mut from, to]: [Place<R>; 2],
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Closing<R> {
+    let sizes = Sizes::of_one(scene, obstacle);
     for _ in 0..MOST_AXES {
+        if tally.left() == 0 {
+            break;
+        }
+        tally.spend(sizes.axes());
         let (Some(axis), _) = widest(scene, &from.1, obstacle, (lasting, beside)) else {
             return Closing::Nothing;
         };
@@ -229,7 +258,7 @@ fn closes<R: Real, W: World<R>>(
         let mut found = false;
         for feature in moving(scene, (obstacle, axis), lasting) {
             let gap = |body: &Instant<R>| off(scene, body, axis, feature);
-            if let Some(first) = falls([from, end], at, gap) {
+            if let Some(first) = falls([from, end], (at, tally), gap) {
                 end = first;
                 found = true;
             }
@@ -248,10 +277,14 @@ fn closes<R: Real, W: World<R>>(
             last: Some(side),
             near: R::TOUCH - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
+        tally.spend(sizes.axes());
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
+        let touched = |tally| {
+            let places = (before, &end.1.placed);
+            touched(scene, lasting, (obstacle, side), (places, tally))
+        };
         if gap <= beside.near
-            && let Some(contact) =
-                touched(scene, lasting, (obstacle, side), (before, &end.1.placed))
+            && let Some(contact) = touched(tally)
         {
             return Closing::At(end, Some(contact));
         }
@@ -267,7 +300,7 @@ fn touched<R: Real, W: World<R>>(
     scene: &W,
     lasting: &[Pair],
     (obstacle, side): (usize, Vec2<R>),
-    (before, now): (&Placed<R>, &Placed<R>),
+    ((before, now), tally): ((&Placed<R>, &Placed<R>), &Tally),
 ) -> Option<Pair> {
     let own = corners(scene, obstacle);
     let is_own = |pair: Pair| {
@@ -286,6 +319,10 @@ fn touched<R: Real, W: World<R>>(
     };
     let mut near = R::TOUCH;
     for _ in 0..4 {
+        if tally.left() == 0 {
+            break;
+        }
+        tally.spend(now.work_of_touching(scene, near));
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<(bool, R, Pair)> = None;

@@ -2,6 +2,7 @@
 
 use super::super::Placed;
 use super::axes::{Beside, axes, lies_over, room_along, widest};
+use super::tally::Sizes;
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::Vec2;
@@ -172,6 +173,24 @@ impl<R: Real> Placed<R> {
         let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
         let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
         ways.any(|(_, along)| is_in_front(along))
+    }
+
+    /// What it takes to find these contacts, in gaps.
+    pub(super) fn work_of_touching<W: World<R>>(&self, scene: &W, tolerance: R) -> u32 {
+        let radius = self.radius(scene, None) + tolerance;
+        self.work_within(scene, radius, Sizes::touching)
+    }
+
+    /// What is done with each obstacle that may be nearer than a radius takes so much, in gaps.
+    fn work_within<W: World<R>>(&self, scene: &W, radius: R, work: fn(Sizes) -> u32) -> u32 {
+        let each = scene.rounds().iter().enumerate().map(|(obstacle, round)| {
+            if self.apart(round) > radius {
+                1
+            } else {
+                work(Sizes::of_one(scene, obstacle))
+            }
+        });
+        each.fold(0, u32::saturating_add)
     }
 
     /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.

@@ -19,6 +19,8 @@ use crate::world::{Surface, World};
 mod follow;
 mod slip;
 
+/// What it takes to find a place, in units of work.
+const SPOT: u32 = 4;
 /// Corrections of a place across the motion, at most.
 const MAX_CORRECTIONS: usize = 6;
 /// A piece that bends too sharply is halved so often at most.
