@@ -218,14 +218,14 @@ impl<R: Real> ContactState<R> {
         let path = (from, to);
         work.spend(self.certified_work());
         match self {
-            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path),
-            Self::Free(s) => s.follow::<W, Pinned>(scene, path),
-            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, R::ONE),
+            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path, work),
+            Self::Free(s) => s.follow::<W, Pinned>(scene, path, work),
+            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, (R::ONE, work)),
             Self::SingleVertex(s) => match s.regime {
-                Regime::Slide(sign) => s.follow_sliding(scene, path, sign),
-                Regime::Stick { .. } => s.follow(scene, path),
+                Regime::Slide(sign) => s.follow_sliding(scene, path, (sign, work)),
+                Regime::Stick { .. } => s.follow(scene, path, work),
             },
-            Self::Edge(s) if W::EDGES => s.follow(scene, path),
+            Self::Edge(s) if W::EDGES => s.follow(scene, path, work),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path, work),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to, work),
             _ => false,

@@ -95,8 +95,8 @@ where
     R: Real<Si: SiFloat>,
 {
     let head = head(files)?;
-    let scene = head
-        .among::<R, V, S, O, C, Failure>(|bytes| files.read(bytes).map_err(Failure::from))?;
+    let scene =
+        head.among::<R, V, S, O, C, Failure>(|bytes| files.read(bytes).map_err(Failure::from))?;
     let solver = Solver::new(scene, head.evolution).with_budget(head.budget);
     ride(solver, head.samples, files, instruments)
 }

@@ -12,9 +12,11 @@ mod passing;
 mod reached;
 mod tally;
 mod touching;
+mod watched;
 
 pub(crate) use passing::Tip;
 pub(crate) use reached::{Among, Known, Reached, first_reached};
+pub(crate) use watched::{Short, Watch};
 
 /// Two contacts of one obstacle that are closer than this are one (L).
 pub(crate) fn together<R: Real>() -> R {

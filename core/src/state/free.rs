@@ -4,7 +4,7 @@ use super::ContactState;
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
 use crate::contact::{Opened, Pair, Pairs};
-use crate::detect::{Known, Placed, PointPath};
+use crate::detect::{Known, Placed, PointPath, Short, Watch};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -12,6 +12,7 @@ use crate::moment::{Downhill, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
 
 /// The memory: the pose itself, and what it has just left.
@@ -20,6 +21,9 @@ pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
     /// Contacts with obstacles that have opened where the body is still: they say on which side of a thin wall it is.
     left: Opened,
+    /// Obstacles that are not watched are no nearer (L); 0: not known.
+    room: R,
+    watch: Watch,
 }
 
 impl<R: Real> Free<R> {
@@ -27,6 +31,8 @@ impl<R: Real> Free<R> {
         Self {
             pose,
             left: Opened::NONE,
+            room: R::ZERO,
+            watch: Watch::NONE,
         }
     }
 
@@ -59,6 +65,7 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
         let (orientation, curvature_bound) = if Self::turns_with_hand(scene) {
@@ -74,12 +81,8 @@ impl<R: Real> Free<R> {
         let after = Self::new(Self::hanging(scene, to, orientation));
         let mut is_certified = after.placed(to).is_clear(scene, curvature_bound);
         if W::CORNERS && is_certified {
-            // An obstacle may be passed on the way.
-            let (before, after) = (self.placed(from), after.placed(to));
-            let turned = (after.orientation.angle()).minus(before.orientation.angle());
-            let swing = turned.abs().doubled() + curvature_bound;
-            let way = (after.point - before.point).length_bound() + after.swing(scene, swing);
-            is_certified = after.room_among(scene, &[]) > way;
+            let places = [self.placed(from), after.placed(to)];
+            is_certified = self.keeps_off(scene, places, curvature_bound, work);
         }
         if is_certified {
             self.pose = after.pose;
@@ -88,6 +91,27 @@ impl<R: Real> Free<R> {
             }
         }
         is_certified
+    }
+
+    /// No obstacle is reached between two places, the turn bent by so much at most.
+    #[inline(never)]
+    fn keeps_off<W: World<R>>(
+        &mut self,
+        scene: &W,
+        [before, after]: [Placed<R>; 2],
+        curvature_bound: R,
+        work: &mut Work,
+    ) -> bool {
+        let turned = (after.orientation.angle()).minus(before.orientation.angle());
+        let turn = turned.abs().doubled() + curvature_bound;
+        let short = Short {
+            before,
+            after,
+            lasting: &[],
+            way: (after.point - before.point).length_bound() + after.swing(scene, turn),
+            turn,
+        };
+        short.keeps_off(scene, (&mut self.room, &mut self.watch), work)
     }
 
     /// The body without weight has the angle of the hand.
@@ -270,6 +294,7 @@ impl<R: Real> Free<R> {
         };
         self.pose = end.pose();
         if W::CORNERS {
+            self.room = R::ZERO;
             let placed = Placed::at(&self.pose);
             let is_still_there = |&pair: &Pair| {
                 placed.gap(scene, pair).abs() <= R::TOUCH && placed.beyond(scene, pair) <= R::TOUCH

@@ -6,6 +6,7 @@
 use super::SingleVertex;
 use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
+use super::single_vertex::Travel;
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
@@ -21,6 +22,7 @@ use crate::real::{Real, along};
 use crate::search::Found;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
 
 /// What a look at a place of a slide takes, in units of work.
@@ -293,7 +295,7 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &W,
         path: (&Grip<R>, &Grip<R>),
-        sign: R,
+        (sign, work): (R, &mut Work),
     ) -> bool {
         let slide = CornerSlide {
             scene,
@@ -353,7 +355,12 @@ impl<R: Real> SingleVertex<R> {
             .surface(self.pivot.contact.surface)
             .friction
             .threshold();
-        let travel = (spot.pivot.foot - self.pivot.foot).abs() + (glide + R::ONE) * turn_bound;
+        let bound = (spot.pivot.foot - self.pivot.foot).abs() + (glide + R::ONE) * turn_bound;
+        let travel = Travel {
+            bound,
+            open: bound,
+            turn: turn_bound,
+        };
         let mut end = Self {
             pivot: spot.pivot,
             ..self.clone()
@@ -362,7 +369,7 @@ impl<R: Real> SingleVertex<R> {
             && first.min(last) > stray
             && first.max(last) + stray < threshold
             && spot.pivot.is_on_side(scene)
-            && end.has_room(scene, &spot.pivot, (travel, travel));
+            && end.has_room(scene, [&self.pivot, &spot.pivot], &travel, work);
         if follows {
             *self = end;
         }

@@ -21,7 +21,7 @@ mod slide;
 
 use kinematics::Quantities;
 
-pub(crate) use certified::certified_slide;
+pub(crate) use certified::{CertifiedSlide, certified_slide};
 pub(crate) use course::Course;
 pub(crate) use slide::{MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 

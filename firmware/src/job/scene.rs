@@ -146,9 +146,7 @@ impl Head {
         if self.obstacles > 0 {
             return Err(FormatError::Value.into());
         }
-        self.described::<R, V, S, _, E>(&mut source, |description, _| {
-            Ok(Scene::new(description)?)
-        })
+        self.described::<R, V, S, _, E>(&mut source, |description, _| Ok(Scene::new(description)?))
     }
 
     /// The same with its obstacles.

@@ -319,6 +319,27 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     })
 }
 
+/// The same, less what the gap may change by where the body turns by so much about the placed point.
+pub(super) fn gap_less<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    (obstacle, axis): (usize, Axis),
+    (lasting, turn): (&[Pair], R),
+) -> R {
+    if is_flat_on(scene, placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let ruler = Ruler::of(scene, &Instant::at_rest(*placed), axis);
+    moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
+        let place = place_of(scene, axis, feature);
+        let far = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => (place - ruler.origin).length_bound(),
+            Axis::Side(_) | Axis::End(_) => R::ONE,
+        };
+        least.min(ruler.value(place) - turn * far)
+    })
+}
+
 /// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
 /// turns with it, the gap of a corner that is far from the placed point closes faster.
 pub(super) fn room_along<R: Real, W: World<R>>(

@@ -91,16 +91,20 @@ impl Tally {
         }
     }
 
-    pub(crate) fn spend(&self, gaps: u32) {
+    /// Of a certified frame, which looks at each obstacle a few times at most.
+    pub(crate) const fn of_frame() -> Self {
+        Self {
+            gaps: Cell::new(0),
+            most: u32::MAX,
+        }
+    }
+
+    pub(super) fn spend(&self, gaps: u32) {
         self.gaps.set(self.gaps.get().saturating_add(gaps));
     }
 
-    pub(crate) fn gaps(&self) -> u32 {
-        self.gaps.get()
-    }
-
     /// What is left of the most that it may do.
-    pub(crate) fn left(&self) -> u32 {
+    pub(super) fn left(&self) -> u32 {
         self.most.saturating_sub(self.gaps.get())
     }
 

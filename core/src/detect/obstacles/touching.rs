@@ -1,7 +1,7 @@
 //! What of the body touches obstacles at a pose, and which of these contacts can be at once.
 
 use super::super::Placed;
-use super::axes::{Beside, axes, lies_over, room_along, widest};
+use super::axes::{Beside, widest};
 use super::tally::Sizes;
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
@@ -51,30 +51,6 @@ impl<R: Real> Placed<R> {
     /// The rounding of a gap to an obstacle near the body.
     pub(in crate::detect) fn rounding(&self) -> R {
         R::of_coordinates() * (R::TWO + self.point.length_bound())
-    }
-
-    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
-    /// no more, together; less what counts as a touch and the rounding.
-    pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
-        let body = Instant::at_rest(*self);
-        let radius = self.radius(scene, None);
-        let mut least = R::HUGE;
-        for (obstacle, round) in scene.rounds().iter().enumerate() {
-            let apart = self.apart(round) - radius;
-            if apart > R::ONE {
-                least = least.min(apart);
-                continue;
-            }
-            if lies_over(scene, self, obstacle, lasting) {
-                continue;
-            }
-            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
-            // A point and a pin have no axis.
-            let room = axes(scene, obstacle).map(along).reduce(R::max);
-            let room = room.unwrap_or(R::HUGE);
-            least = least.min(room - self.rounding().doubled() - R::TOUCH);
-        }
-        least
     }
 
     /// A lower bound of the distance of the point from a circle.
