@@ -174,6 +174,11 @@ impl<R: Real> SingleVertex<R> {
         work: &mut Work,
     ) -> bool {
         if W::CORNERS {
+            // Nothing is near.
+            if self.watch == Watch::NONE && self.room > travel.bound {
+                self.room = self.room - travel.bound;
+                return true;
+            }
             self.has_room_among(scene, [begin, end], travel, work)
         } else {
             self.has_room_at(scene, end, (travel.bound, travel.open))

@@ -22,7 +22,7 @@ mod slide;
 use kinematics::Quantities;
 
 pub(crate) use certified::{CertifiedSlide, certified_slide};
-pub(crate) use course::Course;
+pub(crate) use course::{Course, certified_slide_among};
 pub(crate) use slide::{MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
 /// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.

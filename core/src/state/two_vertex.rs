@@ -6,7 +6,7 @@ mod slip;
 use super::fixed_pose::FixedPose;
 use super::trammel::{
     CertifiedSlide, Course, Demand, SLIDE, SlideEnding, Slides, Trammel, certified_slide,
-    sliding_reactions,
+    certified_slide_among, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
 use crate::detect::{Short, Watch};
@@ -64,10 +64,11 @@ impl<R: Real> TwoVertex<R> {
         work: &mut Work,
     ) -> bool {
         if let Some(sense) = self.regime.slide() {
+            let contacts = (&self.pivot, self.other);
             let slide = if W::CORNERS && self.contacts().iter().any(|pair| pair.is_corner()) {
-                None
+                certified_slide_among(scene, contacts, path, sense)
             } else {
-                certified_slide(scene, (&self.pivot, self.other), path, sense)
+                certified_slide(scene, contacts, path, sense)
             };
             let slide = slide
                 .filter(|slide| !W::CORNERS || self.are_on_sides(scene, &slide.pivot))
@@ -132,7 +133,7 @@ impl<R: Real> TwoVertex<R> {
             after: slide.pivot.placed(scene),
             lasting: &contacts,
             way,
-            turn: way,
+            turn: slide.turn_bound,
         };
         let mut least = self.room - way;
         if least <= R::ZERO {

@@ -319,24 +319,37 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     })
 }
 
-/// The same, less what the gap may change by where the body turns by so much about the placed point.
+/// The same, less what a gap may change by where its feature is moved by so much of its distance from the placed point, or of a body
+/// size; `flat`: two of the contacts that last are in one line.
 pub(super) fn gap_less<R: Real, W: World<R>>(
     scene: &W,
     placed: &Placed<R>,
     (obstacle, axis): (usize, Axis),
-    (lasting, turn): (&[Pair], R),
+    ((lasting, flat), by): ((&[Pair], bool), R),
 ) -> R {
-    if is_flat_on(scene, placed, (obstacle, axis), lasting) {
+    let is_along = |pair: &Pair| match axis {
+        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Axis::BodySide(side) => pair.is_corner() && pair.body_side() == side,
+        Axis::End(_) | Axis::BodyEnd(_) => false,
+    };
+    // Most axes have none.
+    let lasting = if lasting.iter().any(is_along) {
+        lasting
+    } else {
+        &[]
+    };
+    if flat && is_flat_on(scene, placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
     let ruler = Ruler::of(scene, &Instant::at_rest(*placed), axis);
+    let of_corners = matches!(axis, Axis::BodySide(_) | Axis::BodyEnd(_));
     moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
-        let place = place_of(scene, axis, feature);
-        let far = match axis {
-            Axis::BodySide(_) | Axis::BodyEnd(_) => (place - ruler.origin).length_bound(),
-            Axis::Side(_) | Axis::End(_) => R::ONE,
-        };
-        least.min(ruler.value(place) - turn * far)
+        let from = place_of(scene, axis, feature) - ruler.origin;
+        let mut far = R::ONE;
+        if of_corners {
+            far = far.max(from.x.abs() + from.y.abs());
+        }
+        least.min(ruler.level + ruler.direction.dot(from) - by * far)
     })
 }
 

@@ -15,7 +15,7 @@ use crate::world::World;
 /// So many obstacles are watched.
 const WATCHED: usize = 3;
 /// An obstacle is watched that is nearer than so many times the way of a motion.
-const NEAR: i32 = 16;
+const NEAR: i32 = 8;
 
 /// The axes that are watched, as far as they can be named in a byte: they only say where to look first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,39 +75,55 @@ impl<R: Real> Short<'_, R> {
         work: &mut Work,
     ) -> bool {
         let tally = Tally::of_frame();
+        let flat = self.is_flat(scene);
         let is_open = |&name: &u8| {
             let axis = Watch::named(scene, name);
-            axis.is_none_or(|axis| self.is_open(scene, axis, &tally))
+            axis.is_none_or(|axis| self.is_open(scene, axis, (flat, &tally)))
         };
         let around = if *room > self.way && watch.0.iter().all(is_open) {
             Some((*room - self.way, *watch))
         } else {
-            self.looks_around(scene, &tally)
+            self.looks_around(scene, (flat, &tally))
         };
         work.spend(tally.units());
         (*room, *watch) = around.unwrap_or((R::ZERO, Watch::NONE));
         around.is_some()
     }
 
-    /// The gap along an axis is open on all of the motion: it is so at both ends by more than what the turn may change.
+    /// The gap along an axis is open on all of the motion: it is so at the end by more than the way, or at both ends by more than what
+    /// the turn may change.
     fn is_open<W: World<R>>(
         &self,
         scene: &W,
-        (obstacle, axis): (usize, Axis),
-        tally: &Tally,
+        axis: (usize, Axis),
+        (flat, tally): (bool, &Tally),
     ) -> bool {
-        let looked = scene.vertices().len().max(corners(scene, obstacle).len());
-        tally.spend(u32::try_from(looked).unwrap_or(u32::MAX).saturating_mul(2));
-        let gap = |placed: &Placed<R>| {
-            let turn = self.turn.doubled();
-            gap_less(scene, placed, (obstacle, axis), (self.lasting, turn))
+        let looked = scene.vertices().len().max(corners(scene, axis.0).len());
+        let gap = |placed: &Placed<R>, by: R| {
+            tally.spend(u32::try_from(looked).unwrap_or(u32::MAX));
+            gap_less(scene, placed, axis, ((self.lasting, flat), by))
         };
-        gap(&self.after) > self.after.rounding().doubled() + R::TOUCH && gap(&self.before) > R::ZERO
+        let less = self.after.rounding().doubled() + R::TOUCH;
+        let turn = self.turn.doubled();
+        gap(&self.after, self.way + turn) > less
+            || gap(&self.after, turn) > less && gap(&self.before, turn) > R::ZERO
+    }
+
+    /// Two of the contacts that last are in one line.
+    fn is_flat<W: World<R>>(&self, scene: &W) -> bool {
+        match *self.lasting {
+            [one, other] => scene.lie_in_line([one, other], &self.after),
+            _ => self.lasting.len() > 1,
+        }
     }
 
     /// How far what is not watched is at the end, and what to watch; nothing where an obstacle may be reached.
     #[inline(never)]
-    fn looks_around<W: World<R>>(&self, scene: &W, tally: &Tally) -> Option<(R, Watch)> {
+    fn looks_around<W: World<R>>(
+        &self,
+        scene: &W,
+        (flat, tally): (bool, &Tally),
+    ) -> Option<(R, Watch)> {
         let body = Instant::at_rest(self.after);
         let radius = self.after.radius(scene, None);
         let less = self.after.rounding().doubled() + R::TOUCH;
@@ -137,7 +153,7 @@ impl<R: Real> Short<'_, R> {
             let mut next = (off - less, 0);
             if next.0 <= self.way * R::from_int(NEAR) {
                 next.1 = Watch::name(scene, (obstacle, axis));
-                if next.1 == 0 || !self.is_open(scene, (obstacle, axis), tally) {
+                if next.1 == 0 || !self.is_open(scene, (obstacle, axis), (flat, tally)) {
                     // The nearest axis may be another one than that along which it stays apart.
                     next.1 = 0;
                 }

@@ -16,8 +16,11 @@ use crate::state::side_end::room_ahead;
 use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
+mod certified;
 mod follow;
 mod slip;
+
+pub(crate) use certified::certified_slide_among;
 
 /// What it takes to find a place, in units of work.
 const SPOT: u32 = 4;
