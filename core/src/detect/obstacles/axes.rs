@@ -333,24 +333,27 @@ pub(super) fn gap_less<R: Real, W: World<R>>(
         Axis::End(_) | Axis::BodyEnd(_) => false,
     };
     // Most axes have none.
-    let lasting = if lasting.iter().any(is_along) {
-        lasting
-    } else {
-        &[]
-    };
-    if flat && is_flat_on(scene, placed, (obstacle, axis), lasting) {
+    let any = lasting.iter().any(is_along);
+    if any && flat && is_flat_on(scene, placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
     let ruler = Ruler::of(scene, &Instant::at_rest(*placed), axis);
     let of_corners = matches!(axis, Axis::BodySide(_) | Axis::BodyEnd(_));
-    moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
+    let mut least = R::HUGE;
+    let mut look = |feature| {
         let from = place_of(scene, axis, feature) - ruler.origin;
         let mut far = R::ONE;
         if of_corners {
             far = far.max(from.x.abs() + from.y.abs());
         }
-        least.min(ruler.level + ruler.direction.dot(from) - by * far)
-    })
+        least = least.min(ruler.level + ruler.direction.dot(from) - by * far);
+    };
+    if any {
+        moving(scene, (obstacle, axis), lasting).for_each(&mut look);
+    } else {
+        features(scene, (obstacle, axis)).for_each(&mut look);
+    }
+    least
 }
 
 /// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
@@ -377,6 +380,27 @@ pub(super) fn room_along<R: Real, W: World<R>>(
         } else {
             gap
         })
+    })
+}
+
+/// The gap along an axis stays open between two places of a motion on which no second derivative changes its sign: it lies above its
+/// chord, or above the tangents at both ends (STATICS 12.3).
+pub(super) fn stays_open<R: Real, W: World<R>>(
+    scene: &W,
+    [from, to]: [&Instant<R>; 2],
+    (obstacle, axis): (usize, Axis),
+    (lasting, width): (&[Pair], R),
+) -> bool {
+    let [here, there] = [from, to].map(|body| Ruler::of(scene, body, axis));
+    let rounding = from.placed.rounding().max(to.placed.rounding());
+    moving(scene, (obstacle, axis), lasting).all(|feature| {
+        let place = place_of(scene, axis, feature);
+        let [a, b] = [here.off(place), there.off(place)];
+        let is_flat_out = a.slope >= R::ZERO || b.slope <= R::ZERO;
+        // Where the tangents lie above zero at the other end.
+        let is_steep_out =
+            a.value + a.slope * width > rounding || b.value - b.slope * width > rounding;
+        a.value > rounding && b.value > rounding && (is_flat_out || is_steep_out)
     })
 }
 

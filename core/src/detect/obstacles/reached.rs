@@ -2,7 +2,7 @@
 
 use super::super::Placed;
 use super::axes::{
-    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, widest,
+    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, stays_open, widest,
 };
 use super::tally::{Sizes, Tally};
 use super::{corners, line_of};
@@ -243,6 +243,14 @@ fn closes<R: Real, W: World<R>>(
     (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Closing<R> {
     let sizes = Sizes::of_one(scene, obstacle);
+    // Not reached along an axis.
+    let after = |body: &Instant<R>, axis| {
+        if gap_along(scene, body, (obstacle, axis), lasting) <= R::TOUCH {
+            Closing::Near(direction(scene, &body.placed, axis))
+        } else {
+            Closing::Nothing
+        }
+    };
     for _ in 0..MOST_AXES {
         if tally.left() == 0 {
             break;
@@ -254,6 +262,11 @@ fn closes<R: Real, W: World<R>>(
         if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
             return Closing::Nothing;
         }
+        tally.spend(sizes.sides());
+        let ends = [&from.1, &to.1];
+        if stays_open(scene, ends, (obstacle, axis), (lasting, to.0 - from.0)) {
+            return after(&to.1, axis);
+        }
         let mut end = to;
         let mut found = false;
         for feature in moving(scene, (obstacle, axis), lasting) {
@@ -263,15 +276,10 @@ fn closes<R: Real, W: World<R>>(
                 found = true;
             }
         }
-        let side = direction(scene, &end.1.placed, axis);
         if !found {
-            let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
-            return if gap <= R::TOUCH {
-                Closing::Near(side)
-            } else {
-                Closing::Nothing
-            };
+            return after(&to.1, axis);
         }
+        let side = direction(scene, &end.1.placed, axis);
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),

@@ -58,6 +58,11 @@ impl Sizes {
         gaps.saturating_add(axes.saturating_mul(3))
     }
 
+    /// The gaps along one of them, at both ends of a piece.
+    pub(super) const fn sides(self) -> u32 {
+        self.vertices.saturating_add(self.corners).saturating_mul(2)
+    }
+
     /// What it takes to see which pairs touch.
     pub(crate) const fn touching(self) -> u32 {
         let pairs = self.vertices.saturating_mul(self.corners).saturating_mul(2);

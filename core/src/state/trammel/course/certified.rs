@@ -343,38 +343,39 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
         let spins = size * (sizes.spread_bend() * reach * reach) / spread;
         bent.doubled() + spins.doubled() + after.rounding()
     };
-    let turn_bound = sizes.turn * reach;
     let mut place = *pivot;
-    let mut step = drive / stability;
     let (mut slide, mut turn) = (pairing.slide, pairing.turn);
+    let mut step = drive / stability;
     for _ in 0..MAX_CORRECTIONS {
-        let moved = place.moved(slide * step, turn * step);
-        place = seat_sliding(scene, moved, other);
+        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
         let here = Pairing::of(scene, (&place, other), direction)?;
         let load = place.load(scene, to);
-        // What a step of Newton's leaves.
-        if (bend * step * step).halved() <= R::EPSILON {
-            let end = here.sizes(load.force);
-            let largest = [0, 1].map(|i| begin[i].max(end[i]));
-            let presses = [0, 1]
-                .iter()
-                .all(|&i| begin[i].min(end[i]) > stray(largest[i]));
-            let worth = edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
-            let memory = Memory {
-                sizes: largest.map(|size| size + stray(size)),
-                change: (worth + (edge * edge * sizes.turn * sizes.arm).doubled()) * reach,
-                slows,
-                stability: least - least * (bend * reach),
-            };
-            let lasts = presses && pairing.goes_on(&memory, (begin, standing));
-            return lasts.then_some(CertifiedSlide {
-                pivot: place,
-                travel_bound: sizes.speed * reach + turn_bound,
-                turn_bound,
-            });
-        }
         step = here.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
         (slide, turn) = (here.slide, here.turn);
+        // What a step of Newton's leaves.
+        if (bend * step * step).halved() > R::EPSILON {
+            continue;
+        }
+        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
+        let end = here.sizes(load.force);
+        let largest = [0, 1].map(|i| begin[i].max(end[i]));
+        let last = edge * (sizes.force_rate() + sizes.force * sizes.turn) * step.abs() / spread;
+        let off = largest.map(|size| stray(size) + last.doubled());
+        let presses = [0, 1].iter().all(|&i| begin[i].min(end[i]) > off[i]);
+        let worth = edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
+        let memory = Memory {
+            sizes: [0, 1].map(|i| largest[i] + off[i]),
+            change: (worth + (edge * edge * sizes.turn * sizes.arm).doubled()) * reach,
+            slows,
+            stability: least - least * (bend * reach),
+        };
+        let turn_bound = sizes.turn * reach;
+        let lasts = presses && pairing.goes_on(&memory, (begin, standing));
+        return lasts.then_some(CertifiedSlide {
+            pivot: place,
+            travel_bound: sizes.speed * reach + turn_bound,
+            turn_bound,
+        });
     }
     None
 }
