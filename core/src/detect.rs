@@ -11,7 +11,7 @@ use crate::world::World;
 
 mod obstacles;
 
-pub(crate) use obstacles::{Among, Known, Reached, Short, Tip, Watch, first_reached};
+pub(crate) use obstacles::{Among, Known, Reached, Short, Sizes, Tip, Watch, first_reached};
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]

@@ -46,8 +46,9 @@ pub(crate) use corner::Corner;
 pub(crate) use edge::Edge;
 pub(crate) use free::Free;
 pub(crate) use locked::Locked;
+pub(crate) use on_corner::CORNER_LOOK;
 pub(crate) use single_vertex::SingleVertex;
-pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, SLIDE};
+pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, RUN, SLIDE, SPOT, SPOT_LOOK};
 pub(crate) use two_vertex::{Slip, TwoVertex};
 
 /// The contact state with its memory.

@@ -16,6 +16,7 @@ mod watched;
 
 pub(crate) use passing::Tip;
 pub(crate) use reached::{Among, Known, Reached, first_reached};
+pub(crate) use tally::Sizes;
 pub(crate) use watched::{Short, Watch};
 
 /// Two contacts of one obstacle that are closer than this are one (L).

@@ -26,7 +26,7 @@ use crate::work::Work;
 use crate::world::World;
 
 /// What a look at a place of a slide takes, in units of work.
-const LOOK: u32 = 9;
+pub(crate) const CORNER_LOOK: u32 = 9;
 
 /// Corrections of a place of a slide.
 const MAX_CORRECTIONS: usize = 6;
@@ -421,7 +421,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let mut work = 0;
         let found = first_fall((end, end), MOST_FALLS, |x| {
-            work += LOOK;
+            work += CORNER_LOOK;
             slide.ends(&slide.along(x))
         });
         let (mut x, which, mut unsure) = match found {
@@ -441,7 +441,7 @@ impl<R: Real> SingleVertex<R> {
         let at = |x: R| slide.instant(&slide.along(x));
         let contacts = self.contacts();
         let known = (Known::of(&contacts), Among::All);
-        let (reached, searched) = first_reached(scene, known, x, (&at, LOOK));
+        let (reached, searched) = first_reached(scene, known, x, (&at, CORNER_LOOK));
         if let Some(reached) = reached {
             Reached { x, unsure, .. } = reached;
             trigger = Trigger::Touch(reached.contact);

@@ -16,7 +16,7 @@ use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Relax, Trigger, seat_sliding};
-use crate::work::{DRIVEN, Work};
+use crate::work::{CERTIFIED_AMONG, DRIVEN, Work};
 use crate::world::World;
 
 pub(crate) use slip::Slip;
@@ -66,6 +66,7 @@ impl<R: Real> TwoVertex<R> {
         if let Some(sense) = self.regime.slide() {
             let contacts = (&self.pivot, self.other);
             let slide = if W::CORNERS && self.contacts().iter().any(|pair| pair.is_corner()) {
+                work.spend(CERTIFIED_AMONG);
                 certified_slide_among(scene, contacts, path, sense)
             } else {
                 certified_slide(scene, contacts, path, sense)

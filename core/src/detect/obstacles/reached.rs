@@ -8,7 +8,7 @@ use super::tally::{Sizes, Tally};
 use super::{corners, line_of};
 use crate::bounded::Sloped;
 use crate::contact::{Pair, Pairs};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
 use crate::real::Real;
@@ -89,7 +89,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
 ) -> (Option<Reached<R>>, u32) {
     let tally = Tally::of_search(Sizes::of(scene), place);
     let at = |x: R| {
-        tally.spend_units(place);
+        tally.place();
         at(x)
     };
     (
@@ -112,7 +112,8 @@ fn first_in_pieces<R: Real, W: World<R>>(
     // The obstacles that it touches there, and on which side.
     let mut near: Nearby<R> = Nearby::new();
     for piece in 0..MOST_PIECES {
-        if piece > 0 && tally.left() == 0 {
+        // Where it touches an obstacle it would not know any more on which side.
+        if piece > 0 && near.is_empty() && tally.is_enough() {
             break;
         }
         let mut to = end.min(x + step);
@@ -209,8 +210,8 @@ fn falls<R: Real>(
             (end, unit) = (end.doubled(), unit.doubled());
         }
     }
-    let found = first_fall((end, end), tally.looks(), |x| {
-        tally.spend(1);
+    let found = first_fall((end, end), MOST_FALLS, |x| {
+        tally.look();
         let body = if x == R::ZERO {
             from.1
         } else if x == end {
@@ -252,9 +253,6 @@ fn closes<R: Real, W: World<R>>(
         }
     };
     for _ in 0..MOST_AXES {
-        if tally.left() == 0 {
-            break;
-        }
         tally.spend(sizes.axes());
         let (Some(axis), _) = widest(scene, &from.1, obstacle, (lasting, beside)) else {
             return Closing::Nothing;
@@ -262,7 +260,7 @@ fn closes<R: Real, W: World<R>>(
         if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
             return Closing::Nothing;
         }
-        tally.spend(sizes.sides());
+        tally.spend(sizes.axis());
         let ends = [&from.1, &to.1];
         if stays_open(scene, ends, (obstacle, axis), (lasting, to.0 - from.0)) {
             return after(&to.1, axis);
@@ -327,9 +325,6 @@ fn touched<R: Real, W: World<R>>(
     };
     let mut near = R::TOUCH;
     for _ in 0..4 {
-        if tally.left() == 0 {
-            break;
-        }
         tally.spend(now.work_of_touching(scene, near));
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);

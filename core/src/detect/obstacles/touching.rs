@@ -2,7 +2,7 @@
 
 use super::super::Placed;
 use super::axes::{Beside, widest};
-use super::tally::Sizes;
+use super::tally::{Sizes, units};
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::Vec2;
@@ -155,6 +155,11 @@ impl<R: Real> Placed<R> {
     pub(super) fn work_of_touching<W: World<R>>(&self, scene: &W, tolerance: R) -> u32 {
         let radius = self.radius(scene, None) + tolerance;
         self.work_within(scene, radius, Sizes::touching)
+    }
+
+    /// The same in units of work.
+    pub(crate) fn touching_work<W: World<R>>(&self, scene: &W) -> u32 {
+        units(self.work_of_touching(scene, R::TOUCH.doubled()))
     }
 
     /// What is done with each obstacle that may be nearer than a radius takes so much, in gaps.

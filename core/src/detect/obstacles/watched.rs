@@ -4,7 +4,6 @@
 
 use super::super::Placed;
 use super::axes::{Axis, axes, gap_less, lies_over, room_along};
-use super::corners;
 use super::tally::{Sizes, Tally};
 use crate::contact::Pair;
 use crate::motion::Instant;
@@ -98,9 +97,9 @@ impl<R: Real> Short<'_, R> {
         axis: (usize, Axis),
         (flat, tally): (bool, &Tally),
     ) -> bool {
-        let looked = scene.vertices().len().max(corners(scene, axis.0).len());
+        let sizes = Sizes::of_one(scene, axis.0);
         let gap = |placed: &Placed<R>, by: R| {
-            tally.spend(u32::try_from(looked).unwrap_or(u32::MAX));
+            tally.spend(sizes.axis());
             gap_less(scene, placed, axis, ((self.lasting, flat), by))
         };
         let less = self.after.rounding().doubled() + R::TOUCH;
