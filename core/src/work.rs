@@ -28,11 +28,13 @@ pub(crate) struct Work {
 
 impl Work {
     /// Nothing yet, of what is not a step.
-    pub(crate) const NONE: Self = Self {
-        budget: 0,
-        done: 0,
-        most: u32::MAX,
-    };
+    pub(crate) const fn none() -> Self {
+        Self {
+            budget: 0,
+            done: 0,
+            most: u32::MAX,
+        }
+    }
 
     pub(crate) const fn within(budget: u32) -> Self {
         Self {

@@ -321,7 +321,7 @@ impl<R: Real> SingleVertex<R> {
     /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
-        let mut work = Work::NONE;
+        let mut work = Work::none();
         if let Some(certified) =
             CertifiedTurn::pinned::<Pinned>(scene, &load, grip, &Displacement::turn(R::ZERO))
             && self.has_room_to_turn(scene, &certified, &mut work)
@@ -425,7 +425,7 @@ impl<R: Real> SingleVertex<R> {
         } else {
             ShortSlip::find(scene, placed, grip, sign)
         };
-        let mut work = Work::NONE;
+        let mut work = Work::none();
         if let Ok(slip) = found {
             let (begin, end) = (self.pivot, self.pivot.moved(slip.slide, slip.turn));
             let travel = Travel {

@@ -32,7 +32,7 @@ pub(crate) struct TwoVertex<R> {
     pub(crate) bearers: [u8; 3],
     /// By so much the body can move before a further vertex can touch a surface (L); 0: not known.
     pub(super) room: R,
-    watch: Watch,
+    pub(super) watch: Watch,
 }
 
 impl<R: Real> TwoVertex<R> {

@@ -14,7 +14,7 @@ fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
         for part in [1.0, 0.125, 1.0 / 64.0] {
             let [from, to] = case.grips(part);
             let mut state = begin.clone();
-            let follows = state.follow_sliding(&scene, (&from, &to), (sign, &mut Work::NONE));
+            let follows = state.follow_sliding(&scene, (&from, &to), (sign, &mut Work::none()));
             seen[usize::from(follows)] += 1;
             if !follows {
                 assert_eq!(state, begin, "{seed}");
@@ -77,7 +77,7 @@ fn slide_does_not_depend_on_the_frames() {
         for i in 0..FRAMES {
             let (before, after) = (grip(i), grip(i + 1));
             let path = (&before, &after);
-            if !state.follow_sliding(&scene, path, (case.sign, &mut Work::NONE)) {
+            if !state.follow_sliding(&scene, path, (case.sign, &mut Work::none())) {
                 let moved = state.advance_sliding(&scene, path, case.sign);
                 assert_eq!(moved.trigger, Trigger::Balanced, "{seed} {i}");
             }
