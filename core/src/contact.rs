@@ -46,9 +46,9 @@ impl Pair {
 pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
 
 /// Contacts that have just opened, as plain data, two in a word: a state that remembers them is copied and compared as quickly as it
-/// would be without.
+/// would be without. Of more than six the first ones count.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Opened([u32; MAX_CONTACTS / 2]);
+pub(crate) struct Opened([u32; 3]);
 
 impl Opened {
     /// In place of a contact; no corner has that index as a surface.
@@ -56,7 +56,7 @@ impl Opened {
         vertex: u8::MAX,
         surface: u8::MAX,
     };
-    pub(crate) const NONE: Self = Self([u32::MAX; MAX_CONTACTS / 2]);
+    pub(crate) const NONE: Self = Self([u32::MAX; 3]);
 
     pub(crate) fn of(pairs: impl IntoIterator<Item = Pair>) -> Self {
         let mut pairs = pairs.into_iter();
