@@ -1,7 +1,9 @@
 //! A contact as the solver knows it, a pair of a feature of the body and a feature of the surroundings; the lists of contacts and
 //! of their reactions.
 
+use crate::list::gather;
 use crate::real::Real;
+use core::array;
 use heapless::Vec;
 
 /// At most this many contacts at once; further ones are not reported.
@@ -42,6 +44,37 @@ impl Pair {
 }
 
 pub(crate) type Pairs = Vec<Pair, MAX_CONTACTS>;
+
+/// Contacts that have just opened, as plain data, two in a word: a state that remembers them is copied and compared as quickly as it
+/// would be without. Of more than six the first ones count.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Opened([u32; 3]);
+
+impl Opened {
+    /// In place of a contact; no corner has that index as a surface.
+    const ABSENT: Pair = Pair {
+        vertex: u8::MAX,
+        surface: u8::MAX,
+    };
+    pub(crate) const NONE: Self = Self([u32::MAX; 3]);
+
+    pub(crate) fn of(pairs: impl IntoIterator<Item = Pair>) -> Self {
+        let mut pairs = pairs.into_iter();
+        Self(array::from_fn(|_| {
+            let [a, b] = array::from_fn(|_| pairs.next().unwrap_or(Self::ABSENT));
+            u32::from_le_bytes([a.vertex, a.surface, b.vertex, b.surface])
+        }))
+    }
+
+    pub(crate) fn pairs(self) -> Pairs {
+        let both = |two: u32| {
+            let [a, on_a, b, on_b] = two.to_le_bytes();
+            [(a, on_a), (b, on_b)].map(|(vertex, surface)| Pair { vertex, surface })
+        };
+        let places = self.0.into_iter().flat_map(both);
+        gather(places.filter(|&pair| pair != Self::ABSENT))
+    }
+}
 
 /// Reactions as (N, T), in the order of the contacts.
 pub(crate) type Reactions<R> = Vec<[R; 2], MAX_CONTACTS>;

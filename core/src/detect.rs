@@ -6,12 +6,12 @@ use crate::geometry::{Orientation, Pose, Vec2};
 use crate::moment::SecondHarmonic;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
-use crate::work::{SURFACE, TOUCH, VERTEX_AT_SURFACE};
+use crate::work::{PLACE, SURFACE, TOUCH, VERTEX_AT_SURFACE};
 use crate::world::World;
 
 mod obstacles;
 
-pub(crate) use obstacles::{Among, Known, Reached, Tip, first_reached};
+pub(crate) use obstacles::{Among, Known, Reached, Short, Sizes, Tip, Watch, first_reached};
 
 /// The body placed by one of its points.
 #[derive(Clone, Copy, Debug)]
@@ -299,37 +299,40 @@ impl<R: Real> Placed<R> {
                 neighbours.for_each(&mut visit);
             }
         }
-        if W::CORNERS
-            && let Some(reached) = self.first_obstacle(scene, extent, moving)
-        {
-            extent.end = moving.curve.at(reached.x);
-            (extent.folds, extent.unsure) = (false, reached.unsure);
-            first = Some(reached.contact);
+        if W::CORNERS {
+            let (reached, work) = self.first_obstacle(scene, extent, moving);
+            extent.looks.add_among(work);
+            if let Some(reached) = reached {
+                extent.end = moving.curve.at(reached.x);
+                (extent.folds, extent.unsure) = (false, reached.unsure);
+                first = Some(reached.contact);
+            }
         }
         first
     }
 
-    /// The first obstacle to be reached on the extent of a motion.
+    /// The first obstacle to be reached on the extent of a motion, and what it took to find it, in units of work.
     #[inline(never)]
     fn first_obstacle<W: World<R>, H: SecondHarmonic<R>>(
         &self,
         scene: &W,
         extent: &Extent<R>,
         moving: &Moving<'_, R, H>,
-    ) -> Option<Reached<R>> {
+    ) -> (Option<Reached<R>>, u32) {
         let end = extent.end.x;
         let known = Known {
             lasting: moving.lasting,
             left: moving.left,
         };
-        first_reached(scene, (known, Among::Obstacles), end, &|x| {
+        let at = |x: R| {
             let place = if x == end {
                 extent.end
             } else {
                 moving.curve.at(x)
             };
             moving.curve.instant(&place, self, moving.path)
-        })
+        };
+        first_reached(scene, (known, Among::Obstacles), end, (&at, PLACE))
     }
 }
 

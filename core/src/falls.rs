@@ -89,12 +89,13 @@ fn earliest<R: Real, const M: usize>(
 }
 
 /// No more places are looked at.
-pub(crate) const MOST_LOOKS: u8 = 64;
+pub(crate) const MOST_FALLS: u8 = 64;
 
 /// The first place in [0, end] at which one of some functions falls to zero; of several at one place the first listed. Pieces are no longer
 /// than `longest`. A function that is left out has no zero.
 pub(crate) fn first_fall<R: Real, const M: usize>(
     (end, longest): (R, R),
+    most_looks: u8,
     mut sample: impl FnMut(R) -> Levels<R, M>,
 ) -> Found<R> {
     let start = sample(R::ZERO);
@@ -116,7 +117,7 @@ pub(crate) fn first_fall<R: Real, const M: usize>(
     let mut to = longest.min(end);
     let mut narrowed = 0_u8;
     let mut nearest = 0;
-    for _ in 0..MOST_LOOKS {
+    for _ in 0..most_looks {
         let there = match fallen {
             Some((at, levels)) if at == to => levels,
             _ => credited(sample(to)),

@@ -32,6 +32,9 @@ pub struct Corner<R> {
 pub trait Obstacles<R: Real>: Clone + Debug + PartialEq {
     /// There can be some.
     const CORNERS: bool;
+    /// At most so many, and so many corners together.
+    #[doc(hidden)]
+    const CAPACITY: [usize; 2];
     /// None yet, about a body with these outward normals of its sides, body frame; a point has no sides.
     #[doc(hidden)]
     fn of_body(normals: impl Iterator<Item = [R; 2]>) -> Self;
@@ -80,6 +83,7 @@ pub struct NoObstacles;
 
 impl<R: Real> Obstacles<R> for NoObstacles {
     const CORNERS: bool = false;
+    const CAPACITY: [usize; 2] = [0; 2];
     fn of_body(_: impl Iterator<Item = [R; 2]>) -> Self {
         Self
     }
@@ -110,6 +114,7 @@ impl<R: Real, const V: usize, const O: usize, const C: usize> Obstacles<R>
     for SomeObstacles<R, V, O, C>
 {
     const CORNERS: bool = true;
+    const CAPACITY: [usize; 2] = [O, C];
     fn of_body(normals: impl Iterator<Item = [R; 2]>) -> Self {
         Self {
             corners: Vec::new(),

@@ -122,7 +122,9 @@ fn touches<R: Real, W: World<R>>(
         (StateKind::Edge, Regime::Slide(_), ContactState::Edge(s)) if W::CORNERS => {
             s.regime = regime;
         }
-        (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s)) => {
+        (StateKind::SingleVertex, Regime::Slide(sign), ContactState::TwoVertex(s))
+            if W::SURFACES =>
+        {
             s.slide_on(scene, path, (sign, work));
         }
         (_, Regime::Slide(_), state) => state.set_regime(Regime::LOOSE),
@@ -314,7 +316,7 @@ fn opens<R: Real, W: World<R>>(
                 return Outcome::Next(Next::Slip(sign));
             }
         }
-        if kind == StateKind::TwoVertex && !s.opens(scene, path, (other, along)) {
+        if W::SURFACES && kind == StateKind::TwoVertex && !s.opens(scene, path, (other, along)) {
             // It cannot leave: both stick.
             touch(scene, state, other, log);
             state.set_regime(Regime::LOOSE);

@@ -43,11 +43,14 @@ impl<R: Real> Pivot<R> {
     }
 
     /// c, exactly on the surface.
-    pub(crate) fn point(&self, scene: &impl World<R>) -> Vec2<R> {
-        corner(scene, self.contact).unwrap_or_else(|| {
-            let surface = scene.surface(self.contact.surface);
-            surface.origin + surface.tangent * self.foot
-        })
+    pub(crate) fn point<W: World<R>>(&self, scene: &W) -> Vec2<R> {
+        if W::CORNERS
+            && let Some(corner) = corner(scene, self.contact)
+        {
+            return corner;
+        }
+        let surface = scene.surface(self.contact.surface);
+        surface.origin + surface.tangent * self.foot
     }
 
     /// The point of the body at c, body frame.

@@ -10,7 +10,7 @@ pub(crate) struct Looks {
     most: u8,
     left: u8,
     /// What else was done for the searches, in units of work.
-    beside: u8,
+    beside: u16,
 }
 
 impl Looks {
@@ -19,7 +19,7 @@ impl Looks {
     /// Every search has so many of its own, so that all of them get away from where they begin.
     const OWN: u8 = 4;
     /// Of what else is done no more is counted.
-    pub(crate) const MOST_BESIDE: u8 = 32;
+    pub(crate) const MOST_BESIDE: u16 = 32;
     /// At a motion of that kind that was not looked at yet.
     pub(crate) const ALL: Self = Self::at_most(Self::MOST);
 
@@ -44,8 +44,14 @@ impl Looks {
     }
 
     /// Something else was done that takes as long as so many.
-    pub(crate) fn add(&mut self, units: u8) {
+    pub(crate) fn add(&mut self, units: u16) {
         self.beside = self.beside.saturating_add(units).min(Self::MOST_BESIDE);
+    }
+
+    /// Obstacles were looked at, however many, in so many units.
+    pub(crate) fn add_among(&mut self, units: u32) {
+        let units = u16::try_from(units).unwrap_or(u16::MAX);
+        self.beside = self.beside.saturating_add(units);
     }
 
     /// So many were taken, with what else was done.

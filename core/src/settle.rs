@@ -113,7 +113,7 @@ impl<R: Real> Settling<R> {
         state: &mut ContactState<R>,
         log: &mut Log<R>,
     ) -> u32 {
-        let work = state.verb_work();
+        let mut work = state.verb_work();
         let next = self.next.map(Sign::number);
         let had_stiction = state.regime().has_stiction();
         let before = state.clone();
@@ -154,6 +154,7 @@ impl<R: Real> Settling<R> {
                 log.transitions.add(slip_arm(state));
                 log.slip(moved.slip);
             }
+            work = work.saturating_add(state.passing_work(scene, &moved.trigger));
             self.next = apply((scene, grip), state, &moved, sliding, log).map(Sign::of);
         }
         work.saturating_add(moved.work)

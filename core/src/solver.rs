@@ -14,7 +14,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::scene::Scene;
 use crate::state::{ContactState, Free};
-use crate::work::{Work, least};
+use crate::work::{Work, least, least_among};
 
 mod answer;
 mod evolution;
@@ -149,14 +149,17 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
 
     /// From this budget on no step takes more, with at most three contacts at once, in units of work: a certified frame that fails and
     /// the piece that takes most. To take hold of the body is not counted.
-    pub const LEAST_BUDGET: u32 = least(S > 1 || <M::Obstacles<R, V> as Obstacles<R>>::CORNERS);
+    pub const LEAST_BUDGET: u32 = if <M::Obstacles<R, V> as Obstacles<R>>::CORNERS {
+        least_among(V, <M::Obstacles<R, V> as Obstacles<R>>::CAPACITY)
+    } else {
+        least(S > 1)
+    };
 
     /// A bound on the work of a step, in units of about one look at the motion of a contact (the README says what a unit takes). A
     /// step takes no more: the body stays behind the hand, the status is [`Status::Behind`], and the next step goes on from there.
     /// With the same sample again, until [`Output::behind`] is 0, it ends in the same bits as one step without a budget; a new
     /// sample leads straight from where the body stands. A step does one piece of work at least: with a budget below
-    /// [`Self::LEAST_BUDGET`] a single one may take more, and so may one among obstacles with corners: the work of looking for these
-    /// is not counted yet.
+    /// [`Self::LEAST_BUDGET`] a single one may take more.
     #[must_use]
     pub fn with_budget(mut self, units: u32) -> Self {
         self.budget = units;

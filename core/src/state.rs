@@ -46,8 +46,9 @@ pub(crate) use corner::Corner;
 pub(crate) use edge::Edge;
 pub(crate) use free::Free;
 pub(crate) use locked::Locked;
+pub(crate) use on_corner::{CORNER_LOOK, MAX_HALVINGS, MOST_OF_PIECES};
 pub(crate) use single_vertex::SingleVertex;
-pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, SLIDE};
+pub(crate) use trammel::{MOST_OF_RUN, MOST_OF_SLIDE, RUN, SLIDE, SPOT, SPOT_LOOK};
 pub(crate) use two_vertex::{Slip, TwoVertex};
 
 /// The contact state with its memory.
@@ -218,14 +219,14 @@ impl<R: Real> ContactState<R> {
         let path = (from, to);
         work.spend(self.certified_work());
         match self {
-            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path),
-            Self::Free(s) => s.follow::<W, Pinned>(scene, path),
-            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, R::ONE),
+            Self::Free(s) if W::GLIDES => s.follow::<W, Sliding<R>>(scene, path, work),
+            Self::Free(s) => s.follow::<W, Pinned>(scene, path, work),
+            Self::SingleVertex(s) if W::GLIDES => s.follow_sliding(scene, path, (R::ONE, work)),
             Self::SingleVertex(s) => match s.regime {
-                Regime::Slide(sign) => s.follow_sliding(scene, path, sign),
-                Regime::Stick { .. } => s.follow(scene, path),
+                Regime::Slide(sign) => s.follow_sliding(scene, path, (sign, work)),
+                Regime::Stick { .. } => s.follow(scene, path, work),
             },
-            Self::Edge(s) if W::EDGES => s.follow(scene, path),
+            Self::Edge(s) if W::EDGES => s.follow(scene, path, work),
             Self::TwoVertex(s) if W::SURFACES => s.follow(scene, path, work),
             Self::Locked(s) if W::SURFACES => s.follow(scene, to, work),
             _ => false,

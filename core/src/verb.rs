@@ -5,6 +5,7 @@ use crate::contact::Pair;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
+use crate::work::Work;
 use crate::world::World;
 
 /// Why a verb ended.
@@ -80,6 +81,17 @@ impl<R: Real> Moved<R> {
             unsure: false,
             unbalanced: false,
             work: 0,
+        }
+    }
+
+    /// After what is done among obstacles alone.
+    pub(crate) fn after<W: World<R>>(self, _: &W, work: Work) -> Self {
+        if !W::CORNERS {
+            return self;
+        }
+        Self {
+            work: self.work.saturating_add(work.done()),
+            ..self
         }
     }
 }

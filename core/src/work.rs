@@ -6,11 +6,17 @@
 //! f32 and Cortex-M0 with fixed point, and from the cycles of a Cortex-M0+: by least squares, what each loop and each verb adds. A unit is
 //! about 300 instructions of the first and 1800 of the second; where they do not agree, the dearer one counts.
 
+use crate::detect::Sizes;
 use crate::event::StateKind;
+use crate::falls::MOST_FALLS;
 use crate::real::Real;
 use crate::search::Looks;
-use crate::state::{ContactState, MOST_OF_RUN, MOST_OF_SLIDE, SLIDE};
+use crate::state::{
+    CORNER_LOOK, ContactState, MAX_HALVINGS, MOST_OF_PIECES, MOST_OF_RUN, MOST_OF_SLIDE, RUN,
+    SLIDE, SPOT, SPOT_LOOK,
+};
 use crate::verb::Trigger;
+use crate::world::World;
 
 /// The work of a step so far, in units, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +28,15 @@ pub(crate) struct Work {
 }
 
 impl Work {
+    /// Nothing yet, of what is not a step.
+    pub(crate) const fn none() -> Self {
+        Self {
+            budget: 0,
+            done: 0,
+            most: u32::MAX,
+        }
+    }
+
     pub(crate) const fn within(budget: u32) -> Self {
         Self {
             budget,
@@ -71,9 +86,12 @@ const REST_OF_CORNER: u32 = 1;
 /// What a slip of a vertex takes besides.
 pub(crate) const SLIP: u32 = 2;
 /// What a search for a touch takes to begin; what each surface adds that is near, and each vertex that may reach it.
-pub(crate) const TOUCH: u8 = 2;
-pub(crate) const SURFACE: u8 = 1;
-pub(crate) const VERTEX_AT_SURFACE: u8 = 1;
+pub(crate) const TOUCH: u16 = 2;
+pub(crate) const SURFACE: u16 = 1;
+pub(crate) const VERTEX_AT_SURFACE: u16 = 1;
+/// What a place of a motion takes at which obstacles are looked at; one at which functions are looked at that fall.
+pub(crate) const PLACE: u32 = 1;
+pub(crate) const LOOK_AT_FALL: u32 = 2;
 /// What three edges of a cone take that are to bear a load; some that are to come nearer to bearing it.
 pub(crate) const THREE: u32 = 1;
 pub(crate) const TRIAL: u32 = 2;
@@ -228,6 +246,78 @@ impl<R: Real> ContactState<R> {
     }
 }
 
+/// What there is to do besides among obstacles with corners. All of it is nothing without them.
+impl<R: Real> ContactState<R> {
+    /// What it takes to see which contacts there are after a trigger, on average.
+    pub(crate) fn passing_work<W: World<R>>(&self, scene: &W, trigger: &Trigger<R>) -> u32 {
+        let looks = looks_of(trigger);
+        if !W::CORNERS || looks == 0 {
+            return 0;
+        }
+        let work = self.placed(scene).touching_work(scene);
+        work.saturating_mul(looks)
+    }
+
+    /// The most that a verb takes, with what follows.
+    pub(crate) fn most_of_verb_among<W: World<R>>(&self, scene: &W) -> u32 {
+        if !W::CORNERS {
+            return 0;
+        }
+        most_of_verb_among(self.kind(), Sizes::of(scene))
+    }
+
+    /// The most that a certified frame takes.
+    pub(crate) fn most_of_certified_among<W: World<R>>(&self, scene: &W) -> u32 {
+        if !W::CORNERS {
+            return 0;
+        }
+        CERTIFIED_AMONG.saturating_add(Sizes::of(scene).most_of_frame())
+    }
+
+    /// The most that an event takes.
+    pub(crate) fn most_of_event_among<W: World<R>>(&self, scene: &W, trigger: &Trigger<R>) -> u32 {
+        if !W::CORNERS {
+            return 0;
+        }
+        let looks = looks_of(trigger);
+        let touching = Sizes::of(scene).most_of_touching();
+        looks.saturating_mul(touching).saturating_add(EVENT_AMONG)
+    }
+}
+
+/// So often it is looked at after a trigger which pairs touch.
+const fn looks_of<R: Real>(trigger: &Trigger<R>) -> u32 {
+    match trigger {
+        Trigger::Off { .. } => MOST_TOUCHING,
+        Trigger::Touch(_) | Trigger::Keep { .. } => 2,
+        Trigger::Undriven | Trigger::Clear => 1,
+        _ => 0,
+    }
+}
+const MOST_TOUCHING: u32 = 3;
+/// What a certified slide of two contacts takes more where one is a corner; an event more where two slide on.
+pub(crate) const CERTIFIED_AMONG: u32 = 3;
+const EVENT_AMONG: u32 = 2 * RUN;
+
+/// The most that a verb takes more among obstacles: its searches, of which a body without contact begins three, one after the other; the
+/// looks of motions that are looked at place by place; a frame that is tried first, and what touches after it.
+const fn most_of_verb_among(kind: StateKind, sizes: Sizes) -> u32 {
+    const FALLS: u32 = MOST_FALLS as u32 + 1;
+    let motion = match kind {
+        StateKind::NonContact => sizes.most_of_search(PLACE).saturating_mul(3),
+        StateKind::SingleVertex => max(
+            sizes.most_of_search(PLACE) + FALLS * LOOK_AT_FALL,
+            (sizes.most_of_search(CORNER_LOOK) + FALLS * CORNER_LOOK)
+                .saturating_mul(MOST_OF_PIECES)
+                .saturating_add(2 * MAX_HALVINGS as u32 * CORNER_LOOK),
+        ),
+        StateKind::TwoVertex => sizes.most_of_search(SPOT) + 2 * FALLS * SPOT_LOOK,
+        _ => sizes.most_of_search(PLACE),
+    };
+    let touching = sizes.most_of_touching().saturating_mul(MOST_TOUCHING + 1);
+    (motion.saturating_add(touching)).saturating_add(sizes.most_of_frame())
+}
+
 /// The most that it takes to try both senses of a slide of two contacts.
 const MOST_OF_BEGIN: u32 = 2 * SLIDE;
 /// The most that a slip of two contacts takes, with its end, or a slide.
@@ -246,6 +336,19 @@ pub(crate) const fn least(surfaces: bool) -> u32 {
     const OF_ONE: u32 = STEP + CERTIFIED + SLIDING_VERTEX + SLIP + MOST_LOOKS;
     const OF_SURFACES: u32 = max(OF_ONE, max(OF_TWO, OF_THREE));
     if surfaces { OF_SURFACES } else { OF_ONE }
+}
+
+/// The same among obstacles: at most so many, with so many corners, and a body of so many vertices.
+pub(crate) const fn least_among(vertices: usize, capacity: [usize; 2]) -> u32 {
+    let [obstacles, corners] = capacity;
+    let sizes = Sizes::new([vertices as u32, corners as u32, obstacles as u32]);
+    let free = most_of_verb_among(StateKind::NonContact, sizes);
+    let one = most_of_verb_among(StateKind::SingleVertex, sizes);
+    let two = most_of_verb_among(StateKind::TwoVertex, sizes);
+    let certified = CERTIFIED_AMONG.saturating_add(sizes.most_of_frame());
+    least(true)
+        .saturating_add(certified)
+        .saturating_add(max(free, max(one, two)))
 }
 
 const fn max(a: u32, b: u32) -> u32 {

@@ -62,6 +62,14 @@ pub fn count<R: Real<Si: SiFloat>, const V: usize, const S: usize>() -> ! {
     measured(|files, instruments| count::run::<R, V, S>(files, instruments))
 }
 
+/// The program `count_among`: likewise, in a solver among obstacles.
+pub fn count_among<R, const V: usize, const S: usize, const O: usize, const C: usize>() -> !
+where
+    R: Real<Si: SiFloat>,
+{
+    measured(|files, instruments| count::run_among::<R, V, S, O, C>(files, instruments))
+}
+
 /// How a description becomes a scene of a number type, room for vertices and surfaces, and a model.
 pub type Make<R, const V: usize, const S: usize, M> =
     fn(&Description<'_, <R as Real>::Si>) -> Result<Scene<R, V, S, M>, SceneError<<R as Real>::Si>>;

@@ -83,6 +83,24 @@ pub fn run<R: Real<Si: SiFloat>, const V: usize, const S: usize>(
     ride(solver, head.samples, files, instruments)
 }
 
+/// The same in a solver among at most O obstacles with at most C corners together.
+///
+/// # Errors
+/// See [`Failure`].
+pub fn run_among<R, const V: usize, const S: usize, const O: usize, const C: usize>(
+    files: &mut impl Files,
+    instruments: &mut impl Instruments,
+) -> Result<(), Failure>
+where
+    R: Real<Si: SiFloat>,
+{
+    let head = head(files)?;
+    let scene =
+        head.among::<R, V, S, O, C, Failure>(|bytes| files.read(bytes).map_err(Failure::from))?;
+    let solver = Solver::new(scene, head.evolution).with_budget(head.budget);
+    ride(solver, head.samples, files, instruments)
+}
+
 /// Does the job in a model of the solver, with an evolution that the compiler knows: that of the job is passed over.
 ///
 /// # Errors

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! job      at  0  "stjb"                              results  at  0  "strs"
-//!              4  u8  version, 4                                   4  u8  version, 4
+//!              4  u8  version, 5                                   4  u8  version, 5
 //!              5  u8  evolution: 0 path, 1 frame                   5  3 bytes, 0
 //!              6  u8  vertices n                               then one frame for every sample:
 //!              7  u8  surfaces m                               at  0  u32 instructions
@@ -14,14 +14,17 @@
 //!             48  f64 holding point x, y                          37  u8  status, as in Status::ALL
 //!             64  f64 reach, k_h, k_theta                         38  2 bytes, 0
 //!             88  u32 budget of a step (units)                    40  u32 units of work
-//!             92  4 bytes, 0                                      44  4 bytes, 0
+//!             92  u8  obstacles o, 3 bytes, 0                     44  4 bytes, 0
 //!             96  n times f64 vertex x, y                     then the totals:
 //!                 m times f64 normal x, y, offset,            at  0  "done"
 //!                         mu_s, mu_d, memory (m),                  4  u32 frames
 //!                         NaN where none is given                  8  u32 stack (bytes)
-//!          then for every sample:                                 12  u32 size of the solver (bytes)
-//!          at  0  f64 x, y (m), rest of phi (rad)                 16  u32 size of its state (bytes)
-//!             24  i32 whole turns of phi                          20  u32 size of its output (bytes)
+//!                 o times f64 mu_s, mu_d, memory (m),             12  u32 size of the solver (bytes)
+//!                         u8 corners c, 7 bytes, 0,               16  u32 size of its state (bytes)
+//!                         c times f64 corner x, y                 20  u32 size of its output (bytes)
+//!          then for every sample:
+//!          at  0  f64 x, y (m), rest of phi (rad)
+//!             24  i32 whole turns of phi
 //!             28  u32 1: held
 //! ```
 //!
@@ -39,7 +42,7 @@ pub(crate) use scene::{HEAD_BYTES, Head};
 use stiction_core::{Angle, Hand};
 
 /// What the first bytes of a job or of its results say about its layout.
-pub const VERSION: u8 = 4;
+pub const VERSION: u8 = 5;
 
 /// The bytes of a hand sample.
 pub(crate) const SAMPLE_BYTES: usize = 32;

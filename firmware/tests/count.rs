@@ -93,10 +93,11 @@ fn hand(i: u32) -> Hand<f64> {
 
 fn job_of(scene: &Description<'_, f64>, evolution: Evolution) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let done: Result<(), ()> = job::write_scene(scene, evolution, (SAMPLES, u32::MAX), |part| {
-        bytes.extend_from_slice(part);
-        Ok(())
-    });
+    let done: Result<(), ()> =
+        job::write_scene((scene, &[]), evolution, (SAMPLES, u32::MAX), |part| {
+            bytes.extend_from_slice(part);
+            Ok(())
+        });
     assert_eq!(done, Ok(()));
     bytes.extend((0..SAMPLES).flat_map(|i| job::encode_sample(&hand(i))));
     bytes

@@ -36,7 +36,7 @@ use std::process::{Command, Stdio};
 
 use stiction_core::{Evolution, Hand};
 use stiction_firmware::job::{self, Frame, Results, Totals};
-use stiction_scene::{NumberType, SceneFile};
+use stiction_scene::{NumberType, SceneFile, WrittenScene};
 use stiction_tools::image::flashed;
 use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 
@@ -189,10 +189,13 @@ pub fn job(
     let mut bytes = Vec::new();
     let samples = u32::try_from(hands.len()).unwrap_or(u32::MAX);
     scene.described(|description| {
-        // A sink that keeps everything does not fail.
-        let _ = job::write_scene(description, evolution, (samples, budget), |part| {
-            bytes.extend_from_slice(part);
-            Ok::<_, Infallible>(())
+        WrittenScene::described_obstacles(&scene.obstacles, |obstacles| {
+            let asked = (samples, budget);
+            // A sink that keeps everything does not fail.
+            let _ = job::write_scene((description, obstacles), evolution, asked, |part| {
+                bytes.extend_from_slice(part);
+                Ok::<_, Infallible>(())
+            });
         });
     });
     bytes.extend(hands.iter().flat_map(job::encode_sample));
@@ -212,6 +215,15 @@ impl Counter {
     /// Cargo or the target is missing, or the image cannot be built.
     pub fn new(board: Board, number: NumberType, profile: Profile) -> Result<Self, EmulatorError> {
         let image = Image::of_board(board, &format!("count_{}", number.name()), profile)?;
+        Ok(Self { board, image })
+    }
+
+    /// Builds one with f32 for scenes among obstacles, of at most 4 vertices, one half-plane and 17 obstacles of 4 corners.
+    ///
+    /// # Errors
+    /// Cargo or the target is missing, or the image cannot be built.
+    pub fn among(board: Board, profile: Profile) -> Result<Self, EmulatorError> {
+        let image = Image::of_board(board, "count_among", profile)?;
         Ok(Self { board, image })
     }
 

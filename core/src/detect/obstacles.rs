@@ -10,10 +10,14 @@ use core::ops::Range;
 mod axes;
 mod passing;
 mod reached;
+mod tally;
 mod touching;
+mod watched;
 
 pub(crate) use passing::Tip;
 pub(crate) use reached::{Among, Known, Reached, first_reached};
+pub(crate) use tally::Sizes;
+pub(crate) use watched::{Short, Watch};
 
 /// Two contacts of one obstacle that are closer than this are one (L). It is more than how far one may be from the end of its side: a
 /// touch beyond it and a touch off its line.

@@ -40,7 +40,7 @@ where
     R::Si: From<f32> + Into<f64>,
 {
     let mut looks = 0;
-    let found = first_fall((number(END), number(LONGEST)), |x: R| {
+    let found = first_fall((number(END), number(LONGEST)), MOST_FALLS, |x: R| {
         looks += 1;
         let x: f64 = x.to_si(R::Si::ONE).into();
         [0, 1].map(|i| {
@@ -112,11 +112,11 @@ fn what_is_zero_everywhere_has_a_place() {
         slope: 0.0,
         rounding,
     };
-    let found = first_fall((1.125, 1.125), |_| [Some(zero(0.0))]);
+    let found = first_fall((1.125, 1.125), MOST_FALLS, |_| [Some(zero(0.0))]);
     let Found::Zero { x, which: 0 } = found else {
         panic!("{found:?}");
     };
     assert!((0.0..=1.125).contains(&x), "{x}");
-    let found = first_fall((1.125, 1.125), |_| [Some(zero(f32::EPSILON))]);
+    let found = first_fall((1.125, 1.125), MOST_FALLS, |_| [Some(zero(f32::EPSILON))]);
     assert!(matches!(found, Found::Nothing { x: 1.125 }), "{found:?}");
 }

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::path_event::happens;
 use crate::real::Real;
 use crate::settle::{Settling, rests};
+use crate::state::ContactState;
 use crate::verb::Trigger;
 use crate::work::Work;
 
@@ -182,6 +183,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
                 Stage::OnPath => self.along_path(state, (to, tried), (work, log)),
                 Stage::AtEvent(trigger) => {
                     work.spend(state.contact.event_work(&trigger));
+                    work.spend(state.contact.passing_work(&self.scene, &trigger));
                     let path = (&mut state.grip, to);
                     let contact = &mut state.contact;
                     let settling = happens(&self.scene, path, contact, trigger, (work, log));
@@ -232,12 +234,19 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         let contact = &state.contact;
         match &state.errand.stage {
             Stage::OnPath if state.course.events > 0 && !tried => {
-                (contact.most_of_verb()).saturating_add(contact.most_of_certified())
+                let certified = (contact.most_of_certified())
+                    .saturating_add(contact.most_of_certified_among(&self.scene));
+                self.most_of_verb(contact).saturating_add(certified)
             }
-            Stage::OnPath | Stage::Settling(_) => contact.most_of_verb(),
-            Stage::AtEvent(trigger) => contact.most_of_event(trigger),
+            Stage::OnPath | Stage::Settling(_) => self.most_of_verb(contact),
+            Stage::AtEvent(trigger) => (contact.most_of_event(trigger))
+                .saturating_add(contact.most_of_event_among(&self.scene, trigger)),
             Stage::Arrived => contact.most_of_rest(),
         }
+    }
+
+    fn most_of_verb(&self, contact: &ContactState<R>) -> u32 {
+        (contact.most_of_verb()).saturating_add(contact.most_of_verb_among(&self.scene))
     }
 
     /// Along the straight path of the hand to the next event (STATICS 7); after the last one that counts the hand jumps.

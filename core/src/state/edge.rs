@@ -5,7 +5,7 @@ use super::SingleVertex;
 use super::segment::Segment;
 use crate::balance_curve::Margin;
 use crate::contact::{Pair, Pairs, Reactions, Regime};
-use crate::detect::{Placed, PointPath};
+use crate::detect::{Placed, PointPath, Short, Watch};
 use crate::friction::{SlidingEdge, Verdict};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -15,6 +15,7 @@ use crate::moment::Sliding;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::{Surface, World};
 
 mod ends;
@@ -30,6 +31,7 @@ pub(crate) struct Edge<R> {
     pub(crate) regime: Regime<R>,
     /// So far it can slide before a vertex can touch another surface; 0: not known.
     room: R,
+    watch: Watch,
 }
 
 impl<R: Real> Edge<R> {
@@ -39,6 +41,7 @@ impl<R: Real> Edge<R> {
             other,
             regime: Regime::LOOSE,
             room: R::ZERO,
+            watch: Watch::NONE,
         }
     }
 
@@ -91,6 +94,7 @@ impl<R: Real> Edge<R> {
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> bool {
         let mut after = self.clone();
         let surface = self.pivot.surface(scene);
@@ -106,7 +110,7 @@ impl<R: Real> Edge<R> {
             let advance = edge.balanced.dot(displacement.hand) * sign;
             let way = (after.pivot.foot - self.pivot.foot).abs();
             if !W::GLIDES && advance < -SingleVertex::<R>::slack(&displacement)
-                || W::SURFACES && !after.has_room(scene, way)
+                || W::SURFACES && !after.has_room(scene, &self.pivot, (way, work))
             {
                 return false;
             }
@@ -140,20 +144,55 @@ impl<R: Real> Edge<R> {
     }
 
     /// True if nothing else can be reached on a way of the edge that has ended here.
-    fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
+    #[inline(always)]
+    fn has_room<W: World<R>>(
+        &mut self,
+        scene: &W,
+        begin: &Pivot<R>,
+        (way, work): (R, &mut Work),
+    ) -> bool {
+        if W::CORNERS {
+            return self.has_room_among(scene, begin, (way, work));
+        }
         self.room = self.room - way;
         if self.room <= R::ZERO {
-            let placed = self.pivot.placed(scene);
-            let counts = |pair: &Pair| {
-                pair.surface != self.pivot.contact.surface && (!W::CORNERS || *pair != self.other)
-            };
-            self.room = placed.room_of(scene, counts) - way;
-            if W::CORNERS {
-                let among = placed.room_among(scene, &self.contacts()) - way;
-                self.room = self.room.min(among);
-            }
+            self.room = self.room_beside(scene, &self.pivot.placed(scene)) - way;
         }
         self.room > R::ZERO
+    }
+
+    /// To half-planes, but that on which it lies.
+    fn room_beside<W: World<R>>(&self, scene: &W, placed: &Placed<R>) -> R {
+        let counts = |pair: &Pair| {
+            pair.surface != self.pivot.contact.surface && (!W::CORNERS || *pair != self.other)
+        };
+        placed.room_of(scene, counts)
+    }
+
+    /// The same with obstacles.
+    #[inline(never)]
+    fn has_room_among<W: World<R>>(
+        &mut self,
+        scene: &W,
+        begin: &Pivot<R>,
+        (way, work): (R, &mut Work),
+    ) -> bool {
+        let contacts = self.contacts();
+        let short = Short {
+            before: begin.placed(scene),
+            after: self.pivot.placed(scene),
+            lasting: &contacts,
+            way,
+            turn: R::ZERO,
+        };
+        let mut least = self.room - way;
+        if least <= R::ZERO {
+            self.room = R::ZERO;
+            least = self.room_beside(scene, &short.after) - way;
+        }
+        let keeps_off = short.keeps_off(scene, (&mut self.room, &mut self.watch), work);
+        self.room = self.room.min(least);
+        keeps_off && self.room > R::ZERO
     }
 
     /// Stays or slides as the hand moves, to the first of friction limit, N = N*, halt, touch and N_i = 0.

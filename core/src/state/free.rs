@@ -3,8 +3,8 @@
 use super::ContactState;
 use super::segment::Segment;
 use crate::certified::CertifiedTurn;
-use crate::contact::Pairs;
-use crate::detect::{Known, Placed, PointPath};
+use crate::contact::{Opened, Pair, Pairs};
+use crate::detect::{Known, Placed, PointPath, Short, Watch};
 use crate::geometry::{Orientation, Pose, Vec2};
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -12,6 +12,7 @@ use crate::moment::{Downhill, Pinned, SecondHarmonic};
 use crate::real::Real;
 use crate::search::Looks;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
 
 /// The memory: the pose itself, and what it has just left.
@@ -19,14 +20,19 @@ use crate::world::World;
 pub(crate) struct Free<R> {
     pub(crate) pose: Pose<R>,
     /// Contacts with obstacles that have opened where the body is still: they say on which side of a thin wall it is.
-    left: Pairs,
+    left: Opened,
+    /// Obstacles that are not watched are no nearer (L); 0: not known.
+    room: R,
+    watch: Watch,
 }
 
 impl<R: Real> Free<R> {
     pub(crate) fn new(pose: Pose<R>) -> Self {
         Self {
             pose,
-            left: Pairs::new(),
+            left: Opened::NONE,
+            room: R::ZERO,
+            watch: Watch::NONE,
         }
     }
 
@@ -34,7 +40,7 @@ impl<R: Real> Free<R> {
     pub(crate) fn leaving<W: World<R>>(scene: &W, state: &ContactState<R>) -> Self {
         let mut free = Self::new(state.pose(scene));
         if W::CORNERS {
-            free.left = state.contacts();
+            free.left = Opened::of(state.contacts());
         }
         free
     }
@@ -59,6 +65,7 @@ impl<R: Real> Free<R> {
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> bool {
         let turn = to.angle.minus(from.angle);
         let (orientation, curvature_bound) = if Self::turns_with_hand(scene) {
@@ -74,17 +81,37 @@ impl<R: Real> Free<R> {
         let after = Self::new(Self::hanging(scene, to, orientation));
         let mut is_certified = after.placed(to).is_clear(scene, curvature_bound);
         if W::CORNERS && is_certified {
-            // An obstacle may be passed on the way.
-            let (before, after) = (self.placed(from), after.placed(to));
-            let turned = (after.orientation.angle()).minus(before.orientation.angle());
-            let swing = turned.abs().doubled() + curvature_bound;
-            let way = (after.point - before.point).length_bound() + after.swing(scene, swing);
-            is_certified = after.room_among(scene, &[]) > way;
+            let places = [self.placed(from), after.placed(to)];
+            is_certified = self.keeps_off(scene, places, curvature_bound, work);
         }
         if is_certified {
-            *self = after;
+            self.pose = after.pose;
+            if W::CORNERS {
+                self.left = after.left;
+            }
         }
         is_certified
+    }
+
+    /// No obstacle is reached between two places, the turn bent by so much at most.
+    #[inline(never)]
+    fn keeps_off<W: World<R>>(
+        &mut self,
+        scene: &W,
+        [before, after]: [Placed<R>; 2],
+        curvature_bound: R,
+        work: &mut Work,
+    ) -> bool {
+        let turned = (after.orientation.angle()).minus(before.orientation.angle());
+        let turn = turned.abs().doubled() + curvature_bound;
+        let short = Short {
+            before,
+            after,
+            lasting: &[],
+            way: (after.point - before.point).length_bound() + after.swing(scene, turn),
+            turn,
+        };
+        short.keeps_off(scene, (&mut self.room, &mut self.watch), work)
     }
 
     /// The body without weight has the angle of the hand.
@@ -250,9 +277,14 @@ impl<R: Real> Free<R> {
         segment: &mut Segment<R, impl SecondHarmonic<R>>,
         shift: Vec2<R>,
     ) -> Moved<R> {
+        let left = if W::CORNERS {
+            self.left.pairs()
+        } else {
+            Pairs::new()
+        };
         let known = Known {
             lasting: &[],
-            left: &self.left,
+            left: &left,
         };
         segment.stop_at_touch_of(scene, placed, (&PointPath::straight(shift), known));
         let end = Placed {
@@ -262,10 +294,12 @@ impl<R: Real> Free<R> {
         };
         self.pose = end.pose();
         if W::CORNERS {
+            self.room = R::ZERO;
             let placed = Placed::at(&self.pose);
-            self.left.retain(|&pair| {
+            let is_still_there = |&pair: &Pair| {
                 placed.gap(scene, pair).abs() <= R::TOUCH && placed.beyond(scene, pair) <= R::TOUCH
-            });
+            };
+            self.left = Opened::of(left.into_iter().filter(is_still_there));
         }
         segment.moved()
     }

@@ -6,11 +6,12 @@
 use super::SingleVertex;
 use super::segment::Segment;
 use super::side_end::{room_ahead, stop_at_end};
+use super::single_vertex::Travel;
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
 use crate::contact::Pair;
 use crate::detect::{Among, Known, PointPath, Reached, first_reached};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::friction::SlidingEdge;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -22,13 +23,20 @@ use crate::real::{Real, along};
 use crate::search::Found;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::World;
+
+/// What a look at a place of a slide takes, in units of work.
+pub(crate) const CORNER_LOOK: u32 = 9;
 
 /// Corrections of a place of a slide.
 const MAX_CORRECTIONS: usize = 6;
 
 /// A piece of a slide is shortened so many times.
-const MAX_HALVINGS: usize = 12;
+pub(crate) const MAX_HALVINGS: usize = 12;
+
+/// A piece is searched again, shorter, where its end is not found; not more than so many times in all.
+pub(crate) const MOST_OF_PIECES: u32 = 2;
 
 /// How a slide of a corner begins to go on, per part of a displacement of the hand.
 pub(super) struct SlideRates<R> {
@@ -193,9 +201,14 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             && self.falls(&spot).doubled() > self.steepness
     }
 
-    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther.
-    fn piece(&self, contacts: &[Pair], end: R) -> (R, Trigger<R>, bool) {
-        let found = first_fall((end, end), |x| self.ends(&self.along(x)));
+    /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther; and what it took, in units
+    /// of work.
+    fn piece(&self, contacts: &[Pair], end: R) -> ((R, Trigger<R>, bool), u32) {
+        let mut work = 0;
+        let found = first_fall((end, end), MOST_FALLS, |x| {
+            work += CORNER_LOOK;
+            self.ends(&self.along(x))
+        });
         let (x, which, unsure) = match found {
             Found::Nothing { .. } => (end, None, false),
             Found::Zero { x, which } => (x, Some(which), false),
@@ -212,10 +225,13 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             Some(_) => Trigger::Balanced,
         };
         let at = |x: R| self.instant(&self.along(x));
-        match first_reached(self.scene, (Known::of(contacts), Among::All), x, &at) {
+        let known = (Known::of(contacts), Among::All);
+        let (reached, searched) = first_reached(self.scene, known, x, (&at, CORNER_LOOK));
+        let found = match reached {
             Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
             None => (x, trigger, unsure),
-        }
+        };
+        (found, work + searched)
     }
 }
 
@@ -335,7 +351,7 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &W,
         path: (&Grip<R>, &Grip<R>),
-        sign: R,
+        (sign, work): (R, &mut Work),
     ) -> bool {
         let slide = CornerSlide {
             scene,
@@ -396,7 +412,12 @@ impl<R: Real> SingleVertex<R> {
             .surface(self.pivot.contact.surface)
             .friction
             .threshold();
-        let travel = (spot.pivot.foot - self.pivot.foot).abs() + (glide + R::ONE) * turn_bound;
+        let bound = (spot.pivot.foot - self.pivot.foot).abs() + (glide + R::ONE) * turn_bound;
+        let travel = Travel {
+            bound,
+            open: bound,
+            turn: turn_bound,
+        };
         let mut end = Self {
             pivot: spot.pivot,
             ..self.clone()
@@ -405,7 +426,7 @@ impl<R: Real> SingleVertex<R> {
             && first.min(last) > stray
             && first.max(last) + stray < threshold
             && spot.pivot.is_on_side(scene)
-            && end.has_room(scene, &spot.pivot, (travel, travel));
+            && end.has_room(scene, [&self.pivot, &spot.pivot], &travel, work);
         if follows {
             *self = end;
         }
@@ -449,19 +470,26 @@ impl<R: Real> SingleVertex<R> {
         }
         // Not so far that its places are not found any more.
         let contacts = self.contacts();
-        let mut piece = None;
+        let (mut piece, mut pieces, mut work) = (None, 0, 0);
         for _ in 0..MAX_HALVINGS {
+            work += CORNER_LOOK;
             if slide.finds(end) {
-                let found = slide.piece(&contacts, end);
+                let (found, searched) = slide.piece(&contacts, end);
                 end = found.0;
-                piece = Some(found).filter(|_| slide.finds(end));
+                pieces += 1;
+                work += searched + CORNER_LOOK;
+                piece = Some(found).filter(|_| pieces == MOST_OF_PIECES || slide.finds(end));
             }
             if piece.is_some() {
                 break;
             }
             end = end.halved();
         }
-        let (x, trigger, unsure) = piece.unwrap_or_else(|| slide.piece(&contacts, end));
+        let (x, trigger, unsure) = piece.unwrap_or_else(|| {
+            let (found, searched) = slide.piece(&contacts, end);
+            work += searched;
+            found
+        });
         let spot = slide.along(x);
         self.pivot = spot.pivot;
         let arrives = trigger == Trigger::Balanced && !unsure;
@@ -476,6 +504,7 @@ impl<R: Real> SingleVertex<R> {
         Moved {
             part,
             unsure,
+            work,
             ..Moved::by(trigger)
         }
     }

@@ -4,7 +4,7 @@
 use crate::balance_curve::{BalanceCurve, Extent, Margin, Place};
 use crate::contact::Pair;
 use crate::detect::{Among, Known, Moving, Placed, PointPath, Reached, Tip, first_reached};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -15,6 +15,7 @@ use crate::real::Real;
 use crate::search::{Found, Looks};
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::{LOOK_AT_FALL, PLACE};
 use crate::world::World;
 
 /// The curve, its extent so far, the trigger at its end.
@@ -146,7 +147,9 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         } else {
             limit.x
         };
-        let found = first_fall((limit.x, longest), |x| {
+        let mut looks = 0;
+        let found = first_fall((limit.x, longest), MOST_FALLS, |x| {
+            looks += LOOK_AT_FALL;
             let place = if x == limit.x {
                 limit
             } else {
@@ -154,6 +157,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
             };
             sample(&self.curve, &place)
         });
+        self.extent.looks.add_among(looks);
         let (x, which, unsure) = match found {
             Found::Nothing { .. } => return,
             Found::Zero { x, which } => (x, which, false),
@@ -182,14 +186,17 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         at: impl Fn(&BalanceCurve<R, H>, &Place<R>) -> Instant<R>,
     ) {
         let limit = self.extent.end;
-        let reached = first_reached(scene, (Known::of(lasting), Among::All), limit.x, &|x| {
+        let at = |x: R| {
             let place = if x == limit.x {
                 limit
             } else {
                 self.curve.at(x)
             };
             at(&self.curve, &place)
-        });
+        };
+        let known = (Known::of(lasting), Among::All);
+        let (reached, work) = first_reached(scene, known, limit.x, (&at, PLACE));
+        self.extent.looks.add_among(work);
         if let Some(Reached { x, contact, unsure }) = reached {
             self.extent = Extent {
                 end: self.curve.at(x),

@@ -8,7 +8,7 @@ use super::two_vertex::Slip;
 use crate::balance_curve::Margin;
 use crate::certified::CertifiedTurn;
 use crate::contact::{Pairs, Reactions, Regime};
-use crate::detect::PointPath;
+use crate::detect::{PointPath, Short, Watch};
 use crate::friction::Verdict;
 use crate::grip::{Displacement, Grip};
 use crate::list::gather;
@@ -18,7 +18,7 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
-use crate::work::SLIP;
+use crate::work::{SLIP, Work};
 use crate::world::{Surface, World};
 
 /// The memory: where the vertex is held, the angle, which is the branch, and whether it sticks.
@@ -28,6 +28,17 @@ pub(crate) struct SingleVertex<R> {
     pub(crate) regime: Regime<R>,
     /// By so much the body can turn about the pivot before another vertex can touch (rad); 0: not known.
     pub(super) room: R,
+    pub(super) watch: Watch,
+}
+
+/// A short motion of a vertex or a corner, as far as what else it may touch is concerned.
+pub(super) struct Travel<R> {
+    /// No point of the body goes farther.
+    pub(super) bound: R,
+    /// A gap to a half-plane that ends larger was never closed.
+    pub(super) open: R,
+    /// The body turns by no more, and the foot goes one way.
+    pub(super) turn: R,
 }
 
 /// Normal reaction and friction on a path of the hand.
@@ -42,6 +53,7 @@ impl<R: Real> SingleVertex<R> {
             pivot,
             regime: Regime::LOOSE,
             room: R::ZERO,
+            watch: Watch::NONE,
         }
     }
 
@@ -75,6 +87,7 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &impl World<R>,
         (from, to): (&Grip<R>, &Grip<R>),
+        work: &mut Work,
     ) -> bool {
         let load = self.pivot.load(scene, to);
         if !load.is_representable() {
@@ -100,7 +113,7 @@ impl<R: Real> SingleVertex<R> {
         let Some(regime) = self.pressed(scene, (&load, to), &certified) else {
             return false;
         };
-        let follows = self.has_room_to_turn(scene, &certified);
+        let follows = self.has_room_to_turn(scene, &certified, work);
         if follows {
             self.pivot.orientation = orientation;
             self.regime = regime;
@@ -151,9 +164,30 @@ impl<R: Real> SingleVertex<R> {
         (surface.friction).is_within((normal, friction), self.regime.has_stiction(), slack)
     }
 
-    /// True if no other vertex can reach a surface on the path to `end`, on which no point of the body goes farther than
-    /// `travel_bound`, and on which a gap that ends larger than `open` was never closed.
+    /// True if nothing else can be reached on the path from one place to another.
+    #[inline(always)]
     pub(super) fn has_room<W: World<R>>(
+        &mut self,
+        scene: &W,
+        [begin, end]: [&Pivot<R>; 2],
+        travel: &Travel<R>,
+        work: &mut Work,
+    ) -> bool {
+        if W::CORNERS {
+            // Nothing is near.
+            if self.watch == Watch::NONE && self.room > travel.bound {
+                self.room = self.room - travel.bound;
+                return true;
+            }
+            self.has_room_among(scene, [begin, end], travel, work)
+        } else {
+            self.has_room_at(scene, end, (travel.bound, travel.open))
+        }
+    }
+
+    /// No other vertex can reach a half-plane on the path to `end`, on which no point of the body goes farther than `travel_bound`, and on
+    /// which a gap that ends larger than `open` was never closed.
+    fn has_room_at<W: World<R>>(
         &mut self,
         scene: &W,
         end: &Pivot<R>,
@@ -161,22 +195,48 @@ impl<R: Real> SingleVertex<R> {
     ) -> bool {
         let mut room = self.room - travel_bound;
         if room <= R::ZERO {
-            let placed = end.placed(scene);
-            room = placed.room(scene, Some(end.contact.vertex));
+            room = end.placed(scene).room(scene, Some(end.contact.vertex));
             if room <= open {
                 return false;
-            }
-            if W::CORNERS {
-                // An obstacle may be passed on the way.
-                let among = placed.room_among(scene, &[end.contact]);
-                if among <= travel_bound {
-                    return false;
-                }
-                room = room.min(among);
             }
         }
         self.room = room;
         true
+    }
+
+    /// The same with obstacles.
+    #[inline(never)]
+    fn has_room_among<W: World<R>>(
+        &mut self,
+        scene: &W,
+        [begin, end]: [&Pivot<R>; 2],
+        travel: &Travel<R>,
+        work: &mut Work,
+    ) -> bool {
+        let short = Short {
+            before: begin.placed(scene),
+            after: end.placed(scene),
+            lasting: &[end.contact],
+            way: travel.bound,
+            turn: travel.turn,
+        };
+        let mut room = self.room;
+        if room <= travel.bound {
+            let planes = short.after.room(scene, Some(end.contact.vertex));
+            if planes <= travel.open {
+                return false;
+            }
+            room = R::ZERO;
+            if !short.keeps_off(scene, (&mut room, &mut self.watch), work) {
+                return false;
+            }
+            self.room = room.min(planes);
+            return true;
+        }
+        let keeps_off = short.keeps_off(scene, (&mut room, &mut self.watch), work);
+        // What is near now need not be what is near half-planes.
+        self.room = room.min(self.room - travel.bound);
+        keeps_off
     }
 
     /// The same of a certified turn. No point of the body is farther from the pivot than one body size.
@@ -184,13 +244,19 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &W,
         certified: &CertifiedTurn<R>,
+        work: &mut Work,
     ) -> bool {
+        let begin = self.pivot;
         let end = Pivot {
             orientation: certified.orientation,
-            ..self.pivot
+            ..begin
         };
-        let open = (certified.turn_bound * certified.turn_bound).halved();
-        self.has_room(scene, &end, (certified.turn_bound, open))
+        let travel = Travel {
+            bound: certified.turn_bound,
+            open: (certified.turn_bound * certified.turn_bound).halved(),
+            turn: certified.turn_bound,
+        };
+        self.has_room(scene, [&begin, &end], &travel, work)
     }
 
     /// Sticks and turns as the hand moves, to the first of fold, touch, friction limit, lift-off.
@@ -259,15 +325,18 @@ impl<R: Real> SingleVertex<R> {
     /// Downhill to balance, or to the first touch: where the balance is near and nothing in the way, without a search.
     fn turn_down(&mut self, scene: &impl World<R>, grip: &Grip<R>) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
+        let mut work = Work::none();
         if let Some(certified) =
             CertifiedTurn::pinned::<Pinned>(scene, &load, grip, &Displacement::turn(R::ZERO))
-            && self.has_room_to_turn(scene, &certified)
+            && self.has_room_to_turn(scene, &certified, &mut work)
         {
             self.pivot.orientation = certified.orientation;
             self.pivot.renew(scene, grip, &mut self.regime);
-            return Moved::by(self.test(scene, &self.pivot.load(scene, grip)));
+            let trigger = self.test(scene, &self.pivot.load(scene, grip));
+            return Moved::by(trigger).after(scene, work);
         }
-        self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill())
+        let moved = self.turn_by(scene, grip, &load.pinned::<Pinned>().downhill());
+        moved.after(scene, work)
     }
 
     /// True while the vertex slides on along sign·t, on a stable branch.
@@ -360,26 +429,44 @@ impl<R: Real> SingleVertex<R> {
         } else {
             ShortSlip::find(scene, placed, grip, sign)
         };
+        let mut work = Work::none();
         if let Ok(slip) = found {
-            let end = self.pivot.moved(slip.slide, slip.turn);
-            if end.is_on_side(scene) && self.has_room(scene, &end, (slip.travel_bound, slip.open)) {
+            let (begin, end) = (self.pivot, self.pivot.moved(slip.slide, slip.turn));
+            let travel = Travel {
+                bound: slip.travel_bound,
+                open: slip.open,
+                turn: slip.travel_bound,
+            };
+            if end.is_on_side(scene) && self.has_room(scene, [&begin, &end], &travel, &mut work) {
                 self.pivot = end;
                 self.end_slip(scene, grip, sign);
-                return Moved::by(Trigger::Stopped);
+                return Moved::by(Trigger::Stopped).after(scene, work);
             }
         }
+        let about = match found {
+            Ok(slip) => Some(slip.slide.abs()),
+            Err(about) => about,
+        };
+        let moved = self.slip_far(scene, (&load, about), grip, sign);
+        moved.after(scene, work)
+    }
+
+    /// To the first of what may end it; `about`: how long it is, if that is known.
+    fn slip_far<W: World<R>>(
+        &mut self,
+        scene: &W,
+        (load, about): (&Load<R>, Option<R>),
+        grip: &Grip<R>,
+        sign: R,
+    ) -> Moved<R> {
         self.room = R::ZERO;
         // Beyond this way the hand would pull back; a longer one than this load is gone in several slips.
         let lever = load.lever.length_bound();
         let farthest =
             (load.force.length_bound() + lever.doubled()).min(R::LOAD / lever.max(R::ONE));
-        let about = match found {
-            Ok(slip) => Some(slip.slide.abs()),
-            Err(about) => about,
-        };
         // To look no farther than needed is cheap.
         let near = about.map_or(farthest, |about| farthest.min(about.doubled().doubled()));
-        let (slip, segment) = self.slip_segment(scene, &load, sign * near);
+        let (slip, segment) = self.slip_segment(scene, load, sign * near);
         let goes_on = segment.goes_on() && near < farthest;
         self.pivot = self.pivot.moved(slip, R::ZERO);
         let moved = segment.turn_with_hand(scene, &mut self.pivot, grip);

@@ -5,6 +5,7 @@
 use super::SingleVertex;
 use super::segment::Segment;
 use super::side_end::stop_at_end_of_slide;
+use super::single_vertex::Travel;
 use crate::certified::CertifiedTurn;
 use crate::contact::Regime;
 use crate::detect::PointPath;
@@ -16,6 +17,7 @@ use crate::moment::{Downhill, Moment, Sliding};
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::{Moved, Trigger};
+use crate::work::Work;
 use crate::world::{Surface, World};
 
 impl<R: Real> SingleVertex<R> {
@@ -30,10 +32,10 @@ impl<R: Real> SingleVertex<R> {
         &mut self,
         scene: &W,
         (from, to): (&Grip<R>, &Grip<R>),
-        sign: R,
+        (sign, work): (R, &mut Work),
     ) -> bool {
         if self.is_corner(scene) {
-            return self.follow_sliding_on_corner(scene, (from, to), sign);
+            return self.follow_sliding_on_corner(scene, (from, to), (sign, work));
         }
         let load = self.pivot.load(scene, to);
         if load.swings(scene) || !load.is_representable_sliding() {
@@ -67,7 +69,7 @@ impl<R: Real> SingleVertex<R> {
         end.pivot.slide(scene, to, &edge);
         if W::GLIDES {
             // The foot's path closes no gap to the surface that it is on. A point touches nothing else.
-            if W::SEVERAL && !end.has_room_to_turn(scene, &certified) {
+            if W::SEVERAL && !end.has_room_to_turn(scene, &certified, work) {
                 return false;
             }
         } else {
@@ -77,11 +79,16 @@ impl<R: Real> SingleVertex<R> {
             let pivot = end.pivot;
             let way = (pivot.foot - self.pivot.foot).abs();
             // The foot goes one way.
-            let travel = way + certified.turn_bound;
+            let bound = way + certified.turn_bound;
+            let travel = Travel {
+                bound,
+                open: bound,
+                turn: certified.turn_bound,
+            };
             if advances <= slack
                 || normal + stray >= surface.friction.threshold()
                 || !pivot.is_on_side(scene)
-                || !end.has_room(scene, &pivot, (travel, travel))
+                || !end.has_room(scene, [&self.pivot, &pivot], &travel, work)
             {
                 return false;
             }

@@ -21,13 +21,13 @@ mod slide;
 
 use kinematics::Quantities;
 
-pub(crate) use certified::certified_slide;
-pub(crate) use course::Course;
-pub(crate) use slide::{MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
+pub(crate) use certified::{CertifiedSlide, certified_slide};
+pub(crate) use course::{Course, SPOT, certified_slide_among};
+pub(crate) use slide::{LOOK as SPOT_LOOK, MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
 /// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.
 const LOOK: u32 = 7;
-const RUN: u32 = 32;
+pub(crate) const RUN: u32 = 32;
 
 /// So many looks at a motion of two contacts: from where they lead it goes on with others.
 const MOST_LOOKS: u8 = 12;

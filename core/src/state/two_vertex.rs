@@ -5,16 +5,18 @@ mod slip;
 
 use super::fixed_pose::FixedPose;
 use super::trammel::{
-    Course, Demand, SLIDE, SlideEnding, Slides, Trammel, certified_slide, sliding_reactions,
+    CertifiedSlide, Course, Demand, SLIDE, SlideEnding, Slides, Trammel, certified_slide,
+    certified_slide_among, sliding_reactions,
 };
 use crate::contact::{Pair, Pairs, Reactions, Regime};
+use crate::detect::{Short, Watch};
 use crate::grip::Grip;
 use crate::list::gather;
 use crate::load::Load;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::verb::{Moved, Relax, Trigger, seat_sliding};
-use crate::work::{DRIVEN, Work};
+use crate::work::{CERTIFIED_AMONG, DRIVEN, Work};
 use crate::world::World;
 
 pub(crate) use slip::Slip;
@@ -30,6 +32,7 @@ pub(crate) struct TwoVertex<R> {
     pub(crate) bearers: [u8; 3],
     /// By so much the body can move before a further vertex can touch a surface (L); 0: not known.
     pub(super) room: R,
+    pub(super) watch: Watch,
 }
 
 impl<R: Real> TwoVertex<R> {
@@ -40,6 +43,7 @@ impl<R: Real> TwoVertex<R> {
             regime: Regime::LOOSE,
             bearers: [0, 1, 2],
             room: R::ZERO,
+            watch: Watch::NONE,
         }
     }
 
@@ -60,14 +64,16 @@ impl<R: Real> TwoVertex<R> {
         work: &mut Work,
     ) -> bool {
         if let Some(sense) = self.regime.slide() {
+            let contacts = (&self.pivot, self.other);
             let slide = if W::CORNERS && self.contacts().iter().any(|pair| pair.is_corner()) {
-                None
+                work.spend(CERTIFIED_AMONG);
+                certified_slide_among(scene, contacts, path, sense)
             } else {
-                certified_slide(scene, (&self.pivot, self.other), path, sense)
+                certified_slide(scene, contacts, path, sense)
             };
             let slide = slide
                 .filter(|slide| !W::CORNERS || self.are_on_sides(scene, &slide.pivot))
-                .filter(|slide| self.has_room(scene, slide.travel_bound));
+                .filter(|slide| self.has_room(scene, slide, work));
             self.pivot = slide.as_ref().map_or(self.pivot, |slide| slide.pivot);
             return slide.is_some();
         }
@@ -86,19 +92,58 @@ impl<R: Real> TwoVertex<R> {
             .all(|&pair| placed.beyond(scene, pair) <= R::ZERO)
     }
 
-    /// True if no further vertex can reach a surface on a way that begins here.
-    fn has_room<W: World<R>>(&mut self, scene: &W, way: R) -> bool {
+    /// True if nothing else can be reached on a way that begins here.
+    #[inline(always)]
+    fn has_room<W: World<R>>(
+        &mut self,
+        scene: &W,
+        slide: &CertifiedSlide<R>,
+        work: &mut Work,
+    ) -> bool {
+        if W::CORNERS {
+            return self.has_room_among(scene, slide, work);
+        }
+        let way = slide.travel_bound;
         if self.room <= way {
-            let contacts = self.contacts();
-            let placed = self.pivot.placed(scene);
-            self.room = placed.room_of(scene, |pair| !contacts.contains(pair));
-            if W::CORNERS {
-                self.room = self.room.min(placed.room_among(scene, &contacts));
-            }
+            self.room = self.room_beside(scene);
         }
         let has_room = self.room > way;
         self.room = self.room - way;
         has_room
+    }
+
+    /// To half-planes, but by its contacts.
+    fn room_beside(&self, scene: &impl World<R>) -> R {
+        let contacts = self.contacts();
+        let placed = self.pivot.placed(scene);
+        placed.room_of(scene, |pair| !contacts.contains(pair))
+    }
+
+    /// The same with obstacles.
+    #[inline(never)]
+    fn has_room_among<W: World<R>>(
+        &mut self,
+        scene: &W,
+        slide: &CertifiedSlide<R>,
+        work: &mut Work,
+    ) -> bool {
+        let contacts = self.contacts();
+        let way = slide.travel_bound;
+        let short = Short {
+            before: self.pivot.placed(scene),
+            after: slide.pivot.placed(scene),
+            lasting: &contacts,
+            way,
+            turn: slide.turn_bound,
+        };
+        let mut least = self.room - way;
+        if least <= R::ZERO {
+            self.room = R::ZERO;
+            least = self.room_beside(scene) - way;
+        }
+        let keeps_off = short.keeps_off(scene, (&mut self.room, &mut self.watch), work);
+        self.room = self.room.min(least);
+        keeps_off && self.room > R::ZERO
     }
 
     /// Slides with the hand, or stays as it moves.

@@ -2,7 +2,8 @@
 
 use heapless::Vec;
 use stiction_core::{
-    Description, Evolution, Model, Real, Scene, SceneError, SiFloat, SurfaceDescription,
+    Description, Evolution, Model, ObstacleDescription, Real, Scene, SceneError, SiFloat,
+    SurfaceDescription, WithObstacles,
 };
 
 use super::fields::{Fields, Record};
@@ -12,15 +13,16 @@ use super::{FormatError, VERSION};
 pub(crate) const HEAD_BYTES: usize = 96;
 const VERTEX_BYTES: usize = 16;
 const SURFACE_BYTES: usize = 48;
+const OBSTACLE_BYTES: usize = 32;
 const MARK: [u8; 4] = *b"stjb";
 
-/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many, for steps of a budget. The scene has at most 255 vertices
-/// and 255 surfaces.
+/// Gives the bytes of a job to `sink`, up to its samples, of which there will be so many, for steps of a budget. The scene has at most 255 vertices,
+/// 255 surfaces and 255 obstacles.
 ///
 /// # Errors
 /// The first error of `sink`.
 pub fn write_scene<E>(
-    scene: &Description<'_, f64>,
+    (scene, obstacles): (&Description<'_, f64>, &[ObstacleDescription<'_, f64>]),
     evolution: Evolution,
     (samples, budget): (u32, u32),
     mut sink: impl FnMut(&[u8]) -> Result<(), E>,
@@ -42,10 +44,11 @@ pub fn write_scene<E>(
     head.f64(x).f64(y).f64(scene.reach);
     head.f64(scene.stiffness_translation)
         .f64(scene.stiffness_rotation);
-    head.u32(budget);
+    head.u32(budget).u8(count(obstacles.len()));
     sink(&head.bytes())?;
-    for &[x, y] in scene.vertices {
-        sink(&Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes())?;
+    let point = |&[x, y]: &[f64; 2]| Record::<VERTEX_BYTES>::new().f64(x).f64(y).bytes();
+    for vertex in scene.vertices {
+        sink(&point(vertex))?;
     }
     for surface in scene.surfaces {
         let [x, y] = surface.normal;
@@ -56,6 +59,18 @@ pub fn write_scene<E>(
             .f64(surface.friction_dynamic)
             .f64(surface.memory.unwrap_or(f64::NAN));
         sink(&record.bytes())?;
+    }
+    for obstacle in obstacles {
+        let mut record = Record::<OBSTACLE_BYTES>::new();
+        record
+            .f64(obstacle.friction_static)
+            .f64(obstacle.friction_dynamic)
+            .f64(obstacle.memory.unwrap_or(f64::NAN))
+            .u8(count(obstacle.vertices.len()));
+        sink(&record.bytes())?;
+        for corner in obstacle.vertices {
+            sink(&point(corner))?;
+        }
     }
     Ok(())
 }
@@ -71,6 +86,7 @@ pub(crate) struct Head {
     pub(crate) budget: u32,
     vertices: u8,
     surfaces: u8,
+    obstacles: u8,
     start: [f64; 3],
     weight: f64,
     holding_point: Option<[f64; 2]>,
@@ -104,6 +120,7 @@ impl Head {
             evolution,
             samples,
             budget: fields.u32(),
+            obstacles: fields.u8(),
             vertices,
             surfaces,
             start,
@@ -118,7 +135,7 @@ impl Head {
     /// The scene, whose vertices and surfaces are taken from `source`.
     ///
     /// # Errors
-    /// `source` fails, or the numbers do not make a scene of these capacities.
+    /// `source` fails, there are obstacles, or the numbers do not make a scene of these capacities.
     pub(crate) fn scene<R: Real<Si: SiFloat>, const V: usize, const S: usize, M: Model, E>(
         &self,
         mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
@@ -126,13 +143,66 @@ impl Head {
     where
         E: From<SceneError<R::Si>> + From<FormatError>,
     {
+        if self.obstacles > 0 {
+            return Err(FormatError::Value.into());
+        }
+        self.described::<R, V, S, _, E>(&mut source, |description, _| Ok(Scene::new(description)?))
+    }
+
+    /// The same with its obstacles.
+    ///
+    /// # Errors
+    /// `source` fails, or the numbers do not make a scene of these capacities.
+    pub(crate) fn among<R, const V: usize, const S: usize, const O: usize, const C: usize, E>(
+        &self,
+        mut source: impl FnMut(&mut [u8]) -> Result<(), E>,
+    ) -> Result<Scene<R, V, S, WithObstacles<O, C>>, E>
+    where
+        R: Real<Si: SiFloat>,
+        E: From<SceneError<R::Si>> + From<FormatError>,
+    {
+        self.described::<R, V, S, _, E>(&mut source, |description, source| {
+            let mut corners: Vec<[R::Si; 2], C> = Vec::new();
+            let mut records: Vec<[u8; OBSTACLE_BYTES], O> = Vec::new();
+            for _ in 0..self.obstacles {
+                let mut bytes = [0; OBSTACLE_BYTES];
+                source(&mut bytes)?;
+                records.push(bytes).map_err(|_| FormatError::Value)?;
+                for _ in 0..Obstacle::<R::Si>::of(&bytes).corners {
+                    let corner = point(source)?;
+                    corners.push(corner).map_err(|_| FormatError::Value)?;
+                }
+            }
+            let mut rest = corners.as_slice();
+            let obstacles = records.iter().map(|bytes| {
+                let obstacle = Obstacle::of(bytes);
+                let (vertices, others) = rest.split_at_checked(obstacle.corners.into())?;
+                rest = others;
+                Some(ObstacleDescription {
+                    vertices,
+                    friction_static: obstacle.friction_static,
+                    friction_dynamic: obstacle.friction_dynamic,
+                    memory: obstacle.memory,
+                })
+            });
+            let obstacles: Vec<_, O> = obstacles.flatten().collect();
+            Ok(Scene::among(description, &obstacles)?)
+        })
+    }
+
+    /// What `take` makes of the description, whose vertices and surfaces are taken from `source`.
+    fn described<R: Real<Si: SiFloat>, const V: usize, const S: usize, T, E: From<FormatError>>(
+        &self,
+        source: &mut impl FnMut(&mut [u8]) -> Result<(), E>,
+        take: impl FnOnce(
+            &Description<'_, R::Si>,
+            &mut dyn FnMut(&mut [u8]) -> Result<(), E>,
+        ) -> Result<T, E>,
+    ) -> Result<T, E> {
         let narrow = R::Si::narrow;
         let mut vertices: Vec<[R::Si; 2], V> = Vec::new();
         for _ in 0..self.vertices {
-            let mut bytes = [0; VERTEX_BYTES];
-            source(&mut bytes)?;
-            let mut fields = Fields::new(&bytes);
-            let vertex = [fields.f64(), fields.f64()].map(narrow);
+            let vertex = point(source)?;
             vertices.push(vertex).map_err(|_| FormatError::Value)?;
         }
         let mut surfaces: Vec<SurfaceDescription<R::Si>, S> = Vec::new();
@@ -142,7 +212,7 @@ impl Head {
             let surface = surface(&bytes);
             surfaces.push(surface).map_err(|_| FormatError::Value)?;
         }
-        Ok(Scene::new(&Description {
+        let description = Description {
             vertices: &vertices,
             start: self.start.map(narrow),
             weight: narrow(self.weight),
@@ -151,8 +221,45 @@ impl Head {
             stiffness_translation: narrow(self.stiffness_translation),
             stiffness_rotation: narrow(self.stiffness_rotation),
             surfaces: &surfaces,
-        })?)
+        };
+        take(&description, source)
     }
+}
+
+/// A vertex or a corner.
+fn point<F: SiFloat, E>(
+    source: &mut (impl FnMut(&mut [u8]) -> Result<(), E> + ?Sized),
+) -> Result<[F; 2], E> {
+    let mut bytes = [0; VERTEX_BYTES];
+    source(&mut bytes)?;
+    let mut fields = Fields::new(&bytes);
+    Ok([fields.f64(), fields.f64()].map(F::narrow))
+}
+
+/// An obstacle but for its corners.
+struct Obstacle<F> {
+    friction_static: F,
+    friction_dynamic: F,
+    memory: Option<F>,
+    corners: u8,
+}
+
+impl<F: SiFloat> Obstacle<F> {
+    fn of(bytes: &[u8; OBSTACLE_BYTES]) -> Self {
+        let mut fields = Fields::new(bytes);
+        let [friction_static, friction_dynamic] = [(); 2].map(|()| F::narrow(fields.f64()));
+        Self {
+            friction_static,
+            friction_dynamic,
+            memory: memory(fields.f64()),
+            corners: fields.u8(),
+        }
+    }
+}
+
+/// The length of a memory; NaN where none is given.
+fn memory<F: SiFloat>(length: f64) -> Option<F> {
+    (!length.is_nan()).then(|| F::narrow(length))
 }
 
 fn surface<F: SiFloat>(bytes: &[u8; SURFACE_BYTES]) -> SurfaceDescription<F> {
@@ -163,8 +270,6 @@ fn surface<F: SiFloat>(bytes: &[u8; SURFACE_BYTES]) -> SurfaceDescription<F> {
         offset: F::narrow(next()),
         friction_static: F::narrow(next()),
         friction_dynamic: F::narrow(next()),
-        memory: Some(next())
-            .filter(|length| !length.is_nan())
-            .map(F::narrow),
+        memory: memory(next()),
     }
 }

@@ -151,7 +151,7 @@ impl WrittenScene {
     }
 
     /// Obstacles in the float of a solver.
-    fn described_obstacles<F: SiFloat, T>(
+    pub fn described_obstacles<F: SiFloat, T>(
         obstacles: &[ObstacleInfo],
         take: impl FnOnce(&[ObstacleDescription<'_, F>]) -> T,
     ) -> T {

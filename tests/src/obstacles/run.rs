@@ -68,6 +68,8 @@ pub struct Run<R: Number> {
     pub state: State<R>,
     /// The last answer.
     pub frame: Frame,
+    /// The part of the hand's displacement that is left.
+    pub behind: f64,
 }
 
 impl<R: Number> Run<R> {
@@ -90,6 +92,7 @@ impl<R: Number> Run<R> {
             solver,
             state,
             frame,
+            behind: R::wide(output.behind),
         }
     }
 
@@ -97,6 +100,7 @@ impl<R: Number> Run<R> {
     pub fn step(&mut self, hand: [f64; 3]) -> &Frame {
         let output = self.solver.step(&mut self.state, planar::<R>(hand));
         self.frame = frame::<R>(&self.solver, &self.state, &output);
+        self.behind = R::wide(output.behind);
         &self.frame
     }
 }

@@ -3,13 +3,15 @@
 use super::super::Placed;
 use super::{corners, ends, line_of, sides, together};
 use crate::bounded::Sloped;
-use crate::contact::Pair;
+use crate::contact::{MAX_CONTACTS, Pair};
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::motion::Instant;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::world::World;
 use core::ops::Range;
+use heapless::Vec;
 
 /// A direction in which body and obstacle may be apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,21 +56,21 @@ pub(super) fn moving<R: Real, W: World<R>>(
     (obstacle, axis): (usize, Axis),
     lasting: &[Pair],
 ) -> impl Iterator<Item = u8> {
+    let line = match axis {
+        Axis::Side(side) => line_of(scene, side),
+        _ => 0,
+    };
     features(scene, (obstacle, axis)).filter(move |&feature| {
-        contact(scene, axis, feature).is_none_or(|pair| !lasts(scene, pair, lasting))
+        let pair = match axis {
+            Axis::Side(_) => Pair {
+                vertex: feature,
+                surface: line,
+            },
+            Axis::BodySide(side) => Pair::of_corner(feature, side),
+            Axis::End(_) | Axis::BodyEnd(_) => return true,
+        };
+        !lasts(scene, pair, lasting)
     })
-}
-
-/// The contact of a feature along an axis, if it is one.
-pub(super) fn contact<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Option<Pair> {
-    match axis {
-        Axis::Side(side) => Some(Pair {
-            vertex: feature,
-            surface: line_of(scene, side),
-        }),
-        Axis::BodySide(side) => Some(Pair::of_corner(feature, side)),
-        Axis::End(_) | Axis::BodyEnd(_) => None,
-    }
 }
 
 /// A contact is one of those that last, or a corner at the place of one of these.
@@ -153,6 +155,84 @@ impl<R: Real> Beside<'_, R> {
     };
 }
 
+/// An axis at a place of a motion: how far each feature of the other shape is off along it, level + d·x, x its place from an origin in
+/// the frame of that shape.
+struct Ruler<R> {
+    level: R,
+    direction: Vec2<R>,
+    origin: Vec2<R>,
+    /// How fast the features go along it that are at the origin.
+    rate: R,
+    /// How fast they turn against it.
+    turn: R,
+}
+
+impl<R: Real> Ruler<R> {
+    fn of<W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis) -> Self {
+        let placed = &body.placed;
+        // To vertices.
+        let from_obstacle = |normal: Vec2<R>, level: R| Self {
+            level,
+            direction: placed.orientation.rotation().undo(normal),
+            origin: placed.body_point,
+            rate: normal.dot(body.velocity),
+            turn: body.turn,
+        };
+        // To corners.
+        let from_body = |outward: Vec2<R>, vertex: u8| {
+            let direction = placed.orientation.rotation().apply(outward);
+            Self {
+                level: -outward.dot(scene.vertex(vertex) - placed.body_point),
+                direction,
+                origin: placed.point,
+                rate: -direction.dot(body.velocity),
+                turn: -body.turn,
+            }
+        };
+        match axis {
+            Axis::Side(side) => {
+                let line = line_of(scene, side);
+                let surface = scene.surface(line);
+                let level = if placed.on == Some(line) {
+                    R::ZERO
+                } else {
+                    surface.normal.dot(placed.point) - surface.offset
+                };
+                from_obstacle(surface.normal, level)
+            }
+            Axis::End(corner) => {
+                let away = scene.surface(corner).tangent;
+                let place = scene.corner(corner).map_or(Vec2::ZERO, |c| c.place);
+                from_obstacle(away, away.dot(placed.point - place))
+            }
+            Axis::BodySide(side) => from_body(scene.body_normal(side), side),
+            Axis::BodyEnd(vertex) => from_body(-scene.body_normal(vertex).turned(), vertex),
+        }
+    }
+
+    fn value(&self, place: Vec2<R>) -> R {
+        self.level + self.direction.dot(place - self.origin)
+    }
+
+    fn off(&self, place: Vec2<R>) -> Sloped<R> {
+        let from = place - self.origin;
+        Sloped {
+            value: self.level + self.direction.dot(from),
+            slope: self.rate + self.direction.dot(from.turned()) * self.turn,
+        }
+    }
+}
+
+/// Where a feature along an axis is, in the frame of its shape.
+fn place_of<R: Real, W: World<R>>(scene: &W, axis: Axis, feature: u8) -> Vec2<R> {
+    match axis {
+        Axis::Side(_) | Axis::End(_) => scene.vertex(feature),
+        Axis::BodySide(_) | Axis::BodyEnd(_) => {
+            (scene.corner(feature)).map_or(Vec2::ZERO, |corner| corner.place)
+        }
+    }
+}
+
 /// How far a feature is off along an axis.
 pub(super) fn off<R: Real, W: World<R>>(
     scene: &W,
@@ -160,35 +240,7 @@ pub(super) fn off<R: Real, W: World<R>>(
     axis: Axis,
     feature: u8,
 ) -> Sloped<R> {
-    if let Some(pair) = contact(scene, axis, feature) {
-        return body.gap(scene, pair);
-    }
-    let place = |corner: u8| scene.corner(corner).map_or(Vec2::ZERO, |c| c.place);
-    let placed = &body.placed;
-    match axis {
-        Axis::End(corner) => {
-            let away = scene.surface(corner).tangent;
-            let arm = placed.arm(scene, feature);
-            Sloped {
-                value: away.dot(placed.point + arm - place(corner)),
-                slope: away.dot(body.velocity_at(arm)),
-            }
-        }
-        Axis::BodyEnd(vertex) => {
-            let outward = scene.body_normal(vertex);
-            let away = -placed.orientation.rotation().apply(outward.turned());
-            let arm = placed.arm(scene, vertex);
-            let beyond = place(feature) - (placed.point + arm);
-            Sloped {
-                value: away.dot(beyond),
-                slope: away.turned().dot(beyond) * body.turn - away.dot(body.velocity_at(arm)),
-            }
-        }
-        Axis::Side(_) | Axis::BodySide(_) => Sloped {
-            value: R::HUGE,
-            slope: R::ZERO,
-        },
-    }
+    Ruler::of(scene, body, axis).off(place_of(scene, axis, feature))
 }
 
 /// Body and obstacle touch along this axis in two contacts: then they are apart, and what else is in that line is so by rounding only.
@@ -261,9 +313,47 @@ pub(super) fn gap_along<R: Real, W: World<R>>(
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
+    let ruler = Ruler::of(scene, body, axis);
     moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
-        least.min(off(scene, body, axis, feature).value)
+        least.min(ruler.value(place_of(scene, axis, feature)))
     })
+}
+
+/// The same, less what a gap may change by where its feature is moved by so much of its distance from the placed point, or of a body
+/// size; `flat`: two of the contacts that last are in one line.
+pub(super) fn gap_less<R: Real, W: World<R>>(
+    scene: &W,
+    placed: &Placed<R>,
+    (obstacle, axis): (usize, Axis),
+    ((lasting, flat), by): ((&[Pair], bool), R),
+) -> R {
+    let is_along = |pair: &Pair| match axis {
+        Axis::Side(side) => !pair.is_corner() && pair.surface == line_of(scene, side),
+        Axis::BodySide(side) => pair.is_corner() && pair.body_side() == side,
+        Axis::End(_) | Axis::BodyEnd(_) => false,
+    };
+    // Most axes have none.
+    let any = lasting.iter().any(is_along);
+    if any && flat && is_flat_on(scene, placed, (obstacle, axis), lasting) {
+        return R::HUGE;
+    }
+    let ruler = Ruler::of(scene, &Instant::at_rest(*placed), axis);
+    let of_corners = matches!(axis, Axis::BodySide(_) | Axis::BodyEnd(_));
+    let mut least = R::HUGE;
+    let mut look = |feature| {
+        let from = place_of(scene, axis, feature) - ruler.origin;
+        let mut far = R::ONE;
+        if of_corners {
+            far = far.max(from.x.abs() + from.y.abs());
+        }
+        least = least.min(ruler.level + ruler.direction.dot(from) - by * far);
+    };
+    if any {
+        moving(scene, (obstacle, axis), lasting).for_each(&mut look);
+    } else {
+        features(scene, (obstacle, axis)).for_each(&mut look);
+    }
+    least
 }
 
 /// How far the body may go and turn until the least gap along an axis closes, but for contacts that last: along a side of the body, which
@@ -277,18 +367,40 @@ pub(super) fn room_along<R: Real, W: World<R>>(
     if is_flat_on(scene, &body.placed, (obstacle, axis), lasting) {
         return R::HUGE;
     }
+    let ruler = Ruler::of(scene, body, axis);
     moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
-        let gap = off(scene, body, axis, feature).value;
-        let place = match axis {
-            Axis::BodySide(_) | Axis::BodyEnd(_) => scene.corner(feature).map(|c| c.place),
-            Axis::Side(_) | Axis::End(_) => None,
+        let place = place_of(scene, axis, feature);
+        let gap = ruler.value(place);
+        let far = match axis {
+            Axis::BodySide(_) | Axis::BodyEnd(_) => (place - ruler.origin).length_bound(),
+            Axis::Side(_) | Axis::End(_) => R::ONE,
         };
-        let far = place.map_or(R::ONE, |place| (place - body.placed.point).length_bound());
         least.min(if gap > R::ZERO && far > R::ONE {
             gap / far
         } else {
             gap
         })
+    })
+}
+
+/// The gap along an axis stays open between two places of a motion on which no second derivative changes its sign: it lies above its
+/// chord, or above the tangents at both ends (STATICS 12.3).
+pub(super) fn stays_open<R: Real, W: World<R>>(
+    scene: &W,
+    [from, to]: [&Instant<R>; 2],
+    (obstacle, axis): (usize, Axis),
+    (lasting, width): (&[Pair], R),
+) -> bool {
+    let [here, there] = [from, to].map(|body| Ruler::of(scene, body, axis));
+    let rounding = from.placed.rounding().max(to.placed.rounding());
+    moving(scene, (obstacle, axis), lasting).all(|feature| {
+        let place = place_of(scene, axis, feature);
+        let [a, b] = [here.off(place), there.off(place)];
+        let is_flat_out = a.slope >= R::ZERO || b.slope <= R::ZERO;
+        // Where the tangents lie above zero at the other end.
+        let is_steep_out =
+            a.value + a.slope * width > rounding || b.value - b.slope * width > rounding;
+        a.value > rounding && b.value > rounding && (is_flat_out || is_steep_out)
     })
 }
 
@@ -299,8 +411,9 @@ pub(super) fn opening_along<R: Real, W: World<R>>(
     (obstacle, axis): (usize, Axis),
     (lasting, gap): (&[Pair], R),
 ) -> R {
+    let ruler = Ruler::of(scene, body, axis);
     moving(scene, (obstacle, axis), lasting).fold(R::HUGE, |least, feature| {
-        let off = off(scene, body, axis, feature);
+        let off = ruler.off(place_of(scene, axis, feature));
         if off.value <= gap + R::TOUCH {
             least.min(off.slope)
         } else {
@@ -326,21 +439,23 @@ pub(super) fn widest<R: Real, W: World<R>>(
     }
     // What has an inside is told by it: round an acute vertex the normal turns by more than a right angle.
     let is_flat = corners(scene, obstacle).len() <= 2 && scene.vertices().len() <= 2;
-    let all_face = |pairs: &[Pair], way: Vec2<R>| {
-        let mut sides = pairs
+    let ways = |pairs: &[Pair]| -> Vec<Vec2<R>, MAX_CONTACTS> {
+        let ways = pairs
             .iter()
-            .map(|&pair| side_of(scene, &body.placed, obstacle, pair));
-        sides.all(|side| side.is_none_or(|side| faces(way, side)))
+            .filter_map(|&pair| side_of(scene, &body.placed, obstacle, pair));
+        gather(ways)
     };
+    let (of_lasting, of_left) = (ways(lasting), ways(beside.left));
+    let all_face = |ways: &[Vec2<R>], way: Vec2<R>| ways.iter().all(|&side| faces(way, side));
     for axis in axes(scene, obstacle) {
         let way = direction(scene, &body.placed, axis);
-        if !all_face(lasting, way) {
+        if !all_face(&of_lasting, way) {
             continue;
         }
         let gap = gap_along(scene, body, (obstacle, axis), lasting);
         let touches = gap.abs() <= beside.near;
         let is_beside = || beside.last.is_none_or(|last| faces(way, last));
-        if touches && is_flat && !(all_face(beside.left, way) && is_beside()) {
+        if touches && is_flat && !(all_face(&of_left, way) && is_beside()) {
             continue;
         }
         let rate = if touches {

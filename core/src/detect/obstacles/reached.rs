@@ -2,12 +2,13 @@
 
 use super::super::Placed;
 use super::axes::{
-    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, widest,
+    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, stays_open, widest,
 };
+use super::tally::{Sizes, Tally};
 use super::{corners, line_of};
 use crate::bounded::Sloped;
 use crate::contact::{Pair, Pairs};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::geometry::Vec2;
 use crate::motion::Instant;
 use crate::real::Real;
@@ -89,13 +90,31 @@ enum Closing<R> {
     At(Place<R>, Option<Pair>),
 }
 
-/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last. `at`: the body at a place of the
-/// motion.
+/// The first obstacle or half-plane that a motion from 0 to `end` reaches, but for contacts that last, and what it took to find it, in
+/// units of work. `at`: the body at a place of the motion, which takes so many units.
 pub(crate) fn first_reached<R: Real, W: World<R>>(
     scene: &W,
     (known, among): (Known<'_>, Among),
     end: R,
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, place): (&dyn Fn(R) -> Instant<R>, u32),
+) -> (Option<Reached<R>>, u32) {
+    let tally = Tally::of_search(Sizes::of(scene), place);
+    let at = |x: R| {
+        tally.place();
+        at(x)
+    };
+    (
+        first_in_pieces(scene, (known, among), end, (&at, &tally)),
+        tally.units(),
+    )
+}
+
+/// The same, piece by piece.
+fn first_in_pieces<R: Real, W: World<R>>(
+    scene: &W,
+    (known, among): (Known<'_>, Among),
+    end: R,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Option<Reached<R>> {
     let Known { lasting, left } = known;
     let start = at(R::ZERO);
@@ -103,7 +122,11 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
     let mut step = end;
     // The obstacles that it touches there, and on which side.
     let mut near: Nearby<R> = Nearby::new();
-    for _ in 0..MOST_PIECES {
+    for piece in 0..MOST_PIECES {
+        // Where it touches an obstacle it would not know any more on which side.
+        if piece > 0 && near.is_empty() && tally.is_enough() {
+            break;
+        }
         let mut to = end.min(x + step);
         let mut there = at(to);
         for _ in 0..64 {
@@ -124,7 +147,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
             });
             for pair in pairs.filter(|pair| !lasting.contains(pair)) {
                 let gap = |body: &Instant<R>| body.gap(scene, pair);
-                if let Some(end) = falls([(x, here), (to, there)], at, gap) {
+                if let Some(end) = falls([(x, here), (to, there)], (at, tally), gap) {
                     (to, there) = end;
                     first = Some((end.0, Some(pair)));
                 }
@@ -136,6 +159,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
         let reach = here.placed.radius(scene, None) * (R::ONE + longest_turn()) + way;
         let mut now_near: Nearby<R> = Nearby::new();
         for (obstacle, round) in scene.rounds().iter().enumerate() {
+            tally.spend(1);
             let is_over =
                 || start.turn == R::ZERO && lies_over(scene, &start.placed, obstacle, lasting);
             if here.placed.apart(round) > reach || is_over() {
@@ -149,7 +173,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
                 last: last.map(|&(_, last)| last),
                 near: near_at(&here.placed),
             };
-            match closes(scene, obstacle, (before, beside), piece, at) {
+            match closes(scene, obstacle, (before, beside), piece, (at, tally)) {
                 Closing::Nothing => {}
                 Closing::Near(side) => {
                     // Of more than there is room for it is not known.
@@ -185,7 +209,7 @@ pub(crate) fn first_reached<R: Real, W: World<R>>(
 /// Where a gap closes on a piece of a motion.
 fn falls<R: Real>(
     [from, to]: [Place<R>; 2],
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
     gap: impl Fn(&Instant<R>) -> Sloped<R>,
 ) -> Option<Place<R>> {
     let width = to.0 - from.0;
@@ -197,7 +221,8 @@ fn falls<R: Real>(
             (end, unit) = (end.doubled(), unit.doubled());
         }
     }
-    let found = first_fall((end, end), |x| {
+    let found = first_fall((end, end), MOST_FALLS, |x| {
+        tally.look();
         let body = if x == R::ZERO {
             from.1
         } else if x == end {
@@ -232,46 +257,64 @@ fn closes<R: Real, W: World<R>>(
     obstacle: usize,
     ((before, lasting), mut beside): ((&Placed<R>, &[Pair]), Beside<'_, R>),
     [mut from, to]: [Place<R>; 2],
-    at: &dyn Fn(R) -> Instant<R>,
+    (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Closing<R> {
+    let sizes = Sizes::of_one(scene, obstacle);
+    // Not reached along an axis.
+    let after = |body: &Instant<R>, axis| {
+        if gap_along(scene, body, (obstacle, axis), lasting) <= near_at(&body.placed) {
+            Closing::Near(direction(scene, &body.placed, axis))
+        } else {
+            Closing::Nothing
+        }
+    };
     for _ in 0..MOST_AXES {
+        tally.spend(sizes.axes());
         let (Some(axis), _) = widest(scene, &from.1, obstacle, (lasting, beside)) else {
             return Closing::Nothing;
         };
         if is_flat_on(scene, &from.1.placed, (obstacle, axis), lasting) {
             return Closing::Nothing;
         }
+        tally.spend(sizes.axis());
+        let ends = [&from.1, &to.1];
+        if stays_open(scene, ends, (obstacle, axis), (lasting, to.0 - from.0)) {
+            return after(&to.1, axis);
+        }
         let mut end = to;
         let mut found = false;
         for feature in moving(scene, (obstacle, axis), lasting) {
             let gap = |body: &Instant<R>| off(scene, body, axis, feature);
-            if let Some(first) = falls([from, end], at, gap) {
+            if let Some(first) = falls([from, end], (at, tally), gap) {
                 end = first;
                 found = true;
             }
         }
-        let side = direction(scene, &end.1.placed, axis);
         if !found {
-            let gap = gap_along(scene, &end.1, (obstacle, axis), lasting);
-            return if gap <= near_at(&end.1.placed) {
-                Closing::Near(side)
-            } else {
-                Closing::Nothing
-            };
+            return after(&to.1, axis);
         }
+        let side = direction(scene, &end.1.placed, axis);
         beside = Beside {
             left: if end.0 > R::ZERO { &[] } else { beside.left },
             last: Some(side),
             near: near_at(&end.1.placed)
                 - gap_along(scene, &end.1, (obstacle, axis), lasting).min(R::ZERO),
         };
+        tally.spend(sizes.axes());
         let (_, gap) = widest(scene, &end.1, obstacle, (lasting, beside));
         if gap < -farthest_look::<R>() {
-            let gap = |place: &Place<R>| widest(scene, &place.1, obstacle, (lasting, beside)).1;
+            let gap = |place: &Place<R>| {
+                tally.spend(sizes.axes());
+                widest(scene, &place.1, obstacle, (lasting, beside)).1
+            };
             return Closing::At(before_leap([from, end], at, gap), None);
         }
+        let touched = |tally| {
+            let places = (before, &end.1);
+            touched(scene, (lasting, beside), obstacle, (places, tally))
+        };
         if gap <= beside.near
-            && let Some(contact) = touched(scene, (lasting, beside), obstacle, (before, &end.1))
+            && let Some(contact) = touched(tally)
         {
             return Closing::At(end, Some(contact));
         }
@@ -309,7 +352,7 @@ fn touched<R: Real, W: World<R>>(
     scene: &W,
     (lasting, beside): (&[Pair], Beside<'_, R>),
     obstacle: usize,
-    (before, body): (&Placed<R>, &Instant<R>),
+    ((before, body), tally): ((&Placed<R>, &Instant<R>), &Tally),
 ) -> Option<Pair> {
     let now = &body.placed;
     let own = corners(scene, obstacle);
@@ -329,6 +372,7 @@ fn touched<R: Real, W: World<R>>(
     };
     let mut near = beside.near;
     for _ in 0..WIDENINGS {
+        tally.spend(now.work_of_touching(scene, near));
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
         let mut latest: Option<((bool, R, R), Pair)> = None;

@@ -73,7 +73,7 @@ fn reached(
     known: Known<'_>,
     course: impl Fn(f64) -> Instant<f64>,
 ) -> Option<(f64, Pair)> {
-    let found = first_reached(scene, (known, Among::Obstacles), 1.0, &course);
+    let (found, _) = first_reached(scene, (known, Among::Obstacles), 1.0, (&course, 1));
     found.map(|reached| {
         assert!(!reached.unsure);
         (reached.x, reached.contact)

@@ -1,7 +1,8 @@
 //! What of the body touches obstacles at a pose, and which of these contacts can be at once.
 
 use super::super::Placed;
-use super::axes::{Beside, axes, lies_over, room_along, widest};
+use super::axes::{Beside, widest};
+use super::tally::{Sizes, units};
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::Vec2;
@@ -55,30 +56,6 @@ impl<R: Real> Placed<R> {
     /// What is closer to a place of the body than this is there, to what a search finds.
     pub(super) fn here(&self) -> R {
         together::<R>() + self.rounding().doubled()
-    }
-
-    /// No obstacle is reached, but by contacts that last, where the placed point goes no farther than this and the body turns about it by
-    /// no more, together; less what counts as a touch and the rounding.
-    pub(crate) fn room_among<W: World<R>>(&self, scene: &W, lasting: &[Pair]) -> R {
-        let body = Instant::at_rest(*self);
-        let radius = self.radius(scene, None);
-        let mut least = R::HUGE;
-        for (obstacle, round) in scene.rounds().iter().enumerate() {
-            let apart = self.apart(round) - radius;
-            if apart > R::ONE {
-                least = least.min(apart);
-                continue;
-            }
-            if lies_over(scene, self, obstacle, lasting) {
-                continue;
-            }
-            let along = |axis| room_along(scene, &body, (obstacle, axis), lasting);
-            // A point and a pin have no axis.
-            let room = axes(scene, obstacle).map(along).reduce(R::max);
-            let room = room.unwrap_or(R::HUGE);
-            least = least.min(room - self.rounding().doubled() - R::TOUCH);
-        }
-        least
     }
 
     /// A lower bound of the distance of the point from a circle.
@@ -177,6 +154,29 @@ impl<R: Real> Placed<R> {
         let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
         let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
         ways.any(|(_, along)| is_in_front(along))
+    }
+
+    /// What it takes to find these contacts, in gaps.
+    pub(super) fn work_of_touching<W: World<R>>(&self, scene: &W, tolerance: R) -> u32 {
+        let radius = self.radius(scene, None) + tolerance;
+        self.work_within(scene, radius, Sizes::touching)
+    }
+
+    /// The same in units of work.
+    pub(crate) fn touching_work<W: World<R>>(&self, scene: &W) -> u32 {
+        units(self.work_of_touching(scene, R::TOUCH.doubled()))
+    }
+
+    /// What is done with each obstacle that may be nearer than a radius takes so much, in gaps.
+    fn work_within<W: World<R>>(&self, scene: &W, radius: R, work: fn(Sizes) -> u32) -> u32 {
+        let each = scene.rounds().iter().enumerate().map(|(obstacle, round)| {
+            if self.apart(round) > radius {
+                1
+            } else {
+                work(Sizes::of_one(scene, obstacle))
+            }
+        });
+        each.fold(0, u32::saturating_add)
     }
 
     /// All contacts with obstacles whose gap is below `tolerance`, in the order of obstacles, vertices first.

@@ -3,6 +3,7 @@
 use super::*;
 use crate::fixtures;
 use crate::geometry::Angle;
+use crate::work::Work;
 
 const ROUNDING: f64 = 1.0 / 1024.0;
 
@@ -71,7 +72,9 @@ fn certified_edge_presses_beyond_the_rounding() {
                     continue;
                 }
                 let grip = pressed(times * unit);
-                let is_certified = edge.clone().follow(&scene, (&grip, &grip));
+                let is_certified = edge
+                    .clone()
+                    .follow(&scene, (&grip, &grip), &mut Work::none());
                 assert_eq!(is_certified, times > 1.0, "{span} {begin} {times}");
                 if begin == 0.0 {
                     let load = pivot.load(&scene, &grip);

@@ -194,6 +194,8 @@ pub(crate) struct CertifiedSlide<R> {
     pub(crate) pivot: Pivot<R>,
     /// No point of the body goes farther.
     pub(crate) travel_bound: R,
+    /// It turns by no more.
+    pub(crate) turn_bound: R,
 }
 
 /// The slide in a sense of the unit twist as the hand goes a path, if that is all that can happen, but for a touch.
@@ -257,6 +259,7 @@ pub(crate) fn certified_slide<R: Real>(
             return Some(CertifiedSlide {
                 pivot: end,
                 travel_bound,
+                turn_bound: swings,
             });
         }
         twist = Twist::of(scene, (&end, other), direction)?;

@@ -16,9 +16,14 @@ use crate::state::side_end::room_ahead;
 use crate::thresholds::Thresholds;
 use crate::world::{Surface, World};
 
+mod certified;
 mod follow;
 mod slip;
 
+pub(crate) use certified::certified_slide_among;
+
+/// What it takes to find a place, in units of work.
+pub(crate) const SPOT: u32 = 4;
 /// Corrections of a place across the motion, at most.
 const MAX_CORRECTIONS: usize = 6;
 /// A piece that bends too sharply is halved so often at most.

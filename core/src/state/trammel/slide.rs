@@ -18,7 +18,7 @@ use crate::world::World;
 pub(crate) const SLIDE: u32 = 49;
 
 /// A look at two contacts that slide with the hand takes as long as so many at the motion of one.
-const LOOK: u32 = 13;
+pub(crate) const LOOK: u32 = 13;
 
 /// Besides those of its search a run takes so many at most.
 pub(super) const MOST_OF_OTHERS: u32 = 3;

@@ -1,6 +1,7 @@
 //! Frames that are certified without a search.
 
 use super::*;
+use crate::work::Work;
 
 /// A certified frame ends where the search ends, and on its way is nothing that ends a slide; what is not certified has not moved.
 fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
@@ -13,7 +14,7 @@ fn certified_slide_is_the_searched_one<R: Plain>(digits: f64) {
         for part in [1.0, 0.125, 1.0 / 64.0] {
             let [from, to] = case.grips(part);
             let mut state = begin.clone();
-            let follows = state.follow_sliding(&scene, (&from, &to), sign);
+            let follows = state.follow_sliding(&scene, (&from, &to), (sign, &mut Work::none()));
             seen[usize::from(follows)] += 1;
             if !follows {
                 assert_eq!(state, begin, "{seed}");
@@ -76,7 +77,7 @@ fn slide_does_not_depend_on_the_frames() {
         for i in 0..FRAMES {
             let (before, after) = (grip(i), grip(i + 1));
             let path = (&before, &after);
-            if !state.follow_sliding(&scene, path, case.sign) {
+            if !state.follow_sliding(&scene, path, (case.sign, &mut Work::none())) {
                 let moved = state.advance_sliding(&scene, path, case.sign);
                 assert_eq!(moved.trigger, Trigger::Balanced, "{seed} {i}");
             }

@@ -6,7 +6,7 @@ use super::super::{LOOK, Run, Trammel};
 use super::slip::level;
 use super::{Course, Spot};
 use crate::bounded::{Bounded, Bounds, Quantity, Sloped};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::grip::Displacement;
 use crate::pivot::Pivot;
 use crate::real::Real;
@@ -89,7 +89,7 @@ impl<R: Real> Slides<R> {
         let is_driven = self.start.drive.value > R::ZERO;
         let window = course.longest().min(self.window(&self.start, &standing));
         let found = if is_driven {
-            first_fall((window, window), |x| {
+            first_fall((window, window), MOST_FALLS, |x| {
                 let (spot, progress) = at(x);
                 self.falls(course, &spot, (&progress, remembers))
             })
@@ -111,7 +111,8 @@ impl<R: Real> Slides<R> {
             x = self.nearer(x, &last);
             arrival = Some(last);
         }
-        if let Some(reached) = course.reached(x) {
+        let (reached, searched) = course.reached(x);
+        if let Some(reached) = reached {
             (x, unsure) = (reached.x, reached.unsure);
             ending = if unsure {
                 SlideEnding::Window
@@ -127,7 +128,9 @@ impl<R: Real> Slides<R> {
         }
         let others = if arrival.is_some() { MOST_OF_OTHERS } else { 1 };
         let taken = looks.get().saturating_add(others);
-        let work = SLIDE.saturating_add(taken.saturating_mul(LOOK));
+        let work = SLIDE
+            .saturating_add(taken.saturating_mul(LOOK))
+            .saturating_add(searched);
         let is_lost = unsure && (ending != SlideEnding::Window || x == R::ZERO);
         let (pivot, run) = course.run_to(x, (is_lost, work));
         (pivot, run, part, ending)

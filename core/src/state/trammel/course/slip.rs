@@ -2,10 +2,10 @@
 //! that turns back or leaves its side, and touch.
 
 use super::super::{Demand, Ending, LOOK, RUN, Run};
-use super::{Course, Spot};
+use super::{Course, SPOT, Spot};
 use crate::bounded::Sloped;
 use crate::detect::{Among, Known, Reached, first_reached};
-use crate::falls::{Level, first_fall};
+use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::geometry::Vec2;
 use crate::pivot::Pivot;
 use crate::real::{Real, along};
@@ -52,7 +52,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         };
         let looks = Cell::new(0_u32);
         let from = |begin: R, end: R| {
-            first_fall((end - begin, end - begin), |x| {
+            first_fall((end - begin, end - begin), MOST_FALLS, |x| {
                 looks.set(looks.get().saturating_add(1));
                 let is_asked = begin >= clear;
                 self.falls(&self.spot(begin + x), &falls, is_asked)
@@ -75,7 +75,8 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             Found::Zero { x, which } => (begin + x, self.ending(which), false),
             Found::Unsure { x, .. } => (begin + x, Ending::Window, true),
         };
-        if let Some(reached) = self.reached(x) {
+        let (reached, searched) = self.reached(x);
+        if let Some(reached) = reached {
             x = reached.x;
             unsure = reached.unsure;
             ending = if unsure {
@@ -84,7 +85,9 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
                 Ending::Touches(reached.contact)
             };
         }
-        let work = RUN.saturating_add(looks.get().saturating_mul(LOOK));
+        let work = RUN
+            .saturating_add(looks.get().saturating_mul(LOOK))
+            .saturating_add(searched);
         let (pivot, run) = self.run_to(
             x,
             (unsure && (ending != Ending::Window || x == R::ZERO), work),
@@ -92,15 +95,15 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         (pivot, run, ending)
     }
 
-    /// What is touched up to a place.
-    pub(super) fn reached(&self, x: R) -> Option<Reached<R>> {
+    /// What is touched up to a place, and what it took to find it, in units of work.
+    pub(super) fn reached(&self, x: R) -> (Option<Reached<R>>, u32) {
+        if x <= R::ZERO {
+            return (None, 0);
+        }
         let contacts = self.contacts();
-        let reached = || {
-            first_reached(self.scene, (Known::of(&contacts), Among::All), x, &|x| {
-                self.instant(x)
-            })
-        };
-        (x > R::ZERO).then(reached)?
+        let known = (Known::of(&contacts), Among::All);
+        let at = |x: R| self.instant(x);
+        first_reached(self.scene, known, x, (&at, SPOT))
     }
 
     /// How far it has gone.

@@ -190,7 +190,7 @@ fn side_slides_past_a_place_that_two_walls_share() {
             for sense in [1.0, -1.0] {
                 along(&scene, pose, contacts, sense, |course| {
                     let x = course.longest();
-                    assert!(course.reached(x).is_none(), "{held} {turn} {sense}");
+                    assert!(course.reached(x).0.is_none(), "{held} {turn} {sense}");
                 });
             }
         }

@@ -1,0 +1,381 @@
+//! The certified frame of two contacts among obstacles that slide with the hand (STATICS 12.8): as for two vertices (E15), but the normal
+//! of a corner turns with the body, and the corner stays. That nothing else happens follows from the loads at both ends of the hand's
+//! path on the body as it is, and from bounds of how all of it changes on a short way.
+
+use super::super::CertifiedSlide;
+use crate::contact::Pair;
+use crate::geometry::Vec2;
+use crate::grip::{Displacement, Grip};
+use crate::load::Load;
+use crate::pivot::Pivot;
+use crate::real::Real;
+use crate::thresholds::Thresholds;
+use crate::verb::seat_sliding;
+use crate::world::{Surface, World};
+
+/// Corrections of the place before a frame is left uncertified.
+const MAX_CORRECTIONS: usize = 4;
+
+/// Both contacts at a place: the unit twist in a direction, and how all of it changes along that.
+struct Pairing<R> {
+    surfaces: [Surface<R>; 2],
+    /// Of the body's material along t_1, and of the body.
+    slide: R,
+    turn: R,
+    /// r = c_2 - c_1
+    arm: Vec2<R>,
+    /// v_i·t_i
+    velocities: [R; 2],
+    /// How fast c_1 and r change.
+    foot_rate: Vec2<R>,
+    arm_rate: Vec2<R>,
+    /// f_i: the directions of the two reactions, and how fast they turn.
+    reactions: [Vec2<R>; 2],
+    turning: [Vec2<R>; 2],
+    /// f_1×f_2, r×f_2
+    spread: R,
+    second: R,
+    /// What a unit force against the slide of contact i is worth of (E6).
+    frictions: [R; 2],
+    /// The sign of (E6) where the load drives the slide.
+    sense: R,
+    /// A bound of how fast the twist changes.
+    bend: R,
+}
+
+/// The largest values on a short way: of the speed of a contact and the turn, of what the twist changes by, and of |f|, |r|, |F|, |M|, the
+/// lever, and the hand's place from contact 1.
+struct Sizes<R> {
+    speed: R,
+    turn: R,
+    bend: R,
+    edge: R,
+    arm: R,
+    force: R,
+    moment: R,
+    lever: R,
+    hand: R,
+}
+
+impl<R: Real> Pairing<R> {
+    /// Nothing where a contact hardly moves, or the reactions hardly span the plane.
+    fn of<W: World<R>>(scene: &W, (pivot, other): (&Pivot<R>, Pair), direction: R) -> Option<Self> {
+        let surfaces = [
+            pivot.surface(scene),
+            scene.face(other, pivot.orientation.rotation()),
+        ];
+        let [first, second] = surfaces;
+        let arm = pivot.placed(scene).arm_to(scene, other);
+        let by_slide = second.normal.dot(first.tangent);
+        let by_turn = second.normal.dot(arm.turned());
+        let size = by_slide.hypot(by_turn);
+        if size <= R::divisor() {
+            return None;
+        }
+        let unit = direction / size;
+        let (slide, turn) = (-by_turn * unit, by_slide * unit);
+        let velocity = first.tangent * slide + arm.turned() * turn;
+        let velocities = [slide, second.tangent.dot(velocity)];
+        if velocities.iter().any(|v| v.abs() <= R::divisor()) {
+            return None;
+        }
+        let [corner1, corner2] = [pivot.contact, other].map(Pair::is_corner);
+        let moves = |is_corner, velocity| if is_corner { Vec2::ZERO } else { velocity };
+        let foot_rate = moves(corner1, first.tangent * slide);
+        let [s1, s2] = velocities.map(R::sign);
+        let [f1, f2] = [(first, s1), (second, s2)]
+            .map(|(surface, sign)| surface.direction(surface.friction.sliding_edge(sign)));
+        let turns = |is_corner, edge: Vec2<R>| {
+            if is_corner {
+                edge.turned() * turn
+            } else {
+                Vec2::ZERO
+            }
+        };
+        let (spread, moment) = (f1.cross(f2), arm.cross(f2));
+        // (E6) of a force along each tangent at its contact.
+        let e1 = -(moment * f1.cross(first.tangent));
+        let e2 = arm.cross(second.tangent) * spread - moment * f1.cross(second.tangent);
+        let resistance = R::sum_of_products(e1, velocities[0], e2, velocities[1]);
+        if spread.abs() <= R::divisor() || resistance.abs() <= R::divisor() {
+            return None;
+        }
+        let arm_bound = arm.length_bound();
+        Some(Self {
+            surfaces,
+            slide,
+            turn,
+            arm,
+            velocities,
+            foot_rate,
+            arm_rate: moves(corner2, velocity) - foot_rate,
+            reactions: [f1, f2],
+            turning: [turns(corner1, f1), turns(corner2, f2)],
+            spread,
+            second: moment,
+            frictions: [e1.abs(), e2.abs()],
+            sense: resistance.sign(),
+            // The second derivatives of the other gap are 1 and |r|, with a quarter more for the length of the twist.
+            bend: (R::TWO + arm_bound) / size,
+        })
+    }
+
+    /// (E6) of a force and a moment, positive where they drive the slide.
+    fn drives(&self, force: Vec2<R>, moment: R) -> R {
+        let [f1, _] = self.reactions;
+        (self.spread * moment - self.second * f1.cross(force)) * self.sense
+    }
+
+    /// -dE/dx at the frozen hand, the hand going back by `less` before.
+    fn stability<W: World<R>>(&self, scene: &W, load: &Load<R>, less: &Displacement<R>) -> R {
+        let ([f1, f2], [f1_rate, f2_rate]) = (self.reactions, self.turning);
+        let force = load.force - less.hand;
+        let hand = load.spring + load.lever - less.hand;
+        let moment = load.moment() - load.lever.cross(less.hand) - load.stiffness * less.turn;
+        let at = |arm: Vec2<R>| self.surfaces[0].tangent * self.slide + arm.turned() * self.turn;
+        let held = at(load.lever);
+        let falls = (at(load.centroid) - self.foot_rate).cross(scene.weight());
+        let moment_rate = (held - self.foot_rate).cross(hand) - load.lever.cross(self.foot_rate)
+            + falls
+            - load.stiffness * self.turn;
+        let spread_rate = f1_rate.cross(f2) + f1.cross(f2_rate);
+        let second_rate = self.arm_rate.cross(f2) + self.arm.cross(f2_rate);
+        let slope = spread_rate * moment + self.spread * moment_rate
+            - second_rate * f1.cross(force)
+            - self.second * (f1_rate.cross(force) - f1.cross(held));
+        -slope * self.sense
+    }
+
+    /// The sizes of both reactions in balance.
+    fn sizes(&self, force: Vec2<R>) -> [R; 2] {
+        let [f1, f2] = self.reactions;
+        [-force.cross(f2), force.cross(f1)].map(|size| size / self.spread)
+    }
+
+    /// Within a distance from here, the force and the moment at its beginning no larger than these.
+    fn within(&self, load: &Load<R>, reach: R, (force, moment): (R, R)) -> Sizes<R> {
+        let bend = self.bend + (self.bend / R::from_int(4));
+        let swing = bend * reach;
+        let (speed, turn) = (self.slide.abs() + swing, self.turn.abs() + swing);
+        let [lever, arm] = [load.lever, self.arm].map(Vec2::length_bound);
+        let hand = (load.spring + load.lever).length_bound();
+        let [f1, f2] = self.reactions.map(Vec2::length_bound);
+        let goes = (speed.doubled() + turn * (lever + arm)) * reach;
+        Sizes {
+            speed,
+            turn,
+            bend,
+            edge: f1.max(f2),
+            arm: arm + goes,
+            force: force + goes,
+            moment: moment + goes * (hand + lever + R::ONE) + load.stiffness * turn * reach,
+            lever: lever + goes,
+            hand: hand + goes,
+        }
+    }
+}
+
+impl<R: Real> Sizes<R> {
+    /// Of |dr/dx|, and of the lever.
+    fn parts(&self, arm: R) -> R {
+        self.speed.doubled() + arm * self.turn
+    }
+
+    /// Of the second derivative of such a length.
+    fn bends(&self, arm: R) -> R {
+        self.bend * (R::TWO + arm) + self.turn * self.parts(arm)
+    }
+
+    /// Of |dF/dx|.
+    fn force_rate(&self) -> R {
+        self.speed + self.lever * self.turn
+    }
+
+    /// Of |d(r×f_2)/dx|.
+    fn second_rate(&self) -> R {
+        self.edge * (self.parts(self.arm) + self.arm * self.turn)
+    }
+
+    /// Of |d(f_1×f_2)/dx|.
+    fn spread_rate(&self) -> R {
+        (self.edge * self.edge * self.turn).doubled()
+    }
+
+    /// Of |d²(f_1×F)/dx²|.
+    fn across_bend(&self) -> R {
+        let spin = self.turn * self.turn + self.bend;
+        let rates = self.bends(self.lever) + (self.turn * self.force_rate()).doubled();
+        self.edge * (rates + self.force * spin)
+    }
+
+    /// Of |d²(f_1×f_2)/dx²|.
+    fn spread_bend(&self) -> R {
+        let spin = self.turn * self.turn + self.bend;
+        (self.edge * self.edge * (spin + self.turn * self.turn)).doubled()
+    }
+
+    /// Of |d²E/dx²|; `falls`: the moment of the weight, at most.
+    fn curvature(&self, stiffness: R, (spread, weight, falls): (R, R, R)) -> R {
+        let (turn, edge) = (self.turn, self.edge);
+        let spin = turn * turn + self.bend;
+        let moment_rate = self.parts(self.lever) * self.hand
+            + self.lever * self.speed
+            + (self.speed * weight).doubled()
+            + (falls + stiffness) * turn;
+        let moment_bend = self.bends(self.lever) * self.hand
+            + (self.parts(self.lever) * self.speed).doubled()
+            + (self.lever + stiffness) * self.bend
+            + (falls + weight.doubled()) * (spin + self.bend);
+        let second_bend = edge
+            * (self.bends(self.arm) + (self.parts(self.arm) * turn).doubled() + self.arm * spin);
+        let across = edge * self.force;
+        let across_rate = edge * (self.force_rate() + self.force * turn);
+        self.spread_bend() * self.moment
+            + (self.spread_rate() * moment_rate).doubled()
+            + spread * moment_bend
+            + second_bend * across
+            + (self.second_rate() * across_rate).doubled()
+            + self.arm * edge * self.across_bend()
+    }
+}
+
+/// What friction does on a short way.
+struct Memory<R> {
+    /// No reaction is larger.
+    sizes: [R; 2],
+    /// What a friction is worth of (E6), and a velocity, change by no more.
+    change: R,
+    slows: R,
+    /// The slide is nowhere less stable.
+    stability: R,
+}
+
+impl<R: Real> Pairing<R> {
+    /// What is left of (E6) where the static cones bear the load.
+    fn jump(&self, sizes: [R; 2], change: R) -> R {
+        let frictions = self.surfaces.map(|surface| surface.friction);
+        let jumps = frictions.iter().zip(sizes).zip(self.frictions);
+        jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
+            let (normal, _) = friction.sliding_edge(R::ZERO);
+            sum + friction.drop() * normal * size * (worth + change)
+        })
+    }
+
+    /// The memory of each contact, and |v_i·t_i|.
+    fn slips(&self) -> impl Iterator<Item = (R, R)> {
+        let memories = self.surfaces.map(|surface| surface.friction.memory());
+        memories.into_iter().zip(self.velocities.map(R::abs))
+    }
+
+    /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be.
+    fn goes_on(&self, memory: &Memory<R>, (here, standing): ([R; 2], R)) -> bool {
+        let jump = self.jump(memory.sizes, memory.change);
+        let begins = self.jump(here, R::ZERO);
+        (self.slips())
+            .all(|(length, speed)| (speed + memory.slows) * jump < length * memory.stability)
+            || (self.slips()).any(|(length, speed)| speed * begins >= length * standing)
+    }
+}
+
+/// The slide in a direction of the unit twist as the hand goes a path, if that is all that can happen, but for a touch and the end of a
+/// side.
+pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
+    scene: &W,
+    contacts: (&Pivot<R>, Pair),
+    (from, to): (&Grip<R>, &Grip<R>),
+    direction: R,
+) -> Option<CertifiedSlide<R>> {
+    let (pivot, other) = contacts;
+    let pairing = Pairing::of(scene, contacts, direction)?;
+    let after = pivot.load(scene, to);
+    if !after.is_representable() {
+        return None;
+    }
+    let displacement = from.displacement_to(to);
+    let still = Displacement::turn(R::ZERO);
+    let standing = pairing.stability(scene, &after, &displacement);
+    let stability = pairing.stability(scene, &after, &still);
+    let least = standing.min(stability);
+    let drive = pairing.drives(after.force, after.moment());
+    if least <= R::divisor() || drive < R::ZERO {
+        return None;
+    }
+    // (E15): there is one balance within reach for every part of the path.
+    let newton = drive / least;
+    let reach = newton + newton.halved().halved();
+    if (pairing.bend * reach).doubled().doubled().doubled() > R::ONE {
+        return None;
+    }
+    let hand = displacement.hand.length_bound();
+    let couple = after.stiffness * displacement.turn.abs();
+    let force = after.force.length_bound() + hand;
+    let moment = after.moment().abs() + after.lever.length_bound() * hand + couple;
+    let sizes = pairing.within(&after, reach, (force, moment));
+    let weight = scene.weight().length_bound();
+    let falls = after.centroid.length_bound() * weight;
+    let spread = pairing.spread.abs();
+    let bend = sizes.curvature(after.stiffness, (spread, weight, falls)) / least;
+    if bend * newton > R::HALF.halved() {
+        return None;
+    }
+    // On the way the hand drives it on, and both go on.
+    let edge = sizes.edge;
+    let spread_falls = sizes.spread_rate() * reach;
+    let drive_falls = spread_falls * (sizes.lever * hand + couple)
+        + (edge * spread * sizes.parts(sizes.lever)
+            + edge * sizes.second_rate()
+            + edge * edge * sizes.arm * sizes.turn)
+            * hand
+            * reach;
+    let slows = (sizes.bends(sizes.arm) + sizes.turn * sizes.parts(sizes.arm)) * reach;
+    let goes_on = pairing.velocities.iter().all(|v| v.abs() > slows);
+    if drive <= drive_falls || !goes_on || spread_falls.doubled() > spread {
+        return None;
+    }
+    let begin = pairing.sizes(after.force - displacement.hand);
+    // By so much a reaction strays from the straight line between its values at both ends: with the part of the displacement that is
+    // done, with the directions of both, and with the way.
+    let uneven = bend * newton + drive_falls / drive;
+    let turns = edge * sizes.turn * reach + spread_falls / spread;
+    let across = sizes.across_bend() * reach * reach;
+    let stray = |size: R| {
+        let bent = (edge * hand * (uneven + turns) + across) / spread;
+        let spins = size * (sizes.spread_bend() * reach * reach) / spread;
+        bent.doubled() + spins.doubled() + after.rounding()
+    };
+    let mut place = *pivot;
+    let (mut slide, mut turn) = (pairing.slide, pairing.turn);
+    let mut step = drive / stability;
+    for _ in 0..MAX_CORRECTIONS {
+        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
+        let here = Pairing::of(scene, (&place, other), direction)?;
+        let load = place.load(scene, to);
+        step = here.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
+        (slide, turn) = (here.slide, here.turn);
+        // What a step of Newton's leaves.
+        if (bend * step * step).halved() > R::EPSILON {
+            continue;
+        }
+        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
+        let end = here.sizes(load.force);
+        let largest = [0, 1].map(|i| begin[i].max(end[i]));
+        let last = edge * (sizes.force_rate() + sizes.force * sizes.turn) * step.abs() / spread;
+        let off = largest.map(|size| stray(size) + last.doubled());
+        let presses = [0, 1].iter().all(|&i| begin[i].min(end[i]) > off[i]);
+        let worth = edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
+        let memory = Memory {
+            sizes: [0, 1].map(|i| largest[i] + off[i]),
+            change: (worth + (edge * edge * sizes.turn * sizes.arm).doubled()) * reach,
+            slows,
+            stability: least - least * (bend * reach),
+        };
+        let turn_bound = sizes.turn * reach;
+        let lasts = presses && pairing.goes_on(&memory, (begin, standing));
+        return lasts.then_some(CertifiedSlide {
+            pivot: place,
+            travel_bound: sizes.speed * reach + turn_bound,
+            turn_bound,
+        });
+    }
+    None
+}

@@ -1,0 +1,146 @@
+//! What obstacles cost: bundled scenes along their own path of the hand on an emulated Cortex-M4F, without a budget and with the least one
+//! that no step exceeds; and a scene with more and more boxes that are never touched, in reach of the body and out of it. Writes the
+//! tables into README.md. Needs QEMU.
+//!
+//! ```sh
+//! cargo run --release -p stiction-host-sim --example obstacles
+//! ```
+
+use std::error::Error;
+use std::fmt::Write as _;
+
+use stiction_core::{Evolution, Hand, Solver, Status, WithObstacles};
+use stiction_host_sim::emulator::{Board, Counted, Counter, Profile, job};
+use stiction_host_sim::scenes;
+use stiction_scene::{Motion, ObstacleInfo, SceneFile, Source};
+use stiction_tools::readme::Section;
+use stiction_tools::table::thousands;
+use stiction_tools::workspace;
+
+/// Of the solver in the image, see [`Counter::among`].
+const LEAST: u32 = Solver::<f32, 4, 1, WithObstacles<17, 68>>::LEAST_BUDGET;
+/// The scenes of the first table.
+const SCENES: [&str; 4] = ["table-edge", "peg-in-hole", "step", "plank-on-posts"];
+/// The scene of the second one, and how many boxes there are besides its own obstacles.
+const AROUND: &str = "table-edge";
+const BOXES: [usize; 6] = [0, 1, 2, 4, 8, 16];
+/// The height of the boxes' lower sides (m): above the highest place of the body, and far beyond it.
+const IN_REACH: f64 = 0.13;
+const OUT_OF_REACH: f64 = 1.0;
+
+/// A scene and its hand in every frame.
+struct Case {
+    scene: SceneFile,
+    hands: Vec<Hand<f64>>,
+}
+
+impl Case {
+    fn bundled(name: &str) -> Result<Self, Box<dyn Error>> {
+        let text = scenes::ALL.iter().find(|(other, _)| *other == name);
+        let (_, text) = text.ok_or("no bundled scene of this name")?;
+        let scene = SceneFile::parse(Source::new(name, *text), f64::from(f32::MAX))?;
+        let Some(Motion::Keyframes(path)) = &scene.hand.motion else {
+            return Err("the scene has no keyframes".into());
+        };
+        let samples = path.frames(scene.hand.rate);
+        let hands = samples.map(|sample| sample.hand).collect();
+        Ok(Self { scene, hands })
+    }
+
+    /// So many boxes more in a row at a height.
+    fn with_boxes(mut self, count: usize, height: f64) -> Self {
+        let boxes = (0..count).map(|i| {
+            let (left, width) = (-0.08 + 0.0125 * i as f64, 0.01);
+            let [right, top] = [left + width, height + width];
+            ObstacleInfo {
+                name: format!("box {i}"),
+                vertices: vec![[left, height], [right, height], [right, top], [left, top]],
+                ..self.scene.obstacles[0].clone()
+            }
+        });
+        let boxes: Vec<_> = boxes.collect();
+        self.scene.written.obstacles.extend(boxes);
+        self
+    }
+
+    fn count(&self, counter: &Counter, budget: u32) -> Result<Counted, Box<dyn Error>> {
+        let job = job(&self.scene, (Evolution::Path, budget), &self.hands);
+        Ok(counter.count(&job)?)
+    }
+}
+
+fn mean(counted: &Counted) -> f64 {
+    let steps = counted.steps();
+    let sum: f64 = steps.iter().map(|step| f64::from(step.instructions)).sum();
+    sum / steps.len() as f64
+}
+
+fn worst(counted: &Counted) -> u32 {
+    let steps = counted.steps().iter();
+    steps.map(|step| step.instructions).max().unwrap_or(0)
+}
+
+/// A row of the first table.
+fn scene_row(counter: &Counter, name: &str) -> Result<String, Box<dyn Error>> {
+    let case = Case::bundled(name)?;
+    let free = case.count(counter, u32::MAX)?;
+    let bound = case.count(counter, LEAST)?;
+    let of = |counted: &Counted, is: fn(&stiction_firmware::job::Frame) -> bool| {
+        counted.steps().iter().filter(|step| is(step)).count()
+    };
+    let most_work = |counted: &Counted| counted.steps().iter().map(|step| step.work).max();
+    Ok(format!(
+        "| {name} | {} | {:.0} | {} | {} | {} | {} | {} | {} |",
+        thousands(free.steps().len() as u64),
+        mean(&free),
+        thousands(worst(&free).into()),
+        most_work(&free).unwrap_or(0),
+        thousands(worst(&bound).into()),
+        most_work(&bound).unwrap_or(0),
+        of(&bound, |step| step.status == Status::Behind),
+        of(&bound, |step| step.work > LEAST),
+    ))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let counter = Counter::among(Board::Stm32F405, Profile::Device)?;
+    let mut text = format!(
+        "Written by `cargo run --release -p stiction-host-sim --example obstacles`: instructions of a step on an emulated Cortex-M4F, f32, path\n\
+         evolution, in a solver of 4 vertices, a half-plane and 17 obstacles of 4 corners. The budget is the least that no step exceeds, {LEAST} units.\n\n\
+         | scene | steps | mean | worst | units, worst | worst with the budget | units then | steps behind | steps over the budget |\n\
+         |---|---:|---:|---:|---:|---:|---:|---:|---:|\n"
+    );
+    for name in SCENES {
+        let _ = writeln!(text, "{}", scene_row(&counter, name)?);
+    }
+    let _ = write!(
+        text,
+        "\nBoxes besides the obstacles of `{AROUND}`, that are never touched: instructions of a step, on average, and what a box adds to that.\n\n\
+         | boxes | in reach | each | out of reach | each |\n|---:|---:|---:|---:|---:|\n"
+    );
+    let mut none = None;
+    for boxes in BOXES {
+        let counted = [IN_REACH, OUT_OF_REACH].map(|height| {
+            let case = Case::bundled(AROUND)?.with_boxes(boxes, height);
+            case.count(&counter, u32::MAX).map(|counted| mean(&counted))
+        });
+        let [near, far] = counted;
+        let (near, far) = (near?, far?);
+        let none = *none.get_or_insert(near);
+        let each = |mean: f64| match boxes {
+            0 => "–".to_owned(),
+            _ => format!("{:.1}", (mean - none) / boxes as f64),
+        };
+        let _ = writeln!(
+            text,
+            "| {boxes} | {near:.0} | {} | {far:.0} | {} |",
+            each(near),
+            each(far)
+        );
+    }
+    print!("{text}");
+    if std::env::args().nth(1).is_none() {
+        Section::find(&workspace().join("host-sim/README.md"), "obstacles")?.write(&text)?;
+    }
+    Ok(())
+}

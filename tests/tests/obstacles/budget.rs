@@ -1,0 +1,84 @@
+//! The budget of a step among obstacles: no step takes more, every frame is lawful, and what is cut goes on to the same bits.
+
+use stiction_core::{Evolution, Solver, State, Status};
+use stiction_tests::obstacles::laws::{FINITE, Laws, OUTSIDE};
+use stiction_tests::obstacles::run::Run;
+use stiction_tests::obstacles::scene::{Model, SURFACES, VERTICES};
+use stiction_tests::obstacles::worlds::{World, world};
+use stiction_tests::{Number, budget, test_each};
+
+const SCENES: u64 = budget(20, 3) as u64;
+/// So many frames of a scene are passed over: much happens in one.
+const STRIDE: usize = 20;
+
+type Of<R> = Solver<R, VERTICES, SURFACES, Model>;
+
+test_each! {
+    cases::what_is_cut_goes_on_to_the_same_bits,
+}
+
+/// The hand in every so many frames.
+fn hands(world: &World) -> impl Iterator<Item = [f64; 3]> {
+    world.hands().into_iter().step_by(STRIDE)
+}
+
+/// Steps until nothing is left to do, each within its budget and lawful: how many were cut, and where it comes to.
+fn steps<R: Number>(
+    run: &mut Run<R>,
+    (laws, hand): (&Laws, [f64; 3]),
+    is_bound: bool,
+) -> (usize, Status, u32) {
+    let (mut cut, mut slips) = (0, 0);
+    loop {
+        let limit = run.solver.budget();
+        let frame = run.step(hand);
+        // A body that is behind may be at an event, in contacts that are about to change.
+        let is_cut = frame.status == Status::Behind;
+        let broken = laws.broken(frame).into_iter();
+        let mut broken =
+            broken.filter(|finding| !is_cut || [OUTSIDE, FINITE].contains(&finding.law));
+        let first = broken.next();
+        assert!(first.is_none(), "{first:?}: {frame:?}");
+        assert!(!is_bound || frame.work <= limit, "{limit}: {frame:?}");
+        slips += frame.slips;
+        if frame.status < Status::Behind || run.behind == 0.0 {
+            return (cut, run.frame.status, slips);
+        }
+        cut += 1;
+    }
+}
+
+mod cases {
+    use super::*;
+
+    /// From the least budget on no step takes more, and from none at all on every one comes to the bits of one without a budget.
+    pub(super) fn what_is_cut_goes_on_to_the_same_bits<R: Number>(evolution: Evolution) {
+        let least = Of::<R>::LEAST_BUDGET;
+        let mut cut = 0;
+        for number in 0..SCENES {
+            let world = world(number);
+            let laws = Laws::new::<R>(&world.among);
+            let mut hands = hands(&world);
+            let first = hands.next().expect("a path");
+            let mut whole = Run::<R>::start(&world.among, evolution, first);
+            for hand in hands {
+                let before: State<R> = whole.state.clone();
+                let (_, status, slips) = steps(&mut whole, (&laws, hand), false);
+                for units in [0, least / 8, least, least * 2] {
+                    let mut tight = Run::<R> {
+                        solver: whole.solver.clone().with_budget(units),
+                        state: before.clone(),
+                        frame: whole.frame.clone(),
+                        behind: 0.0,
+                    };
+                    let (times, end, counted) = steps(&mut tight, (&laws, hand), units >= least);
+                    assert_eq!(tight.state, whole.state, "scene {number}, budget {units}");
+                    assert_eq!((end, counted), (status, slips), "scene {number}");
+                    cut += times;
+                }
+            }
+        }
+        println!("{cut} steps were cut");
+        assert!(cut > 20, "{cut}");
+    }
+}
