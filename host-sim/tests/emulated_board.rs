@@ -76,8 +76,16 @@ fn the_emulated_f405_has_the_bits_of_this_computer_among_obstacles() {
 }
 
 #[test]
-fn the_emulated_microbit_has_the_bits_of_this_computer_among_obstacles() {
-    among_obstacles("microbit", "20", "table-edge");
+fn the_microbit_says_that_it_has_no_room_for_obstacles() {
+    let folder = Folder::new();
+    let emulate = ["board", "table-edge", "--emulate", "microbit"];
+    let output = folder.stiction(&[&emulate[..], &["--timeout", "60"]].concat());
+    let errors = text(&output.stderr);
+    if !may_skip(&errors) {
+        assert_eq!(output.status.code(), Some(2), "{errors}");
+        let expected = "1 obstacles with 4 corners, allowed on this board: none";
+        assert!(errors.contains(expected), "{errors}");
+    }
 }
 
 #[test]

@@ -44,7 +44,7 @@ impl EmulatedBoard {
 pub(super) enum Image {
     /// That of every board.
     Plain,
-    /// With room for obstacles.
+    /// With room for obstacles, where the board has the memory.
     Obstacles,
 }
 
@@ -60,9 +60,10 @@ impl Emulator {
     pub(super) fn start(board: EmulatedBoard, image: Image) -> Result<Self, EmulatorError> {
         require_qemu_arm()?;
         eprintln!("building the image of {} ...", board.name());
-        let features = match image {
-            Image::Plain => "",
-            Image::Obstacles => OBSTACLES,
+        let features = match (image, board) {
+            (Image::Obstacles, EmulatedBoard::Olimex) => OBSTACLES,
+            // The micro:bit has no memory for them.
+            (Image::Plain, _) | (Image::Obstacles, EmulatedBoard::Microbit) => "",
         };
         let image = board.board().image(features, None)?;
         // Its clock goes with the real one.

@@ -1,7 +1,7 @@
 //! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.
 
 use crate::board::Board;
-use crate::chip::{Chip, F405, F405_AMONG, MICROBIT, MICROBIT_AMONG};
+use crate::chip::{Chip, F405, F405_AMONG, MICROBIT};
 use crate::client::{Known, Said, hand_path, scene};
 use crate::common::BOX;
 use std::fs;
@@ -165,9 +165,4 @@ fn fits_among_obstacles(chip: &Chip) {
 #[test]
 fn the_f405_with_obstacles_is_within_its_budget() {
     fits_among_obstacles(&F405_AMONG);
-}
-
-#[test]
-fn the_microbit_with_obstacles_is_within_its_budget() {
-    fits_among_obstacles(&MICROBIT_AMONG);
 }

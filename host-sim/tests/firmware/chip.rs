@@ -45,12 +45,6 @@ pub(crate) const F405_AMONG: Chip = Chip {
     ..F405
 };
 
-/// With room for obstacles.
-pub(crate) const MICROBIT_AMONG: Chip = Chip {
-    features: OBSTACLES,
-    ..MICROBIT
-};
-
 /// An image and what is in it.
 pub(crate) struct Image {
     pub(crate) path: PathBuf,

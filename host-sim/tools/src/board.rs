@@ -14,7 +14,7 @@ use crate::workspace;
 /// QEMU for both boards.
 const QEMU: &str = "qemu-system-arm";
 
-/// The feature of a board's package that gives it room for obstacles.
+/// The feature of the F405's package that gives it room for obstacles.
 pub const OBSTACLES: &str = "obstacles";
 
 /// A board with an emulator.
@@ -49,21 +49,12 @@ impl Board {
     /// # Errors
     /// Something that builds it is missing, or it cannot be built.
     pub fn image(self, features: &str, scene: Option<&Path>) -> Result<PathBuf, EmulatorError> {
-        let mut cargo = cargo_build(&self.folder(), self.profile(features));
+        let mut cargo = cargo_build(&self.folder(), "device");
         cargo.args(["--no-default-features", "--features", features]);
         if let Some(scene) = scene {
             cargo.env("STICTION_SCENE", scene);
         }
         built(cargo)
-    }
-
-    /// The profile that an image with these features is built in: with obstacles the solver fills the flash of the micro:bit but where it
-    /// is built for little of it.
-    fn profile(self, features: &str) -> &'static str {
-        match self == Self::MICROBIT && features.split(',').any(|feature| feature == OBSTACLES) {
-            true => "device-small",
-            false => "device",
-        }
     }
 
     /// QEMU with an image, for [`Emulator::start`]. `clock` is how fast its clock goes, as QEMU's -icount says it; with none at all,
