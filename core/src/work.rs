@@ -303,15 +303,18 @@ const EVENT_AMONG: u32 = 2 * RUN;
 /// looks of motions that are looked at place by place; a frame that is tried first, and what touches after it.
 const fn most_of_verb_among(kind: StateKind, sizes: Sizes) -> u32 {
     const FALLS: u32 = MOST_FALLS as u32 + 1;
+    const HALVINGS: u32 = 2 * MAX_HALVINGS as u32 * CORNER_LOOK;
     let motion = match kind {
         StateKind::NonContact => sizes.most_of_search(PLACE).saturating_mul(3),
         StateKind::SingleVertex => max(
-            sizes.most_of_search(PLACE) + FALLS * LOOK_AT_FALL,
-            (sizes.most_of_search(CORNER_LOOK) + FALLS * CORNER_LOOK)
-                .saturating_mul(MOST_OF_PIECES)
-                .saturating_add(2 * MAX_HALVINGS as u32 * CORNER_LOOK),
+            (sizes.most_of_search(PLACE)).saturating_add(FALLS * LOOK_AT_FALL),
+            (sizes
+                .most_of_search(CORNER_LOOK)
+                .saturating_add(FALLS * CORNER_LOOK))
+            .saturating_mul(MOST_OF_PIECES)
+            .saturating_add(HALVINGS),
         ),
-        StateKind::TwoVertex => sizes.most_of_search(SPOT) + 2 * FALLS * SPOT_LOOK,
+        StateKind::TwoVertex => (sizes.most_of_search(SPOT)).saturating_add(2 * FALLS * SPOT_LOOK),
         _ => sizes.most_of_search(PLACE),
     };
     let touching = sizes.most_of_touching().saturating_mul(MOST_TOUCHING + 1);

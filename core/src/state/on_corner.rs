@@ -204,9 +204,9 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
     /// To a place of the curve or to what ends it before: how far, why, and whether a search came no farther; and what it took, in units
     /// of work.
     fn piece(&self, contacts: &[Pair], end: R) -> ((R, Trigger<R>, bool), u32) {
-        let mut work = 0;
+        let mut work = 0_u32;
         let found = first_fall((end, end), MOST_FALLS, |x| {
-            work += CORNER_LOOK;
+            work = work.saturating_add(CORNER_LOOK);
             self.ends(&self.along(x))
         });
         let (x, which, unsure) = match found {
@@ -231,7 +231,7 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
             None => (x, trigger, unsure),
         };
-        (found, work + searched)
+        (found, work.saturating_add(searched))
     }
 }
 
@@ -470,14 +470,14 @@ impl<R: Real> SingleVertex<R> {
         }
         // Not so far that its places are not found any more.
         let contacts = self.contacts();
-        let (mut piece, mut pieces, mut work) = (None, 0, 0);
+        let (mut piece, mut pieces, mut work) = (None, 0_u32, 0_u32);
         for _ in 0..MAX_HALVINGS {
-            work += CORNER_LOOK;
+            work = work.saturating_add(CORNER_LOOK);
             if slide.finds(end) {
                 let (found, searched) = slide.piece(&contacts, end);
                 end = found.0;
-                pieces += 1;
-                work += searched + CORNER_LOOK;
+                pieces = pieces.saturating_add(1);
+                work = work.saturating_add(searched).saturating_add(CORNER_LOOK);
                 piece = Some(found).filter(|_| pieces == MOST_OF_PIECES || slide.finds(end));
             }
             if piece.is_some() {
@@ -487,7 +487,7 @@ impl<R: Real> SingleVertex<R> {
         }
         let (x, trigger, unsure) = piece.unwrap_or_else(|| {
             let (found, searched) = slide.piece(&contacts, end);
-            work += searched;
+            work = work.saturating_add(searched);
             found
         });
         let spot = slide.along(x);

@@ -147,9 +147,9 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         } else {
             limit.x
         };
-        let mut looks = 0;
+        let mut looks = 0_u32;
         let found = first_fall((limit.x, longest), MOST_FALLS, |x| {
-            looks += LOOK_AT_FALL;
+            looks = looks.saturating_add(LOOK_AT_FALL);
             let place = if x == limit.x {
                 limit
             } else {

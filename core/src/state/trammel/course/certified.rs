@@ -358,13 +358,14 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
         }
         place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
         let end = here.sizes(load.force);
-        let largest = [0, 1].map(|i| begin[i].max(end[i]));
+        let ([b1, b2], [e1, e2]) = (begin, end);
+        let [l1, l2] = [b1.max(e1), b2.max(e2)];
         let last = edge * (sizes.force_rate() + sizes.force * sizes.turn) * step.abs() / spread;
-        let off = largest.map(|size| stray(size) + last.doubled());
-        let presses = [0, 1].iter().all(|&i| begin[i].min(end[i]) > off[i]);
+        let [o1, o2] = [l1, l2].map(|size| stray(size) + last.doubled());
+        let presses = b1.min(e1) > o1 && b2.min(e2) > o2;
         let worth = edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
         let memory = Memory {
-            sizes: [0, 1].map(|i| largest[i] + off[i]),
+            sizes: [l1 + o1, l2 + o2],
             change: (worth + (edge * edge * sizes.turn * sizes.arm).doubled()) * reach,
             slows,
             stability: least - least * (bend * reach),
