@@ -5,6 +5,7 @@ use super::axes::{Beside, axes, lies_over, room_along, widest};
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::motion::Instant;
 use crate::obstacle::Round;
 use crate::real::Real;
@@ -275,10 +276,6 @@ impl<R: Real> Placed<R> {
             let others = || contacts.iter().filter(in_line).map(along);
             others().any(|x| x > R::ZERO) && others().any(|x| x < R::ZERO)
         };
-        contacts
-            .iter()
-            .copied()
-            .filter(|pair| !is_inner(pair))
-            .collect()
+        gather(contacts.iter().copied().filter(|pair| !is_inner(pair)))
     }
 }
