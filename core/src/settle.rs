@@ -405,7 +405,7 @@ fn pass_end_on<R: Real, W: World<R>>(
         .or_else(|| placed.next_contact(scene, (left, sign), &contacts));
     // What goes on is placed as it was.
     let pivot = pivot_of(scene, state, lasts);
-    let others: Pairs = gather(next.into_iter());
+    let others: Pairs = gather(next);
     *state = ContactState::seated(scene, pivot, &others);
     let is_there = |next: Pair| {
         let apart = placed.arm_to(scene, next) - placed.arm_to(scene, left);
