@@ -4,6 +4,7 @@
 use crate::contact::{Pair, Pairs, Regime};
 use crate::event::{Event, StateKind, Status};
 use crate::grip::Grip;
+use crate::list::gather;
 use crate::log::Log;
 use crate::pivot::Pivot;
 use crate::real::Real;
@@ -329,8 +330,7 @@ fn pass_on<R: Real, W: World<R>>(
         let normal = scene.face(next, pose.orientation.rotation()).normal;
         !others.is_empty() || -normal.dot(load.force) > load.rounding()
     });
-    let lasting = pressed.into_iter().chain(others.iter().copied());
-    let lasting: Pairs = lasting.collect();
+    let lasting: Pairs = gather(pressed.into_iter().chain(others.iter().copied()));
     let Some((&first, others)) = lasting.split_first() else {
         log.transitions.add(clear_arm(state));
         log.event(Event::Lift);
@@ -382,7 +382,7 @@ fn turn_on<R: Real, W: World<R>>(
         return Next::Relax(None);
     };
     let is_beside = |&&other: &&Pair| !placed.are_one(scene, [next, other]);
-    let others: Pairs = others.iter().filter(is_beside).copied().collect();
+    let others: Pairs = gather(others.iter().filter(is_beside).copied());
     *state = ContactState::seated(scene, pivot_of(scene, state, next), &others);
     state.set_regime(regime);
     Next::Relax(None)
@@ -408,7 +408,7 @@ fn pass_end_on<R: Real, W: World<R>>(
         .or_else(|| placed.next_contact(scene, (left, sign), &contacts));
     // What goes on is placed as it was.
     let pivot = pivot_of(scene, state, lasts);
-    let others: Pairs = next.into_iter().collect();
+    let others: Pairs = gather(next);
     *state = ContactState::seated(scene, pivot, &others);
     let is_there = |next: Pair| {
         let apart = placed.arm_to(scene, next) - placed.arm_to(scene, left);

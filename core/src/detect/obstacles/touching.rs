@@ -6,6 +6,7 @@ use super::tally::{Sizes, units};
 use super::{beside, corners, line_of, sides, together};
 use crate::contact::{Pair, Pairs};
 use crate::geometry::Vec2;
+use crate::list::gather;
 use crate::motion::Instant;
 use crate::obstacle::Round;
 use crate::real::Real;
@@ -280,10 +281,6 @@ impl<R: Real> Placed<R> {
             let others = || contacts.iter().filter(in_line).map(along);
             others().any(|x| x > R::ZERO) && others().any(|x| x < R::ZERO)
         };
-        contacts
-            .iter()
-            .copied()
-            .filter(|pair| !is_inner(pair))
-            .collect()
+        gather(contacts.iter().copied().filter(|pair| !is_inner(pair)))
     }
 }
