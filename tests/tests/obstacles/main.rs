@@ -7,3 +7,4 @@ mod exchange;
 mod judge;
 mod judged;
 mod lawful;
+mod pegs;

@@ -188,7 +188,7 @@ impl<Q> Progress<Q> {
     }
 
     /// tau times the unit.
-    fn gone<R: Real>(&self) -> R
+    pub(super) fn gone<R: Real>(&self) -> R
     where
         Q: Quantity<R>,
     {
@@ -308,6 +308,27 @@ impl<R: Real> Slides<R> {
         let ([v1, v2], [s1, s2]) = (at.velocities, self.trammel.sense.signs);
         [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
             falls.times(friction.memory()) - velocity.times(sign) * jump
+        })
+    }
+
+    /// What a slip that began at a place, after a part of the displacement, lacks of the memory of each contact (E14), times stability and
+    /// scale, and what that part of the memory is; both so many times that few digits represent them.
+    pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
+        let most = R::from_int(32);
+        let frictions = self.trammel.surfaces.map(|surface| surface.friction);
+        let mut jump = R::ZERO;
+        for ((friction, [rest, drive]), worth) in frictions.iter().zip(at.normals).zip(at.frictions)
+        {
+            let drop = friction.drop() * friction.sliding_edge(R::ZERO).0 * most;
+            jump = jump + (rest.value + drive.value * part) * (worth.value * drop);
+        }
+        let stability = -(at.rest_slope.value + at.drive_slope.value * part);
+        let falls = stability * at.scale.value;
+        let ([v1, v2], [s1, s2], [first, second]) =
+            (at.velocities, self.trammel.sense.signs, frictions);
+        [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
+            let memory = falls * (friction.memory() * most);
+            (memory - velocity.value * sign * jump, memory.abs())
         })
     }
 

@@ -267,13 +267,11 @@ impl<R: Real> Pairing<R> {
         memories.into_iter().zip(self.velocities.map(R::abs))
     }
 
-    /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be.
-    fn goes_on(&self, memory: &Memory<R>, (here, standing): ([R; 2], R)) -> bool {
+    /// True if no slip that began on the way would be as long as the memory (E14).
+    fn goes_on(&self, memory: &Memory<R>) -> bool {
         let jump = self.jump(memory.sizes, memory.change);
-        let begins = self.jump(here, R::ZERO);
         (self.slips())
             .all(|(length, speed)| (speed + memory.slows) * jump < length * memory.stability)
-            || (self.slips()).any(|(length, speed)| speed * begins >= length * standing)
     }
 }
 
@@ -371,7 +369,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
             stability: least - least * (bend * reach),
         };
         let turn_bound = sizes.turn * reach;
-        let lasts = presses && pairing.goes_on(&memory, (begin, standing));
+        let lasts = presses && pairing.goes_on(&memory);
         return lasts.then_some(CertifiedSlide {
             pivot: place,
             travel_bound: sizes.speed * reach + turn_bound,

@@ -79,7 +79,17 @@ impl<R: Real> Slides<R> {
         if let Some(ending) = self.ends_at_once() {
             return here(R::ZERO, ending);
         }
-        let remembers = self.has_stiction() && !self.is_pressed(&self.start, &standing);
+        if self.has_stiction() {
+            // What is pressed now was not when it began to slide.
+            let start = self.start.map(|of: Bounded<R>| Sloped {
+                value: of.value,
+                slope: of.slope,
+            });
+            let lacks = self.lacks_after(&start, R::ZERO);
+            if lacks.iter().any(|&(lacks, _)| lacks <= R::ZERO) {
+                return here(R::ZERO, SlideEnding::Pressed);
+            }
+        }
         let looks = Cell::new(0_u32);
         let at = |x: R| {
             looks.set(looks.get().saturating_add(1));
@@ -91,7 +101,7 @@ impl<R: Real> Slides<R> {
         let found = if is_driven {
             first_fall((window, window), MOST_FALLS, |x| {
                 let (spot, progress) = at(x);
-                self.falls(course, &spot, (&progress, remembers))
+                self.falls(course, &spot, &progress)
             })
         } else {
             Found::Zero {
@@ -141,9 +151,18 @@ impl<R: Real> Slides<R> {
         &self,
         course: &Course<'_, R, W>,
         spot: &Spot<R>,
-        (progress, remembers): (&Progress<Sloped<R>>, bool),
+        progress: &Progress<Sloped<R>>,
     ) -> [Option<Level<R>>; 10] {
-        let [left, stability, n1, n2, v1, v2, l1, l2] = self.ends(progress, remembers);
+        let [left, stability, n1, n2, v1, v2, ..] = self.ends(progress, false);
+        let [l1, l2] = self.lacks_after(progress, progress.gone());
+        let lacks = |(value, memory): (R, R)| {
+            let rounding = R::of_sums(memory);
+            self.has_stiction().then_some(Level {
+                value,
+                slope: R::ZERO,
+                rounding,
+            })
+        };
         let [s1, s2] = self.trammel.sense.signs;
         let rounding = self.trammel.sense.rounding.max(R::of_sums(R::ONE));
         let falls = |of| level(of, R::ONE, rounding);
@@ -156,8 +175,8 @@ impl<R: Real> Slides<R> {
             n2.map(falls),
             v1.map(|v| goes(v, s1)),
             v2.map(|v| goes(v, s2)),
-            by_sign(l1),
-            by_sign(l2),
+            lacks(l1),
+            lacks(l2),
             course.ahead(spot, 0),
             course.ahead(spot, 1),
         ]
