@@ -1,5 +1,6 @@
-//! Any bytes, and what must hold for them: [`wire`] (a line to a board and from it), [`scene_file`], [`hand_path`], and
-//! [`solver`] (a scene, its parameters and a hand's path: every frame obeys the laws). Each takes bytes and panics where
+//! Any bytes, and what must hold for them: [`wire`] (a line to a board and from it), [`scene_file`], [`hand_path`],
+//! [`solver`] (a scene, its parameters and a hand's path: every frame obeys the laws), and [`obstacles`] (the same among obstacles, the laws
+//! of single frames). Each takes bytes and panics where
 //! something does not hold. cargo-fuzz looks for such bytes; what it has found, and what reaches far into the code, is kept
 //! under `corpus/` and checked by the tests.
 //!

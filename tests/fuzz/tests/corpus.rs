@@ -50,3 +50,9 @@ fn solver() {
     kept("solver", stiction_fuzz::solver);
     all_of("finds", "solver", (6, stiction_fuzz::solver));
 }
+
+#[test]
+fn obstacles() {
+    kept("obstacles", stiction_fuzz::obstacles);
+    all_of("finds", "obstacles", (6, stiction_fuzz::obstacles));
+}
