@@ -67,17 +67,21 @@ fn a_board_gives_the_answers_of_this_machine_and_its_count() {
 
 #[test]
 fn every_machine_gives_the_same_bits() {
-    const FRAMES: u32 = 20_000;
     for number in NumberType::ALL {
         for place in Place::ALL {
+            // Among obstacles a frame takes so much more, on a machine that is itself computed.
+            let frames = match place {
+                Place::ByWalls => 20_000,
+                Place::AmongObstacles => 1_000,
+            };
             let here = match (number, place) {
-                (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(FRAMES),
-                (NumberType::F32, Place::AmongObstacles) => of_walk::<f32, Among>(FRAMES),
-                (NumberType::Fixed, Place::ByWalls) => of_walk::<Fixed, Full>(FRAMES),
-                (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, Among>(FRAMES),
+                (NumberType::F32, Place::ByWalls) => of_walk::<f32, Full>(frames),
+                (NumberType::F32, Place::AmongObstacles) => of_walk::<f32, Among>(frames),
+                (NumberType::Fixed, Place::ByWalls) => of_walk::<Fixed, Full>(frames),
+                (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, Among>(frames),
             };
             for machine in Machine::ALL {
-                if let Some(hash) = if_installed(machine.bits(number, place, FRAMES)) {
+                if let Some(hash) = if_installed(machine.bits(number, place, frames)) {
                     let (machine, number) = (machine.name(), number.name());
                     assert_eq!(hash, here, "{machine} {number} {place:?}");
                 }
