@@ -58,8 +58,7 @@ impl Opened {
     };
     pub(crate) const NONE: Self = Self([u32::MAX; 3]);
 
-    pub(crate) fn of(pairs: impl IntoIterator<Item = Pair>) -> Self {
-        let mut pairs = pairs.into_iter();
+    pub(crate) fn of(mut pairs: impl Iterator<Item = Pair>) -> Self {
         Self(array::from_fn(|_| {
             let [a, b] = array::from_fn(|_| pairs.next().unwrap_or(Self::ABSENT));
             u32::from_le_bytes([a.vertex, a.surface, b.vertex, b.surface])

@@ -40,7 +40,7 @@ impl<R: Real> Free<R> {
     pub(crate) fn leaving<W: World<R>>(scene: &W, state: &ContactState<R>) -> Self {
         let mut free = Self::new(state.pose(scene));
         if W::CORNERS {
-            free.left = Opened::of(state.contacts());
+            free.left = Opened::of(state.contacts().iter().copied());
         }
         free
     }
@@ -299,7 +299,7 @@ impl<R: Real> Free<R> {
             let is_still_there = |&pair: &Pair| {
                 placed.gap(scene, pair).abs() <= R::TOUCH && placed.beyond(scene, pair) <= R::TOUCH
             };
-            self.left = Opened::of(left.into_iter().filter(is_still_there));
+            self.left = Opened::of(left.iter().copied().filter(is_still_there));
         }
         segment.moved()
     }

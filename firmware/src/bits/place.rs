@@ -1,8 +1,8 @@
-//! Where the hand walks: the box of the benchmarks, with a weight, by a floor and a wall, or among obstacles.
+//! Where the hand walks: the box of the benchmarks, with a weight by a floor and a wall, without one among obstacles.
 
 use stiction_core::{
     Description, Full, Model, ObstacleDescription, Real, Scene, SiFloat, Solver, State,
-    SurfaceDescription, Touches, WithObstacles,
+    SurfaceDescription, Touches, Weightless, WithObstacles,
 };
 
 /// The wall leans back, so that a vertex of the box fits where it meets the floor, at x = 0.12 m.
@@ -25,8 +25,8 @@ pub trait Place: Model {
         Self: Sized;
 }
 
-/// The model of the walk among obstacles.
-pub type Among = WithObstacles<3, 9, Full>;
+/// The model of the walk among obstacles, without a weight: with it, it does not fit into the flash of the smallest chip.
+pub type Among = WithObstacles<3, 9, Weightless>;
 
 impl Place for Full {
     fn scene<R: Real<Si: SiFloat>>() -> Option<Scene<R, 4, 2>> {
@@ -38,7 +38,7 @@ impl Place for Full {
             memory: None,
         };
         let surfaces = [surface([0.0, 1.0], 0.0), surface(WALL.0, WALL.1)];
-        with_box(&surfaces, |description| Scene::new(description).ok())
+        with_box((&surfaces, 1.0), |description| Scene::new(description).ok())
     }
     fn touches<R: Real>(_: &Solver<R, 4, 2>, _: &State<R>) -> Option<Touches<R::Si>> {
         None
@@ -56,7 +56,7 @@ impl Place for Among {
             memory: None,
         };
         let obstacles = [of_wood(&table), of_wood(&block), of_wood(&pin)];
-        with_box(&[], |description| {
+        with_box((&[], 0.0), |description| {
             Scene::among(description, &obstacles).ok()
         })
     }
@@ -68,9 +68,9 @@ impl Place for Among {
     }
 }
 
-/// The box over these surfaces.
+/// The box over these surfaces, with a weight (N).
 fn with_box<F: SiFloat, T>(
-    surfaces: &[SurfaceDescription<F>],
+    (surfaces, weight): (&[SurfaceDescription<F>], f64),
     take: impl FnOnce(&Description<'_, F>) -> T,
 ) -> T {
     let narrow = F::narrow;
@@ -78,7 +78,7 @@ fn with_box<F: SiFloat, T>(
     take(&Description {
         vertices: &vertices.map(|vertex| vertex.map(narrow)),
         start: [-0.03, 0.08, 0.0].map(narrow),
-        weight: narrow(1.0),
+        weight: narrow(weight),
         holding_point: Some([0.0, 0.02].map(narrow)),
         reach: narrow(0.0),
         stiffness_translation: narrow(500.0),

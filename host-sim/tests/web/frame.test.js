@@ -7,9 +7,15 @@ import { test } from "node:test";
 import { crc32, decode, Decoder, encode, Fault, statusName, stuff, unstuff } from "../../web/frame.js";
 
 const document = readFileSync(new URL("../../../core/FRAME.md", import.meta.url), "utf8");
-const examples = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) =>
-  read(text),
-);
+const every = [...document.split("## 10. Examples")[1].matchAll(/```text\n([\s\S]*?)```/g)].map(([, text]) => read(text));
+
+/** The version of a frame: its first byte. */
+const version = ({ bytes }) => unstuff(bytes.subarray(0, -1))[0];
+
+// The page is a client of version 2, without obstacles: what boards with room for them say beyond that it does not know.
+const isKnown = (example) => version(example) === 2 && example.message.type !== "room";
+const examples = every.filter(isKnown);
+const newer = every.filter((example) => !isKnown(example));
 
 const captured = JSON.parse(readFileSync(new URL("captured.json", import.meta.url), "utf8"));
 
@@ -66,6 +72,11 @@ for (const { bytes, message } of examples) {
     assert.deepEqual([...encode(message)], [...bytes]);
   });
 }
+
+test("a frame of a newer version is told from a bad one", () => {
+  assert.ok(newer.length > 2);
+  for (const { bytes } of newer) assert.throws(() => decode(bytes.subarray(0, -1)), { message: /^(version|unknown-type)$/ });
+});
 
 test("bytes of what the emulated board said", () => {
   for (const { bytes, message } of captured) {

@@ -101,7 +101,7 @@ impl<R: Real> Edge<R> {
         };
         let corner = usize::from(self.other.is_corner());
         segment.stop_at(&overlap, keep(corner, Some(sign)));
-        for (contact, pair) in self.contacts().into_iter().enumerate() {
+        for (contact, &pair) in self.contacts().iter().enumerate() {
             if scene.corner(pair.surface).is_none() {
                 continue;
             }
