@@ -50,6 +50,11 @@ pub(crate) enum SlideEnding<R> {
     Off { contact: usize, sign: R },
 }
 
+/// Memories, and what is compared with them, are counted so many times: few digits represent them then.
+pub(super) fn per_memory<R: Real>() -> R {
+    R::from_int(32)
+}
+
 /// A trammel motion that follows a displacement of the hand.
 pub(crate) struct Slides<R> {
     pub(super) trammel: Trammel<R>,
@@ -314,7 +319,7 @@ impl<R: Real> Slides<R> {
     /// What a slip that began at a place, after a part of the displacement, lacks of the memory of each contact (E14), times stability and
     /// scale, and what that part of the memory is; both so many times that few digits represent them.
     pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
-        let most = R::from_int(32);
+        let most = per_memory();
         let frictions = self.trammel.surfaces.map(|surface| surface.friction);
         let mut jump = R::ZERO;
         for ((friction, [rest, drive]), worth) in frictions.iter().zip(at.normals).zip(at.frictions)

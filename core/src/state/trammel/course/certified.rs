@@ -3,6 +3,7 @@
 //! path on the body as it is, and from bounds of how all of it changes on a short way.
 
 use super::super::CertifiedSlide;
+use super::super::slide::per_memory;
 use crate::contact::Pair;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
@@ -257,21 +258,23 @@ impl<R: Real> Pairing<R> {
         let jumps = frictions.iter().zip(sizes).zip(self.frictions);
         jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
             let (normal, _) = friction.sliding_edge(R::ZERO);
-            sum + friction.drop() * normal * size * (worth + change)
+            sum + friction.drop() * normal * per_memory() * size * (worth + change)
         })
     }
 
     /// The memory of each contact, and |v_i·t_i|.
     fn slips(&self) -> impl Iterator<Item = (R, R)> {
-        let memories = self.surfaces.map(|surface| surface.friction.memory());
+        let memories = (self.surfaces).map(|surface| surface.friction.memory() * per_memory::<R>());
         memories.into_iter().zip(self.velocities.map(R::abs))
     }
 
-    /// True if no slip that began on the way would be as long as the memory (E14).
-    fn goes_on(&self, memory: &Memory<R>) -> bool {
+    /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be: such a slide goes on.
+    fn goes_on(&self, memory: &Memory<R>, (here, standing): ([R; 2], R)) -> bool {
         let jump = self.jump(memory.sizes, memory.change);
+        let begins = self.jump(here, R::ZERO);
         (self.slips())
             .all(|(length, speed)| (speed + memory.slows) * jump < length * memory.stability)
+            || (self.slips()).any(|(length, speed)| speed * begins >= length * standing)
     }
 }
 
@@ -369,7 +372,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
             stability: least - least * (bend * reach),
         };
         let turn_bound = sizes.turn * reach;
-        let lasts = presses && pairing.goes_on(&memory);
+        let lasts = presses && pairing.goes_on(&memory, (begin, standing));
         return lasts.then_some(CertifiedSlide {
             pivot: place,
             travel_bound: sizes.speed * reach + turn_bound,

@@ -79,17 +79,13 @@ impl<R: Real> Slides<R> {
         if let Some(ending) = self.ends_at_once() {
             return here(R::ZERO, ending);
         }
-        if self.has_stiction() {
-            // What is pressed now was not when it began to slide.
-            let start = self.start.map(|of: Bounded<R>| Sloped {
-                value: of.value,
-                slope: of.slope,
-            });
-            let lacks = self.lacks_after(&start, R::ZERO);
-            if lacks.iter().any(|&(lacks, _)| lacks <= R::ZERO) {
-                return here(R::ZERO, SlideEnding::Pressed);
-            }
-        }
+        // A slide that is pressed when it begins goes on (rule 10).
+        let start = self.start.map(|of: Bounded<R>| Sloped {
+            value: of.value,
+            slope: of.slope,
+        });
+        let lacks = self.lacks_after(&start, R::ZERO);
+        let remembers = self.has_stiction() && lacks.iter().all(|&(lacks, _)| lacks > R::ZERO);
         let looks = Cell::new(0_u32);
         let at = |x: R| {
             looks.set(looks.get().saturating_add(1));
@@ -101,7 +97,7 @@ impl<R: Real> Slides<R> {
         let found = if is_driven {
             first_fall((window, window), MOST_FALLS, |x| {
                 let (spot, progress) = at(x);
-                self.falls(course, &spot, &progress)
+                self.falls(course, &spot, (&progress, remembers))
             })
         } else {
             Found::Zero {
@@ -151,13 +147,13 @@ impl<R: Real> Slides<R> {
         &self,
         course: &Course<'_, R, W>,
         spot: &Spot<R>,
-        progress: &Progress<Sloped<R>>,
+        (progress, remembers): (&Progress<Sloped<R>>, bool),
     ) -> [Option<Level<R>>; 10] {
         let [left, stability, n1, n2, v1, v2, ..] = self.ends(progress, false);
         let [l1, l2] = self.lacks_after(progress, progress.gone());
         let lacks = |(value, memory): (R, R)| {
             let rounding = R::of_sums(memory);
-            self.has_stiction().then_some(Level {
+            remembers.then_some(Level {
                 value,
                 slope: R::ZERO,
                 rounding,

@@ -104,8 +104,7 @@ fn case<R: Digits>(seed: u64, corners: [bool; 2]) -> Case<R> {
         vertices: &walls[i][..if corners[i] { 1 } else { 2 }],
         friction_static: si(MU_D[i] + 0.2),
         friction_dynamic: si(MU_D[i]),
-        // No slip is as long: what slides is not pressed.
-        memory: Some(si(4.0)),
+        memory: None,
     });
     let p = pose.position;
     let scene = Room::<R>::among(
