@@ -67,13 +67,13 @@ fn a_frame_tells_of_corners_and_of_the_load_beside_the_formulas() {
     for contact in contacts {
         assert_eq!(numbers(&contact["direction"]).len(), 2, "{frame}");
     }
-    // Slowly, at small angles: the force is near that of the formula.
+    // At small angles the force of contacts that slide is near that of the formula; where they stick it is up to mu_s / mu_d times as large.
     let fz = insertion(&frame)["fz"].as_f64().expect("a force");
     let formula = frame["small_angles"]["two_points"]
         .as_f64()
         .expect("two points");
     assert!(
-        fz > 0.05 && (fz - formula).abs() < 0.05 * fz,
+        fz > 0.05 && (0.95..1.05 * 0.12 / 0.1).contains(&(fz / formula)),
         "{fz} {formula}"
     );
     // N and T of every obstacle.
