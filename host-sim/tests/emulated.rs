@@ -81,6 +81,10 @@ fn every_machine_gives_the_same_bits() {
                 (NumberType::Fixed, Place::AmongObstacles) => of_walk::<Fixed, Among>(frames),
             };
             for machine in Machine::ALL {
+                // Its emulator takes minutes for what takes so many instructions.
+                if (machine, place) == (Machine::Board(Board::Rp2040), Place::AmongObstacles) {
+                    continue;
+                }
                 if let Some(hash) = if_installed(machine.bits(number, place, frames)) {
                     let (machine, number) = (machine.name(), number.name());
                     assert_eq!(hash, here, "{machine} {number} {place:?}");
