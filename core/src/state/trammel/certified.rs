@@ -13,40 +13,48 @@ use crate::verb::seat_sliding;
 use crate::world::{Surface, World};
 
 /// The motion of two contacts that slide, at a place: its unit twist, and what a load is worth along it.
-struct Twist<R> {
-    surfaces: [Surface<R>; 2],
+pub(super) struct Twist<R> {
+    pub(super) surfaces: [Surface<R>; 2],
     /// Of contact 1 along t_1, and of the body.
-    slide: R,
-    turn: R,
+    pub(super) slide: R,
+    pub(super) turn: R,
     /// At least |ds/dx| anywhere.
     slide_bound: R,
     /// r = c_2 - c_1
-    arm: Vec2<R>,
+    pub(super) arm: Vec2<R>,
     /// v_i·t_i
-    velocities: [R; 2],
+    pub(super) velocities: [R; 2],
     /// f_i: the directions of the two reactions.
-    reactions: [Vec2<R>; 2],
+    pub(super) reactions: [Vec2<R>; 2],
     /// f_1×f_2, r×f_2
-    spread: R,
-    second: R,
+    pub(super) spread: R,
+    pub(super) second: R,
     /// What a unit force against the slide of contact i is worth of (E6), in the sense in which the slide falls.
-    frictions: [R; 2],
+    pub(super) frictions: [R; 2],
     /// The sign of (E6) where the load drives the slide.
-    sense: R,
+    pub(super) sense: R,
 }
 
 /// Corrections of the place before a frame is left uncertified.
-const MAX_CORRECTIONS: usize = 4;
+pub(super) const MAX_CORRECTIONS: usize = 4;
+
+/// How the gap of contact 2 opens as the body slides along t_1 and turns about c_1.
+pub(super) fn gradient<R: Real>([first, second]: &[Surface<R>; 2], arm: Vec2<R>) -> [R; 2] {
+    [first.tangent, arm.turned()].map(|velocity| second.normal.dot(velocity))
+}
 
 impl<R: Real> Twist<R> {
     /// In the direction of a sign of the unit twist; nothing where a contact hardly moves, or the reactions hardly span the plane.
-    fn of(scene: &impl World<R>, (pivot, other): (&Pivot<R>, Pair), direction: R) -> Option<Self> {
+    pub(super) fn of(
+        scene: &impl World<R>,
+        (pivot, other): (&Pivot<R>, Pair),
+        direction: R,
+    ) -> Option<Self> {
         let rotation = pivot.orientation.rotation();
         let surfaces = [pivot.surface(scene), scene.face(other, rotation)];
         let [first, second] = surfaces;
         let arm = pivot.placed(scene).arm_to(scene, other);
-        let by_slide = second.normal.dot(first.tangent);
-        let by_turn = second.normal.dot(arm.turned());
+        let [by_slide, by_turn] = gradient(&surfaces, arm);
         let size = by_slide.hypot(by_turn);
         if size <= R::divisor() {
             return None;
@@ -91,11 +99,14 @@ impl<R: Real> Twist<R> {
         })
     }
 
-    /// (E6), positive where the load drives the slide.
-    fn imbalance(&self, load: &Load<R>) -> R {
+    /// (E6) of a force and a moment, positive where they drive the slide.
+    pub(super) fn drives(&self, force: Vec2<R>, moment: R) -> R {
         let [f1, _] = self.reactions;
-        let drives = self.spread * load.moment() - self.second * f1.cross(load.force);
-        drives * self.sense
+        (self.spread * moment - self.second * f1.cross(force)) * self.sense
+    }
+
+    fn imbalance(&self, load: &Load<R>) -> R {
+        self.drives(load.force, load.moment())
     }
 
     /// -dE/dx at the frozen hand, the hand going back by `less` before.
@@ -112,7 +123,7 @@ impl<R: Real> Twist<R> {
     }
 
     /// The sizes of both reactions in balance.
-    fn sizes(&self, force: Vec2<R>) -> [R; 2] {
+    pub(super) fn sizes(&self, force: Vec2<R>) -> [R; 2] {
         let [f1, f2] = self.reactions;
         [-force.cross(f2), force.cross(f1)].map(|size| size / self.spread)
     }

@@ -304,36 +304,46 @@ impl<R: Real> Slides<R> {
 
     /// What a slip that began there lacks of the memory of each contact (E14), times stability and scale.
     fn lacks<Q: Quantity<R>>(&self, at: &Progress<Q>, standing: &Standing<Q>) -> [Q; 2] {
+        self.slip_lengths(at, standing, |length| length)
+            .map(|[memory, slip]| memory - slip)
+    }
+
+    /// What a slip that began at a place, after a part of the displacement, lacks of the memory of each contact, and what that part of the
+    /// memory is; both so many times that few digits represent them.
+    pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
+        let after = |[rest, drive]: [Sloped<R>; 2]| Sloped {
+            value: rest.value + drive.value * part,
+            slope: R::ZERO,
+        };
+        let falls = after([at.rest_slope, at.drive_slope]);
+        let standing = Standing {
+            stability: -falls,
+            normals: at.normals.map(after),
+        };
+        self.slip_lengths(at, &standing, |length| length * per_memory())
+            .map(|[memory, slip]| (memory.value - slip.value, memory.value.abs()))
+    }
+
+    /// The memory of each contact, and how far it goes in a slip that begins there (E14), both times stability and scale. Lengths are
+    /// counted as `counted` has them.
+    fn slip_lengths<Q: Quantity<R>>(
+        &self,
+        at: &Progress<Q>,
+        standing: &Standing<Q>,
+        counted: impl Fn(R) -> R,
+    ) -> [[Q; 2]; 2] {
         let [first, second] = self.trammel.surfaces.map(|surface| surface.friction);
         let ([f1, f2], [n1, n2]) = (at.frictions, standing.normals);
         // What E would be if mu_s bore the load at both contacts: across the surfaces, not along the edges of the cones.
-        let [d1, d2] = [first, second].map(|f| f.drop() * f.sliding_edge(R::ZERO).0);
+        let [d1, d2] = [first, second].map(|f| counted(f.drop() * f.sliding_edge(R::ZERO).0));
         let jump = n1 * f1.times(d1) + n2 * f2.times(d2);
         let falls = standing.stability * at.scale;
         let ([v1, v2], [s1, s2]) = (at.velocities, self.trammel.sense.signs);
         [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
-            falls.times(friction.memory()) - velocity.times(sign) * jump
-        })
-    }
-
-    /// What a slip that began at a place, after a part of the displacement, lacks of the memory of each contact (E14), times stability and
-    /// scale, and what that part of the memory is; both so many times that few digits represent them.
-    pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
-        let most = per_memory();
-        let frictions = self.trammel.surfaces.map(|surface| surface.friction);
-        let mut jump = R::ZERO;
-        for ((friction, [rest, drive]), worth) in frictions.iter().zip(at.normals).zip(at.frictions)
-        {
-            let drop = friction.drop() * friction.sliding_edge(R::ZERO).0 * most;
-            jump = jump + (rest.value + drive.value * part) * (worth.value * drop);
-        }
-        let stability = -(at.rest_slope.value + at.drive_slope.value * part);
-        let falls = stability * at.scale.value;
-        let ([v1, v2], [s1, s2], [first, second]) =
-            (at.velocities, self.trammel.sense.signs, frictions);
-        [(first, v1, s1), (second, v2, s2)].map(|(friction, velocity, sign)| {
-            let memory = falls * (friction.memory() * most);
-            (memory - velocity.value * sign * jump, memory.abs())
+            [
+                falls.times(counted(friction.memory())),
+                velocity.times(sign) * jump,
+            ]
         })
     }
 

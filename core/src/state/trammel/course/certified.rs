@@ -3,6 +3,7 @@
 //! path on the body as it is, and from bounds of how all of it changes on a short way.
 
 use super::super::CertifiedSlide;
+use super::super::certified::{MAX_CORRECTIONS, Twist, gradient};
 use super::super::slide::per_memory;
 use crate::contact::Pair;
 use crate::geometry::Vec2;
@@ -12,34 +13,16 @@ use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::thresholds::Thresholds;
 use crate::verb::seat_sliding;
-use crate::world::{Surface, World};
+use crate::world::World;
 
-/// Corrections of the place before a frame is left uncertified.
-const MAX_CORRECTIONS: usize = 4;
-
-/// Both contacts at a place: the unit twist in a direction, and how all of it changes along that.
+/// Both contacts at a place, and how their unit twist changes along it.
 struct Pairing<R> {
-    surfaces: [Surface<R>; 2],
-    /// Of the body's material along t_1, and of the body.
-    slide: R,
-    turn: R,
-    /// r = c_2 - c_1
-    arm: Vec2<R>,
-    /// v_i·t_i
-    velocities: [R; 2],
+    twist: Twist<R>,
     /// How fast c_1 and r change.
     foot_rate: Vec2<R>,
     arm_rate: Vec2<R>,
-    /// f_i: the directions of the two reactions, and how fast they turn.
-    reactions: [Vec2<R>; 2],
+    /// How fast the directions of the reactions turn.
     turning: [Vec2<R>; 2],
-    /// f_1×f_2, r×f_2
-    spread: R,
-    second: R,
-    /// What a unit force against the slide of contact i is worth of (E6).
-    frictions: [R; 2],
-    /// The sign of (E6) where the load drives the slide.
-    sense: R,
     /// A bound of how fast the twist changes.
     bend: R,
 }
@@ -59,108 +42,65 @@ struct Sizes<R> {
 }
 
 impl<R: Real> Pairing<R> {
-    /// Nothing where a contact hardly moves, or the reactions hardly span the plane.
-    fn of<W: World<R>>(scene: &W, (pivot, other): (&Pivot<R>, Pair), direction: R) -> Option<Self> {
-        let surfaces = [
-            pivot.surface(scene),
-            scene.face(other, pivot.orientation.rotation()),
-        ];
-        let [first, second] = surfaces;
-        let arm = pivot.placed(scene).arm_to(scene, other);
-        let by_slide = second.normal.dot(first.tangent);
-        let by_turn = second.normal.dot(arm.turned());
-        let size = by_slide.hypot(by_turn);
-        if size <= R::divisor() {
-            return None;
-        }
-        let unit = direction / size;
-        let (slide, turn) = (-by_turn * unit, by_slide * unit);
-        let velocity = first.tangent * slide + arm.turned() * turn;
-        let velocities = [slide, second.tangent.dot(velocity)];
-        if velocities.iter().any(|v| v.abs() <= R::divisor()) {
-            return None;
-        }
-        let [corner1, corner2] = [pivot.contact, other].map(Pair::is_corner);
+    /// Nothing where there is no such twist.
+    fn of<W: World<R>>(scene: &W, contacts: (&Pivot<R>, Pair), direction: R) -> Option<Self> {
+        let twist = Twist::of(scene, contacts, direction)?;
+        let [corner1, corner2] = [contacts.0.contact, contacts.1].map(Pair::is_corner);
+        let slides = twist.surfaces[0].tangent * twist.slide;
+        let velocity = slides + twist.arm.turned() * twist.turn;
         let moves = |is_corner, velocity| if is_corner { Vec2::ZERO } else { velocity };
-        let foot_rate = moves(corner1, first.tangent * slide);
-        let [s1, s2] = velocities.map(R::sign);
-        let [f1, f2] = [(first, s1), (second, s2)]
-            .map(|(surface, sign)| surface.direction(surface.friction.sliding_edge(sign)));
+        let foot_rate = moves(corner1, slides);
         let turns = |is_corner, edge: Vec2<R>| {
             if is_corner {
-                edge.turned() * turn
+                edge.turned() * twist.turn
             } else {
                 Vec2::ZERO
             }
         };
-        let (spread, moment) = (f1.cross(f2), arm.cross(f2));
-        // (E6) of a force along each tangent at its contact.
-        let e1 = -(moment * f1.cross(first.tangent));
-        let e2 = arm.cross(second.tangent) * spread - moment * f1.cross(second.tangent);
-        let resistance = R::sum_of_products(e1, velocities[0], e2, velocities[1]);
-        if spread.abs() <= R::divisor() || resistance.abs() <= R::divisor() {
-            return None;
-        }
-        let arm_bound = arm.length_bound();
+        let [f1, f2] = twist.reactions;
+        let [by_slide, by_turn] = gradient(&twist.surfaces, twist.arm);
         Some(Self {
-            surfaces,
-            slide,
-            turn,
-            arm,
-            velocities,
             foot_rate,
             arm_rate: moves(corner2, velocity) - foot_rate,
-            reactions: [f1, f2],
             turning: [turns(corner1, f1), turns(corner2, f2)],
-            spread,
-            second: moment,
-            frictions: [e1.abs(), e2.abs()],
-            sense: resistance.sign(),
             // The second derivatives of the other gap are 1 and |r|, with a quarter more for the length of the twist.
-            bend: (R::TWO + arm_bound) / size,
+            bend: (R::TWO + twist.arm.length_bound()) / by_slide.hypot(by_turn),
+            twist,
         })
-    }
-
-    /// (E6) of a force and a moment, positive where they drive the slide.
-    fn drives(&self, force: Vec2<R>, moment: R) -> R {
-        let [f1, _] = self.reactions;
-        (self.spread * moment - self.second * f1.cross(force)) * self.sense
     }
 
     /// -dE/dx at the frozen hand, the hand going back by `less` before.
     fn stability<W: World<R>>(&self, scene: &W, load: &Load<R>, less: &Displacement<R>) -> R {
-        let ([f1, f2], [f1_rate, f2_rate]) = (self.reactions, self.turning);
+        let (twist, [f1_rate, f2_rate]) = (&self.twist, self.turning);
+        let [f1, f2] = twist.reactions;
         let force = load.force - less.hand;
         let hand = load.spring + load.lever - less.hand;
         let moment = load.moment() - load.lever.cross(less.hand) - load.stiffness * less.turn;
-        let at = |arm: Vec2<R>| self.surfaces[0].tangent * self.slide + arm.turned() * self.turn;
+        let at = |arm: Vec2<R>| twist.surfaces[0].tangent * twist.slide + arm.turned() * twist.turn;
         let held = at(load.lever);
         let falls = (at(load.centroid) - self.foot_rate).cross(scene.weight());
         let moment_rate = (held - self.foot_rate).cross(hand) - load.lever.cross(self.foot_rate)
             + falls
-            - load.stiffness * self.turn;
+            - load.stiffness * twist.turn;
         let spread_rate = f1_rate.cross(f2) + f1.cross(f2_rate);
-        let second_rate = self.arm_rate.cross(f2) + self.arm.cross(f2_rate);
-        let slope = spread_rate * moment + self.spread * moment_rate
+        let second_rate = self.arm_rate.cross(f2) + twist.arm.cross(f2_rate);
+        let slope = spread_rate * moment + twist.spread * moment_rate
             - second_rate * f1.cross(force)
-            - self.second * (f1_rate.cross(force) - f1.cross(held));
-        -slope * self.sense
-    }
-
-    /// The sizes of both reactions in balance.
-    fn sizes(&self, force: Vec2<R>) -> [R; 2] {
-        let [f1, f2] = self.reactions;
-        [-force.cross(f2), force.cross(f1)].map(|size| size / self.spread)
+            - twist.second * (f1_rate.cross(force) - f1.cross(held));
+        -slope * twist.sense
     }
 
     /// Within a distance from here, the force and the moment at its beginning no larger than these.
     fn within(&self, load: &Load<R>, reach: R, (force, moment): (R, R)) -> Sizes<R> {
         let bend = self.bend + (self.bend / R::from_int(4));
         let swing = bend * reach;
-        let (speed, turn) = (self.slide.abs() + swing, self.turn.abs() + swing);
-        let [lever, arm] = [load.lever, self.arm].map(Vec2::length_bound);
+        let (speed, turn) = (
+            self.twist.slide.abs() + swing,
+            self.twist.turn.abs() + swing,
+        );
+        let [lever, arm] = [load.lever, self.twist.arm].map(Vec2::length_bound);
         let hand = (load.spring + load.lever).length_bound();
-        let [f1, f2] = self.reactions.map(Vec2::length_bound);
+        let [f1, f2] = self.twist.reactions.map(Vec2::length_bound);
         let goes = (speed.doubled() + turn * (lever + arm)) * reach;
         Sizes {
             speed,
@@ -254,18 +194,19 @@ struct Memory<R> {
 impl<R: Real> Pairing<R> {
     /// What is left of (E6) where the static cones bear the load.
     fn jump(&self, sizes: [R; 2], change: R) -> R {
-        let frictions = self.surfaces.map(|surface| surface.friction);
-        let jumps = frictions.iter().zip(sizes).zip(self.frictions);
+        let frictions = self.twist.surfaces.map(|surface| surface.friction);
+        let jumps = frictions.iter().zip(sizes).zip(self.twist.frictions);
         jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
             let (normal, _) = friction.sliding_edge(R::ZERO);
-            sum + friction.drop() * normal * per_memory() * size * (worth + change)
+            sum + friction.drop() * normal * per_memory() * size * (worth.abs() + change)
         })
     }
 
     /// The memory of each contact, and |v_i·t_i|.
     fn slips(&self) -> impl Iterator<Item = (R, R)> {
-        let memories = (self.surfaces).map(|surface| surface.friction.memory() * per_memory::<R>());
-        memories.into_iter().zip(self.velocities.map(R::abs))
+        let memories =
+            (self.twist.surfaces).map(|surface| surface.friction.memory() * per_memory::<R>());
+        memories.into_iter().zip(self.twist.velocities.map(R::abs))
     }
 
     /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be: such a slide goes on.
@@ -297,7 +238,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
     let standing = pairing.stability(scene, &after, &displacement);
     let stability = pairing.stability(scene, &after, &still);
     let least = standing.min(stability);
-    let drive = pairing.drives(after.force, after.moment());
+    let drive = pairing.twist.drives(after.force, after.moment());
     if least <= R::divisor() || drive < R::ZERO {
         return None;
     }
@@ -314,7 +255,7 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
     let sizes = pairing.within(&after, reach, (force, moment));
     let weight = scene.weight().length_bound();
     let falls = after.centroid.length_bound() * weight;
-    let spread = pairing.spread.abs();
+    let spread = pairing.twist.spread.abs();
     let bend = sizes.curvature(after.stiffness, (spread, weight, falls)) / least;
     if bend * newton > R::HALF.halved() {
         return None;
@@ -329,11 +270,11 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
             * hand
             * reach;
     let slows = (sizes.bends(sizes.arm) + sizes.turn * sizes.parts(sizes.arm)) * reach;
-    let goes_on = pairing.velocities.iter().all(|v| v.abs() > slows);
+    let goes_on = pairing.twist.velocities.iter().all(|v| v.abs() > slows);
     if drive <= drive_falls || !goes_on || spread_falls.doubled() > spread {
         return None;
     }
-    let begin = pairing.sizes(after.force - displacement.hand);
+    let begin = pairing.twist.sizes(after.force - displacement.hand);
     // By so much a reaction strays from the straight line between its values at both ends: with the part of the displacement that is
     // done, with the directions of both, and with the way.
     let uneven = bend * newton + drive_falls / drive;
@@ -345,20 +286,20 @@ pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
         bent.doubled() + spins.doubled() + after.rounding()
     };
     let mut place = *pivot;
-    let (mut slide, mut turn) = (pairing.slide, pairing.turn);
+    let (mut slide, mut turn) = (pairing.twist.slide, pairing.twist.turn);
     let mut step = drive / stability;
     for _ in 0..MAX_CORRECTIONS {
         place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
         let here = Pairing::of(scene, (&place, other), direction)?;
         let load = place.load(scene, to);
-        step = here.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
-        (slide, turn) = (here.slide, here.turn);
+        step = here.twist.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
+        (slide, turn) = (here.twist.slide, here.twist.turn);
         // What a step of Newton's leaves.
         if (bend * step * step).halved() > R::EPSILON {
             continue;
         }
         place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
-        let end = here.sizes(load.force);
+        let end = here.twist.sizes(load.force);
         let ([b1, b2], [e1, e2]) = (begin, end);
         let [l1, l2] = [b1.max(e1), b2.max(e2)];
         let last = edge * (sizes.force_rate() + sizes.force * sizes.turn) * step.abs() / spread;
