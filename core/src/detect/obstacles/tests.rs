@@ -181,3 +181,31 @@ fn what_touches_flat_has_two_contacts() {
     let tilted = placed(-0.8, -9e-6, 1e-5);
     assert!(!tilted.are_one(&boxed, [Pair::of_corner(3, 0), v(1, 2)]));
 }
+
+/// Three thin walls meet in a place: one that a rod touches from below, one that goes on above it, one that goes down. Where the rod
+/// comes to that place with its other end, the one above is behind what it touches.
+#[test]
+fn what_ends_behind_a_wall_is_not_touched_from_its_front() {
+    let above = [[0.0, 0.0], [2.0, 1.0]];
+    let below = [[0.0, 0.0], [0.0, -2.0]];
+    let walls = scene(&ROD, &[&WALL, &above, &below]);
+    // The sides of the walls that look down and to the right.
+    let [front, behind, ahead] = [v(1, 0), v(0, 2), v(0, 5)];
+    let flat = placed(0.0, 0.0, 0.0);
+    for contact in [front, behind, ahead] {
+        let [low, high] = walls.reach(contact);
+        assert!(high > low && flat.gap(&walls, contact).abs() < 1e-12);
+    }
+    assert!(walls.face(front, flat.orientation.rotation()).normal.y < 0.0);
+    assert!(walls.face(behind, flat.orientation.rotation()).normal.y < 0.0);
+    assert!(walls.face(ahead, flat.orientation.rotation()).normal.x > 0.0);
+    assert!(flat.are_one(&walls, [front, behind]));
+    assert!(flat.are_one(&walls, [behind, front]));
+    assert!(!flat.are_one(&walls, [front, ahead]));
+    // Its end is off by as much as it is known to.
+    let off = placed(-1e-8, 0.0, 0.0);
+    assert!(off.are_one(&walls, [front, behind]));
+    // Above the wall it is the other one that is behind.
+    assert!(!flat.are_one(&walls, [v(1, 1), behind]));
+    assert!(flat.are_one(&walls, [v(1, 1), ahead]));
+}

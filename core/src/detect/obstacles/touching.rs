@@ -234,8 +234,11 @@ impl<R: Real> Placed<R> {
             let faces_away = first.normal.dot(second.normal) <= R::ZERO;
             return is_here || faces_away || is_off(first.normal) || is_off(second.normal);
         }
-        if !is_here || a.is_corner() || b.is_corner() {
+        if a.is_corner() || b.is_corner() {
             return is_here;
+        }
+        if !is_here {
+            return self.ends_behind(scene, [a, b]) || self.ends_behind(scene, [b, a]);
         }
         let (Some(along_a), Some(along_b)) =
             (self.way_from_end(scene, a), self.way_from_end(scene, b))
@@ -251,6 +254,23 @@ impl<R: Real> Placed<R> {
         along_a.dot(second.normal) < -R::MICRO
             || along_b.dot(first.normal) < -R::MICRO
             || leaving(scene, place, [of_a, of_b]).any(|side| is_between(side.direction))
+    }
+
+    /// The side of the second contact, which is at its end, ends on the side of the first and goes on behind it.
+    fn ends_behind<W: World<R>>(&self, scene: &W, [front, contact]: [Pair; 2]) -> bool {
+        let there = Pair {
+            vertex: contact.vertex,
+            ..front
+        };
+        let normal = scene.face(front, self.orientation.rotation()).normal;
+        // It is found no better than it lies on its own side.
+        let off = (self.gap(scene, contact).abs()).max(self.beyond(scene, contact));
+        let known_to = self.here().max(off.doubled());
+        let is_on_front =
+            self.gap(scene, there).abs() <= known_to && self.beyond(scene, there) <= known_to;
+        is_on_front
+            && (self.way_from_end(scene, contact))
+                .is_some_and(|along| along.dot(normal) < -R::MICRO)
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.
