@@ -256,8 +256,11 @@ impl<const O: usize, const C: usize, M: Model> BoardModel for WithObstacles<O, C
         let touches = state.map(|state| solver.touches(state)).unwrap_or_default();
         let pairs = forces.contacts.iter().zip(touches.iter());
         let among = pairs.map(|(contact, touching)| ContactAmong::new(&contact, touching));
-        // There are never more contacts than there is room for.
-        let contacts: Vec<ContactAmong, MAX_CONTACTS> = among.take(MAX_CONTACTS).collect();
+        let mut contacts: Vec<ContactAmong, MAX_CONTACTS> = Vec::new();
+        for contact in among {
+            // There are never more than there is room for.
+            let _ = contacts.push(contact);
+        }
         send(ReportAmong::ForcesAmong(Forces {
             wrench: forces.wrench,
             feedback: forces.feedback,

@@ -28,7 +28,7 @@ mod setup;
 mod watch;
 
 pub use outbox::Link;
-pub use setup::{SceneType, Setup};
+pub use setup::{SLOWEST_TICK, SceneType, Setup};
 pub use watch::{Seen, Watch};
 
 use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};

@@ -70,7 +70,7 @@ impl<R: Real> WrenchCone<R> {
     /// True if some contact of those that come nearest to bearing a load presses harder than what is borne as it is.
     pub(crate) fn exceeds_limit(&self, load: Wrench2<R>, little: R) -> bool {
         let (parts, _) = self.parts(load, little);
-        let all: Vec<(usize, R), MAX_EDGES> = gather(parts.into_iter().enumerate());
+        let all: Vec<(usize, R), MAX_EDGES> = gather(parts.iter().copied().enumerate());
         !self.is_within_limit(&all)
     }
 

@@ -52,7 +52,7 @@ impl<R: Real, const V: usize, const S: usize, M: BoardModel> SceneType for Scene
 }
 
 /// The fewest ticks with which silence is found in time (Hz).
-const SLOWEST_TICK: u16 = 100;
+pub const SLOWEST_TICK: u16 = 100;
 /// Of the eighths of a tick a step may take so many: the rest is for the line, the forces and interrupts.
 const EIGHTHS_OF_STEP: u32 = 7;
 /// On the wire: a sample of the hand, a pose, health.

@@ -63,7 +63,7 @@ impl ConnectArgs {
     }
 
     /// The place; builds and starts the emulator where one is wanted.
-    pub(super) fn address(&self, image: Image) -> Result<Address, BoardError> {
+    pub(super) fn address(&self, image: Image<'_>) -> Result<Address, BoardError> {
         let place = self.place.clone();
         Ok(match (place.port, place.socket, place.tcp) {
             (Some(port), ..) => Address::Port(port, self.baud),

@@ -1,5 +1,6 @@
 //! A board in QEMU: its image is built, the emulator started, and ended with this value.
 
+use std::fs;
 use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -41,11 +42,11 @@ impl EmulatedBoard {
 
 /// Which image an emulated board runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Image {
+pub(super) enum Image<'a> {
     /// That of every board.
     Plain,
-    /// With room for obstacles, where the board has the memory.
-    Obstacles,
+    /// For this scene file, which has obstacles.
+    Obstacles(&'a str),
 }
 
 /// A running emulator.
@@ -57,15 +58,20 @@ pub(super) struct Emulator {
 
 impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
-    pub(super) fn start(board: EmulatedBoard, image: Image) -> Result<Self, EmulatorError> {
+    pub(super) fn start(board: EmulatedBoard, image: Image<'_>) -> Result<Self, EmulatorError> {
         require_qemu_arm()?;
         eprintln!("building the image of {} ...", board.name());
-        let features = match (image, board) {
-            (Image::Obstacles, EmulatedBoard::Olimex) => OBSTACLES,
-            // The micro:bit has no memory for them.
-            (Image::Plain, _) | (Image::Obstacles, EmulatedBoard::Microbit) => "",
+        let image = match (image, board) {
+            (Image::Plain, _) => board.board().image("", None)?,
+            (Image::Obstacles(_), EmulatedBoard::Olimex) => board.board().image(OBSTACLES, None)?,
+            // It has the memory for a scene of its own alone.
+            (Image::Obstacles(scene), EmulatedBoard::Microbit) => {
+                let folder = tempfile::tempdir()?;
+                let file = folder.path().join("scene.toml");
+                fs::write(&file, scene)?;
+                board.board().small_image(&file)?
+            }
         };
-        let image = board.board().image(features, None)?;
         // Its clock goes with the real one.
         let mut qemu = board.board().emulator(&image, "shift=auto");
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.

@@ -8,6 +8,7 @@ use stiction_core::frame::{
     Stepping, Subject, frame_bytes, obstacle_bytes, scene_bytes,
 };
 use stiction_core::{Description, Evolution, Fixed, ObstacleDescription};
+use stiction_firmware::station::SLOWEST_TICK;
 use stiction_scene::{Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
 use super::error::BoardError;
@@ -297,7 +298,11 @@ fn less(mode: &Mode, refusal: &Answer) -> Option<Mode> {
     Some(if mode.stepping == Stepping::PerSample {
         // A part of the load, the health, does not become less with the ticks.
         let fitting = (f64::from(mode.tick_rate) / too_much).floor() as u16;
-        let tick_rate = fitting.min(mode.tick_rate.saturating_sub(1)).max(1);
+        let tick_rate = fitting.min(mode.tick_rate.saturating_sub(1));
+        // Fewer steps than that no board makes.
+        if tick_rate < SLOWEST_TICK {
+            return None;
+        }
         Mode { tick_rate, ..*mode }
     } else {
         let fitting = (f64::from(mode.pose_every) * too_much).ceil() as u16;
@@ -348,6 +353,11 @@ mod tests {
             (mode.tick_rate, mode.pose_every, mode.forces_every),
             (360, 1, 1)
         );
+        let slow = Mode {
+            tick_rate: 200,
+            ..per_sample
+        };
+        assert!(less(&slow, &refused).is_none());
     }
 
     #[test]
@@ -361,10 +371,10 @@ mod tests {
         assert_eq!(less(&mode, &refused).map(|mode| mode.forces_every), Some(3));
         let mode = Mode {
             stepping: Stepping::PerSample,
-            tick_rate: 70,
+            tick_rate: 170,
             ..mode
         };
-        assert_eq!(less(&mode, &refused).map(|mode| mode.tick_rate), Some(69));
+        assert_eq!(less(&mode, &refused).map(|mode| mode.tick_rate), Some(169));
     }
 
     #[test]

@@ -74,7 +74,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         let (begun, timeout) = (Instant::now(), args.timeout());
         let image = match setup.scene.obstacles.is_empty() {
             true => Image::Plain,
-            false => Image::Obstacles,
+            false => Image::Obstacles(setup.scene.source().text()),
         };
         let (mut address, mut mail) = (args.address(image)?, Mail::new());
         let (mut session, mut about) = Session::begin(&mut address, &mut mail, timeout, begun)?;

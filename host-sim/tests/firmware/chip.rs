@@ -17,6 +17,8 @@ pub(crate) struct Chip {
     pub(crate) board: Board,
     /// Of its package.
     features: &'static str,
+    /// Built for little flash.
+    is_small: bool,
     /// An instruction takes 2^N ns: between half of what it takes on the chip and twice that.
     pub(crate) shift: u32,
 }
@@ -24,6 +26,7 @@ pub(crate) struct Chip {
 pub(crate) const F405: Chip = Chip {
     board: Board::OLIMEX,
     features: "",
+    is_small: false,
     shift: 3,
 };
 
@@ -36,7 +39,14 @@ pub(crate) const PANTOGRAPH: Chip = Chip {
 pub(crate) const MICROBIT: Chip = Chip {
     board: Board::MICROBIT,
     features: "",
+    is_small: false,
     shift: 6,
+};
+
+/// For little flash.
+pub(crate) const SMALL_MICROBIT: Chip = Chip {
+    is_small: true,
+    ..MICROBIT
 };
 
 /// With room for obstacles.
@@ -72,7 +82,11 @@ impl Chip {
         let mut built = BUILT.lock().unwrap();
         if !built.contains(&path) {
             let scene = scene.map(bundled);
-            let image = if_installed(self.board.image(self.features, scene.as_deref()))?;
+            let image = match &scene {
+                Some(scene) if self.is_small => self.board.small_image(scene),
+                _ => self.board.image(self.features, scene.as_deref()),
+            };
+            let image = if_installed(image)?;
             fs::copy(image, &path).unwrap();
             built.insert(path.clone());
         }

@@ -1,13 +1,13 @@
-//! A scene file compiled into the boards: the solver is as large as the scene needs, and runs that scene.
+//! A scene file compiled into the boards: the solver is as large as the scene needs, and runs that scene, obstacles as well.
 
 use crate::beside::{Beside, assert_same};
 use crate::board::Board;
-use crate::chip::{Chip, F405, MICROBIT, bundled};
+use crate::chip::{Chip, F405, MICROBIT, SMALL_MICROBIT, bundled};
 use crate::client::{Said, scene};
 use crate::common::BOX;
 use stiction_core::frame::{Command, Mode, Reason, Stepping};
-use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
-use stiction_scene::WrittenScene;
+use stiction_core::{Description, Event, Fixed, Hand, Real, Solver, StateKind};
+use stiction_scene::{Among, HostModel, Motion, SceneFile, WrittenScene};
 
 /// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface, friction, no weight.
 const SCENE: &str = "point-stick-slip";
@@ -94,4 +94,68 @@ fn the_f405_runs_the_scene_file_that_it_is_built_with() {
 #[test]
 fn the_microbit_runs_the_scene_file_that_it_is_built_with() {
     runs_its_scene::<Fixed>(&MICROBIT);
+}
+
+/// A box that goes over the edge of a table: flat on it, about its corner, off it.
+const OBSTACLES: &str = "table-edge";
+/// Samples of a second of its hand.
+const RATE: f64 = 40.0;
+
+fn runs_its_obstacles<R: Real<Si = f32>>(chip: &'static Chip) {
+    let Some(image) = chip.image_of(Some(OBSTACLES)) else {
+        return;
+    };
+    println!("{}: flash {}", chip.name(), image.contents.flash);
+    assert_eq!(image.contents.panics(), [""; 0]);
+    let Some(mut board) = Board::start_image(chip, image) else {
+        return;
+    };
+    let info = board.info();
+    board.done(Command::Mode(Mode {
+        stepping: Stepping::PerSample,
+        // The forces of each step are more than the slowest line carries.
+        forces_every: 0,
+        health_every: 0,
+        ..info.mode
+    }));
+    let file = SceneFile::read(&bundled(OBSTACLES), f64::from(f32::MAX)).unwrap();
+    let Some(Motion::Keyframes(path)) = &file.hand.motion else {
+        panic!("{OBSTACLES} has no keyframes");
+    };
+    let (scene, _) = <Among as HostModel>::scene::<R>(&file.written).unwrap();
+    let solver = Solver::new(scene, info.mode.evolution).with_budget(info.budget);
+    let mut state = None;
+    let mut tips = 0;
+    for (i, sample) in path.frames(Some(RATE)).enumerate() {
+        let [x, y] = sample.hand.position.map(|x| x as f32);
+        let hand = Hand::new(x, y, sample.hand.angle.radians() as f32);
+        board.send(Command::Hand(hand));
+        let sample = board.client.sequence.wrapping_sub(1);
+        let pose = board.wait(|_, said| match said {
+            Said::Pose(pose) if pose.sample == sample => Some(*pose),
+            _ => None,
+        });
+        let expected = match &mut state {
+            Some(state) => solver.step(state, hand),
+            None => {
+                let (begun, output) = solver.start(hand);
+                state = Some(begun);
+                output
+            }
+        };
+        assert_same(&pose, &expected, &format!("{} {i}", chip.name()));
+        tips += u32::from(pose.events.contains(Event::Tip));
+    }
+    assert!(tips > 0);
+}
+
+#[test]
+fn the_f405_runs_the_obstacles_that_it_is_built_with() {
+    runs_its_obstacles::<f32>(&F405);
+}
+
+/// For so many instructions as the others have it has not the flash.
+#[test]
+fn the_microbit_built_for_little_flash_runs_the_obstacles_that_it_is_built_with() {
+    runs_its_obstacles::<Fixed>(&SMALL_MICROBIT);
 }

@@ -49,7 +49,25 @@ impl Board {
     /// # Errors
     /// Something that builds it is missing, or it cannot be built.
     pub fn image(self, features: &str, scene: Option<&Path>) -> Result<PathBuf, EmulatorError> {
-        let mut cargo = cargo_build(&self.folder(), "device");
+        self.image_by("device", features, scene)
+    }
+
+    /// The same for little flash: of a chip that a scene with obstacles would overflow.
+    ///
+    /// # Errors
+    /// As [`Board::image`].
+    pub fn small_image(self, scene: &Path) -> Result<PathBuf, EmulatorError> {
+        self.image_by("device-small", "", Some(scene))
+    }
+
+    /// By a profile of the workspace.
+    fn image_by(
+        self,
+        profile: &str,
+        features: &str,
+        scene: Option<&Path>,
+    ) -> Result<PathBuf, EmulatorError> {
+        let mut cargo = cargo_build(&self.folder(), profile);
         cargo.args(["--no-default-features", "--features", features]);
         if let Some(scene) = scene {
             cargo.env("STICTION_SCENE", scene);
