@@ -141,6 +141,7 @@ elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
   fuzz_for_a_minute scene_file 1300000 & scene_file=$!
   fuzz_for_a_minute hand_path 9000000
   wait $scene_file
+  fuzz_for_a_minute obstacles 4000
 else
   missing cargo-fuzz 'cargo install cargo-fuzz --locked'
 fi

@@ -32,8 +32,8 @@ pub fn obstacles(bytes: &[u8]) {
     follow::<f64>(&among, &case);
 }
 
-/// So deep a body may start in what is around it, and a little more as it turns there (L).
-const STARTS_IN: f64 = 1.1e-5;
+/// A body that starts in one thing is pushed out of it along others, at angles of 6 degrees or more: so many times as far as it was in.
+const PUSHED: f64 = 10.0;
 
 /// All frames of a case; none where its scene is refused.
 fn follow<R: Number>(among: &Among, case: &Case) {
@@ -41,6 +41,7 @@ fn follow<R: Number>(among: &Among, case: &Case) {
         return;
     };
     let laws = Laws::new::<R>(among);
+    let starts_in = laws.depth(among.setup.start).max(0.0);
     let mut run = Run::<R>::of(scene, case.evolution, planar::<R>(case.home.0));
     let mut is_clamped = clamps::<R>(among, &run.frame);
     for (to, _) in case.hands() {
@@ -52,7 +53,7 @@ fn follow<R: Number>(among: &Among, case: &Case) {
         let mut broken = laws.broken(&next);
         broken.retain(|finding| match finding.law {
             PUSH | CONE | FORCES | MOMENTS => !is_clamped,
-            OUTSIDE | ON_LINE => finding.residual > STARTS_IN * among.setup.size(),
+            OUTSIDE | ON_LINE => finding.residual > PUSHED * starts_in,
             _ => true,
         });
         assert!(

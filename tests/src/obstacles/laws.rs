@@ -180,7 +180,11 @@ impl Laws {
         }
     }
 
-    /// How deep the body is in anything (m); negative where it is clear.
+    /// How deep the body is in anything at a pose (m); negative where it is clear.
+    pub fn depth(&self, pose: [f64; 3]) -> f64 {
+        self.deepest(&placed(&self.among.setup.vertices, pose))
+    }
+
     fn deepest(&self, body: &[Point]) -> f64 {
         let obstacles = self.among.obstacles.iter();
         let obstacles = obstacles.map(|o| match (body, o.vertices.as_slice()) {
