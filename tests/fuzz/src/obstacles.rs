@@ -32,8 +32,10 @@ pub fn obstacles(bytes: &[u8]) {
     follow::<f64>(&among, &case);
 }
 
-/// A body that starts in one thing is pushed out of it along others, at angles of 6 degrees or more: so many times as far as it was in.
-const PUSHED: f64 = 10.0;
+/// What is nearer than this in the beginning counts as touched (L).
+const STARTS_AT: f64 = 1e-5;
+/// A body is put onto what it starts at along other things, at angles of 6 degrees or more: it goes so many times as far.
+const PUT: f64 = 10.0;
 
 /// All frames of a case; none where its scene is refused.
 fn follow<R: Number>(among: &Among, case: &Case) {
@@ -41,7 +43,9 @@ fn follow<R: Number>(among: &Among, case: &Case) {
         return;
     };
     let laws = Laws::new::<R>(among);
-    let starts_in = laws.depth(among.setup.start).max(0.0);
+    let near = STARTS_AT * among.setup.size();
+    let starts_at_something = laws.depth(among.setup.start) > -near;
+    let put = if starts_at_something { PUT * near } else { 0.0 };
     let mut run = Run::<R>::of(scene, case.evolution, planar::<R>(case.home.0));
     let mut is_clamped = clamps::<R>(among, &run.frame);
     for (to, _) in case.hands() {
@@ -53,7 +57,7 @@ fn follow<R: Number>(among: &Among, case: &Case) {
         let mut broken = laws.broken(&next);
         broken.retain(|finding| match finding.law {
             PUSH | CONE | FORCES | MOMENTS => !is_clamped,
-            OUTSIDE | ON_LINE => finding.residual > PUSHED * starts_in,
+            OUTSIDE | ON_LINE => finding.residual > put,
             _ => true,
         });
         assert!(
