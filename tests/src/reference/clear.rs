@@ -194,6 +194,11 @@ impl Reference {
         }
     }
 
+    /// The body has come to this side of an obstacle.
+    pub(super) fn sees(&mut self, obstacle: usize, side: usize) {
+        self.seen[obstacle] = Some(Axis::Side(side));
+    }
+
     /// Notes from which side each obstacle is seen.
     pub(super) fn look(&mut self) {
         let pose = self.pose;

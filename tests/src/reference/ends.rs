@@ -73,6 +73,7 @@ impl Reference {
             self.scene.gap(pose, touch).abs() <= near
                 && self.scene.beyond(pose, touch) <= BESIDE * self.size
                 && !self.on_far_side(touch)
+                && !self.goes_behind(pose, touch)
                 && self.supports(pose, touch, near)
         });
         self.surface_pairs()
@@ -80,6 +81,31 @@ impl Reference {
             .chain(obstacles)
             .filter(|touch| !self.contacts.contains(touch))
             .collect()
+    }
+
+    /// Whether a vertex meets a side at its end, at a contact with a side of another obstacle behind which it goes on: where two thin
+    /// walls meet, a body on one side of both does not touch the other side of either.
+    fn goes_behind(&self, pose: &Pose, touch: Touch) -> bool {
+        let (Touch::Side { obstacle, .. }, Some([low, high])) = (touch, self.scene.reach(touch))
+        else {
+            return false;
+        };
+        let at = self.scene.point(pose, touch);
+        let place = self.scene.place(pose, touch);
+        let inwards = if place - low < high - place {
+            1.0
+        } else {
+            -1.0
+        };
+        let onwards = scale(inwards, self.scene.tangent(pose, touch));
+        let is_at_end = (place - low).min(high - place) <= OVERLAP * self.size;
+        is_at_end
+            && self.contacts.iter().any(|&other| {
+                matches!(other, Touch::Side { .. })
+                    && other.obstacle() != Some(obstacle)
+                    && length(sub(self.scene.point(pose, other), at)) <= OVERLAP * self.size
+                    && dot(self.scene.normal(pose, other), onwards) < -LINE
+            })
     }
 
     /// Takes up the pairs that have come into contact; whether there were any.
@@ -212,6 +238,9 @@ impl Reference {
             self.contacts.push(next);
             self.contacts.sort();
             self.pose = self.onto(self.pose, &self.contacts);
+            if let Touch::Side { obstacle, side, .. } = next {
+                self.sees(obstacle, side);
+            }
         }
         match (next, self.contacts.as_slice()) {
             (Some(next), [_]) => {

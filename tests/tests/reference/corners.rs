@@ -184,3 +184,23 @@ fn a_rod_does_not_turn_through_the_end_of_a_wall() {
     };
     assert_eq!(touches, [end, corner]);
 }
+
+/// Two thin walls that meet, from below one of them: where the point comes to where they meet, the other one goes on above.
+#[test]
+fn a_point_below_a_bent_wall_does_not_touch_its_upper_side() {
+    let across = [[0.0, 0.0], [2.0, 0.0]];
+    let up = [[-0.4, 1.5], [0.0, 0.0]];
+    for walls in [[across, up], [up, across]] {
+        let walls = walls.map(|wall| obstacle(&wall, 0.3)).to_vec();
+        let mut tool = point([0.5, -0.1], walls);
+        goes(&mut tool, [0.5, 0.05]);
+        // Friction holds it back.
+        at(goes(&mut tool, [0.02, 0.05]), [0.02 + 0.3 * 0.05, 0.0]);
+        // Off the end it is free.
+        for k in 1..10 {
+            goes(&mut tool, [0.02 - 0.022 * f64::from(k), 0.05]);
+        }
+        at(goes(&mut tool, [-0.2, 0.05]), [-0.2, 0.05]);
+        assert_eq!(tool.state(), "non-contact");
+    }
+}
