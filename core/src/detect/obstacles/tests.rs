@@ -8,13 +8,22 @@ use crate::contact::{Pair, Pairs};
 use crate::geometry::{Angle, Orientation, Vec2};
 use crate::model::WithObstacles;
 use crate::motion::Instant;
-use crate::scene::{Description, ObstacleDescription, Scene};
+use crate::scene::{Description, ObstacleDescription, Scene, SurfaceDescription};
 use std::vec::Vec;
 
 type Scenery = Scene<f64, 4, 1, WithObstacles<4, 16>>;
 
 /// A body among obstacles of the same friction.
 fn scene(body: &[[f64; 2]], obstacles: &[&[[f64; 2]]]) -> Scenery {
+    scene_on(body, &[], obstacles)
+}
+
+/// The same on half-planes.
+fn scene_on(
+    body: &[[f64; 2]],
+    surfaces: &[SurfaceDescription<f64>],
+    obstacles: &[&[[f64; 2]]],
+) -> Scenery {
     let list: Vec<_> = obstacles
         .iter()
         .map(|vertices| ObstacleDescription {
@@ -32,7 +41,7 @@ fn scene(body: &[[f64; 2]], obstacles: &[&[[f64; 2]]]) -> Scenery {
         reach: 0.0,
         stiffness_translation: 1.0,
         stiffness_rotation: 1.0,
-        surfaces: &[],
+        surfaces,
     };
     Scene::among(&description, &list).expect("a sound scene")
 }
@@ -208,4 +217,28 @@ fn what_ends_behind_a_wall_is_not_touched_from_its_front() {
     // Above the wall it is the other one that is behind.
     assert!(!flat.are_one(&walls, [v(1, 1), behind]));
     assert!(flat.are_one(&walls, [v(1, 1), ahead]));
+}
+
+/// An obstacle below the floor, with a corner on it: what stands on the floor there touches none of its sides. One that reaches through
+/// the floor is touched above it.
+#[test]
+fn a_side_that_ends_at_the_floor_and_goes_on_below_it_is_not_touched() {
+    let floor = SurfaceDescription {
+        normal: [0.0, 1.0],
+        offset: 0.0,
+        friction_static: 0.5,
+        friction_dynamic: 0.25,
+        memory: None,
+    };
+    let touching = |obstacle: &[[f64; 2]]| {
+        let on_floor = scene_on(&POINT, &[floor], &[obstacle]);
+        let mut list = Pairs::new();
+        placed(0.0, 0.0, 0.0).touching_obstacles(&on_floor, 1e-10, &mut list);
+        list
+    };
+    let below = [[-1.0, -1.0], [1.0, -1.0], [0.0, 0.0]];
+    assert_eq!(touching(&below), []);
+    let through = [[1.0, -1.0], [2.0, 0.0], [1.0, 1.0]];
+    let through = through.map(|[x, y]| [x - 1.0, y]);
+    assert_eq!(touching(&through), [v(0, 3)]);
 }

@@ -108,8 +108,8 @@ impl<R: Real> Placed<R> {
         }
     }
 
-    /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and no other obstacle in between; and
-    /// a side of the body has all of them behind. The contact touches to a tolerance.
+    /// Where corners of several obstacles meet, the body is in front of the side that it touches there, and neither another obstacle nor a
+    /// half-plane in between; and a side of the body has all of them behind. The contact touches to a tolerance.
     pub(super) fn meets<W: World<R>>(&self, scene: &W, contact: Pair, tolerance: R) -> bool {
         let own = scene.obstacle_of(contact);
         let arm = self.arm_to(scene, contact);
@@ -154,7 +154,15 @@ impl<R: Real> Placed<R> {
         let least = together::<R>().min(to_low.max(to_high));
         let ways = [(to_high, surface.tangent), (to_low, -surface.tangent)];
         let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
-        ways.any(|(_, along)| is_in_front(along))
+        // The side goes on behind a half-plane.
+        let is_behind = |along: Vec2<R>| {
+            scene.surface_indices().any(|surface| {
+                let (vertex, normal) = (contact.vertex, scene.surface(surface).normal);
+                self.gap(scene, Pair { vertex, surface }) <= place.1
+                    && normal.dot(along) < -R::MICRO
+            })
+        };
+        ways.any(|(_, along)| !is_behind(along) && is_in_front(along))
     }
 
     /// What it takes to find these contacts, in gaps.
