@@ -14,6 +14,9 @@ use crate::thresholds::Thresholds;
 use crate::world::World;
 use core::cell::Cell;
 
+/// The end of the growth of (E6) beyond a fold is looked for in so many halves of a piece at most.
+const MAX_HALVINGS: usize = 20;
+
 /// A function that falls, counted in a direction.
 pub(super) fn level<R: Real>(of: Sloped<R>, sign: R, rounding: R) -> Level<R> {
     Level {
@@ -166,7 +169,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
     /// At a fold of (E6), where it and its slope are zero: up to here it grows.
     pub(crate) fn clear_of_fold(&self, (sense, rounding): (R, R)) -> R {
         let mut clear = self.longest();
-        for _ in 0..super::MAX_HALVINGS {
+        for _ in 0..MAX_HALVINGS {
             let (place, [load, _]) = self.terms(&self.spot(clear), (Vec2::ZERO, R::ZERO));
             let drive = level(place.imbalance(load), sense, rounding);
             if drive.value > rounding && drive.slope > R::ZERO {

@@ -341,7 +341,7 @@ fn slip_ends_at_the_first_of_balance_and_opening() {
         cfg!(miri) || counts.iter().all(|&count| count > 100),
         "{counts:?}"
     );
-    assert!(cfg!(miri) || stopped > 200, "{stopped}");
+    assert!(cfg!(miri) || stopped > 100, "{stopped}");
 }
 
 /// On whole slips, piece by piece, no gap opens or closes, and what ends in balance is so.
@@ -374,4 +374,80 @@ fn whole_slips_end_in_balance_with_both_gaps_closed() {
         cfg!(miri) || balanced.iter().all(|&count| count > 30),
         "{balanced:?}"
     );
+}
+
+/// Between two places of a piece the body goes no farther than 2 sqrt(2) times what lies between them along the twist: a piece ends before
+/// the motion turns back, and leads to no other branch.
+fn is_one_branch<W: World<f64>>(course: &Course<'_, f64, W>, case: u64) {
+    let longest = course.longest();
+    let mut last = course.spot(0.0);
+    for k in 1..=64 {
+        let spot = course.spot(longest * f64::from(k) / 64.0);
+        let turn = (spot.pivot.orientation.angle()).minus(last.pivot.orientation.angle());
+        let way = turn.hypot(spot.pivot.foot - last.pivot.foot);
+        let most = 8f64.sqrt() * longest / 64.0;
+        assert!(way <= most, "{case} {k}: {way}, allowed {most}");
+        last = spot;
+    }
+}
+
+#[test]
+fn a_piece_is_one_branch() {
+    driven::<f64>(Demand::AtTheEnd, 400, |case, trammel| {
+        is_one_branch(&course(case, trammel), case.seed);
+    });
+}
+
+/// A rod stands in a slit, its end on one wall, its side at a pin close to that. While the end slides down the wall the rod hardly turns;
+/// across the twist at the beginning lies the end of the rod above the pin.
+#[test]
+fn a_piece_in_a_slit_is_one_branch() {
+    let mut count = 0;
+    for (k, width) in (1..=60_u64).map(|k| (k, 0.0002 * k as f64)) {
+        let pin = [-width, 12.0 * width];
+        let (wall, pin) = ([[0.0, 3.0], [0.0, -3.0]], [pin]);
+        let obstacle = |vertices| ObstacleDescription {
+            vertices,
+            friction_static: 0.2,
+            friction_dynamic: 0.1,
+            memory: None,
+        };
+        let up = 12f64.atan2(-1.0);
+        let description = Description {
+            vertices: &[[0.0, 0.0], [1.0, 0.0]],
+            start: [0.0, 0.0, up],
+            weight: 0.0,
+            holding_point: None,
+            reach: 0.0,
+            stiffness_translation: 1.0,
+            stiffness_rotation: 1.0,
+            surfaces: &[],
+        };
+        type Slit = Scene<f64, 2, 1, WithObstacles<2, 3, Full>>;
+        let slit = Slit::among(&description, &[obstacle(&wall), obstacle(&pin)]);
+        let slit = slit.expect("a sound scene");
+        let first = slit.surface_indices().end;
+        let (vertex, surface) = (0, first);
+        let on_wall = Pair { vertex, surface };
+        let at_pin = Pair::of_corner(first + 2, 1);
+        let pose = Pose {
+            position: Vec2::ZERO,
+            orientation: Orientation::new(Angle::from_radians(up)),
+        };
+        let pivot = Pivot::at(&slit, &pose, on_wall);
+        assert!(pivot.placed(&slit).gap(&slit, at_pin).abs() < 1e-12);
+        let grip = Grip {
+            holding_point: Vec2::new(0.5, 0.0),
+            hand: Vec2::new(0.0, -1.0),
+            angle: Angle::from_radians(up - 1.0),
+        };
+        let contacts = (&pivot, at_pin);
+        let Some(trammel) = Trammel::driven(&slit, contacts, &grip, Demand::AtTheEnd) else {
+            continue;
+        };
+        count += 1;
+        let course = Course::of(&slit, contacts, &grip, &trammel);
+        is_one_branch(&course, k);
+    }
+    assert!(count > 30, "{count}");
 }
