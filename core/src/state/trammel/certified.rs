@@ -156,7 +156,7 @@ impl<R: Real> Twist<R> {
     /// `stability`: the slide is nowhere less stable.
     fn forgets(&self, sizes: [R; 2], reach: R, stability: R) -> bool {
         let swings = (self.turn.abs() * self.arm.length_bound() * reach).doubled();
-        let jump = self.jump(sizes, swings);
+        let jump = self.jump(sizes, |edge| edge, |worth| worth.abs() + swings);
         let slows = self.slows(reach);
         self.slips()
             .all(|(memory, speed)| (speed + slows) * jump < memory * stability)
@@ -164,18 +164,24 @@ impl<R: Real> Twist<R> {
 
     /// True if a slip that began here would be as long as the memory of a contact (E14).
     fn is_pressed(&self, sizes: [R; 2], stability: R) -> bool {
-        let jump = self.jump(sizes, R::ZERO);
+        let jump = self.jump(sizes, |edge| edge, |worth| worth);
         self.slips()
             .any(|(memory, speed)| speed * jump >= memory * stability)
     }
 
-    /// What is left of (E6) where the static cones bear the load, up to a change of what friction is worth.
-    fn jump(&self, sizes: [R; 2], change: R) -> R {
+    /// What is left of (E6) where the static cones bear the load, with edges and with what friction is `worth` counted as they are asked for:
+    /// for an upper bound without the signs of the latter.
+    pub(super) fn jump(
+        &self,
+        sizes: [R; 2],
+        counted: impl Fn(R) -> R,
+        worth: impl Fn(R) -> R,
+    ) -> R {
         let frictions = self.surfaces.map(|surface| surface.friction);
         let jumps = frictions.iter().zip(sizes).zip(self.frictions);
-        jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
+        jumps.fold(R::ZERO, |sum, ((friction, size), of)| {
             let (normal, _) = friction.sliding_edge(R::ZERO);
-            sum + friction.drop() * normal * size * (worth.abs() + change)
+            sum + counted(friction.drop() * normal) * size * worth(of)
         })
     }
 

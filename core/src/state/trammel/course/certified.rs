@@ -192,16 +192,6 @@ struct Memory<R> {
 }
 
 impl<R: Real> Pairing<R> {
-    /// What is left of (E6) where the static cones bear the load.
-    fn jump(&self, sizes: [R; 2], change: R) -> R {
-        let frictions = self.twist.surfaces.map(|surface| surface.friction);
-        let jumps = frictions.iter().zip(sizes).zip(self.twist.frictions);
-        jumps.fold(R::ZERO, |sum, ((friction, size), worth)| {
-            let (normal, _) = friction.sliding_edge(R::ZERO);
-            sum + friction.drop() * normal * per_memory() * size * (worth.abs() + change)
-        })
-    }
-
     /// The memory of each contact, and |v_i·t_i|.
     fn slips(&self) -> impl Iterator<Item = (R, R)> {
         let memories =
@@ -211,8 +201,10 @@ impl<R: Real> Pairing<R> {
 
     /// True if no slip that began on the way would be as long as the memory (E14), or one that began here would be: such a slide goes on.
     fn goes_on(&self, memory: &Memory<R>, (here, standing): ([R; 2], R)) -> bool {
-        let jump = self.jump(memory.sizes, memory.change);
-        let begins = self.jump(here, R::ZERO);
+        let counted = |edge| edge * per_memory();
+        let most = |worth: R| worth.abs() + memory.change;
+        let jump = self.twist.jump(memory.sizes, counted, most);
+        let begins = self.twist.jump(here, counted, |worth| worth);
         (self.slips())
             .all(|(length, speed)| (speed + memory.slows) * jump < length * memory.stability)
             || (self.slips()).any(|(length, speed)| speed * begins >= length * standing)
