@@ -117,7 +117,7 @@ impl<R: Real> Settling<R> {
         let mut work = state.verb_work();
         let next = self.next.map(Sign::number);
         let had_stiction = state.regime().has_stiction();
-        let before = state.clone();
+        let (before, asked) = (state.clone(), self.clone());
         let begin = self.tried.any().then(|| state.placed(scene));
         let under_way = &mut self.under_way;
         let moved = match next {
@@ -157,6 +157,10 @@ impl<R: Real> Settling<R> {
             }
             work = work.saturating_add(state.passing_work(scene, &moved.trigger));
             self.next = apply((scene, grip), state, &moved, sliding, log).map(Sign::of);
+        }
+        // What changes nothing would do so again and again.
+        if *self == asked && *state == before {
+            self.transitions = MAX_TRANSITIONS;
         }
         work.saturating_add(moved.work)
     }
