@@ -288,14 +288,18 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         work.spend(state.contact.verb_work());
         let moved = state.contact.advance(&self.scene, &state.grip, &end);
         work.spend(moved.work);
-        let comes_to = state.grip.lerp(&end, moved.part);
-        let slides = state.contact.regime().slide().is_some();
-        let arrives = match moved.trigger {
-            Trigger::Balanced => !moved.unsure,
-            // What slides on where a contact closes is seen on a displacement (rule 11): the next one.
-            Trigger::Touch(_) => slides && !moved.unsure && comes_to == *to,
-            _ => false,
+        let is_through = moved.trigger == Trigger::Balanced && !moved.unsure;
+        let comes_to = if is_through {
+            end
+        } else {
+            state.grip.lerp(&end, moved.part)
         };
+        // What slides on where a contact closes is seen on a displacement (rule 11): the next one.
+        let touches_at_end = matches!(moved.trigger, Trigger::Touch(_))
+            && !moved.unsure
+            && state.contact.regime().slide().is_some()
+            && comes_to == *to;
+        let arrives = is_through || touches_at_end;
         if arrives && quarters == 0 {
             rests(&state.contact, log);
             (state.grip, state.errand.stage) = (*to, Stage::Arrived);
@@ -306,7 +310,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         } else {
             0
         };
-        state.grip = if arrives { end } else { comes_to };
+        state.grip = comes_to;
         state.errand.left = state.errand.left * (R::ONE - piece * moved.part);
         if arrives || moved.trigger == Trigger::GoesOn {
             return;
