@@ -185,6 +185,7 @@ impl Laws {
         self.deepest(&placed(&self.among.setup.vertices, pose))
     }
 
+    /// The same of a body that is placed.
     fn deepest(&self, body: &[Point]) -> f64 {
         let obstacles = self.among.obstacles.iter();
         let obstacles = obstacles.map(|o| match (body, o.vertices.as_slice()) {

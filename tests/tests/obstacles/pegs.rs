@@ -1,5 +1,4 @@
-//! Pegs put into a hole with a clearance of a thousandth: how an insertion ends by frame does not depend on the number type. Along the path
-//! some end in a snap out of a clamped balance, which is not the same in all digits.
+//! Pegs put into a hole with a clearance of a thousandth: how an insertion ends does not depend on the number type.
 
 use stiction_core::{Evolution, Fixed};
 use stiction_tests::obstacles::pegs::Insertion;
@@ -7,13 +6,26 @@ use stiction_tests::obstacles::pegs::Insertion;
 /// Insertions of random starts.
 const COUNT: u64 = 100;
 
+/// By frame all of them. Along the path one in a hundred may end otherwise: where a slide of two contacts becomes pressed and sticks is a
+/// matter of few digits.
 #[test]
 fn insertions_end_alike_in_every_number_type() {
+    let mut others = Vec::new();
     for number in 0..COUNT {
         let insertion = Insertion::of(number);
-        let end = insertion.end::<f64>(Evolution::Frame);
-        let words = format!("peg {number}: {end:?}");
-        assert_eq!(insertion.end::<f32>(Evolution::Frame), end, "{words}");
-        assert_eq!(insertion.end::<Fixed>(Evolution::Frame), end, "{words}");
+        for evolution in Evolution::ALL {
+            let end = insertion.end::<f64>(evolution);
+            let ends = [
+                insertion.end::<f32>(evolution),
+                insertion.end::<Fixed>(evolution),
+            ];
+            let words = format!("peg {number}, {}: {end:?}, {ends:?}", evolution.name());
+            if evolution == Evolution::Frame {
+                assert_eq!(ends, [end; 2], "{words}");
+            } else if ends != [end; 2] {
+                others.push(words);
+            }
+        }
     }
+    assert!(others.len() as u64 <= COUNT / 100, "{others:#?}");
 }
