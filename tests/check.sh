@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # Everything that must hold: format, lints, tests, the live page in a browser, documentation, bare-metal builds, oldest
 # compiler, dependencies.
+#   tests/check.sh             all of it
+#   tests/check.sh --quick     format, lints, and the tests of what changes most often: core, tests, scene files
 # Where an optional tool is missing and cannot be installed, the stage is skipped with the command to type;
 # with CI=true that is a failure.
 set -euo pipefail
@@ -8,6 +10,16 @@ cd "$(dirname "$0")/.."
 
 # A checkout that is built once gains nothing from what speeds up the next build, which takes gigabytes.
 [ "${CI:-}" != true ] || export CARGO_INCREMENTAL=0
+
+quick=
+case "$*" in
+  '') ;;
+  --quick) quick=yes ;;
+  *)
+    printf 'unknown argument: %s; allowed: --quick, or none\n' "$*" >&2
+    exit 2
+    ;;
+esac
 
 stage() { printf '\n== %s (after %d min %02d s)\n' "$*" $((SECONDS / 60)) $((SECONDS % 60)); }
 
@@ -22,6 +34,13 @@ cargo fmt --all --check
 
 stage 'lints'
 cargo clippy --workspace --all-targets --features stiction-host-sim/cycles --locked -- -D warnings
+
+if [ -n "$quick" ]; then
+  stage 'tests of core, tests and scene files'
+  cargo test --no-fail-fast --locked -p stiction-core -p stiction-scene -p stiction-tests
+  stage 'the quick checks hold; all of them: tests/check.sh'
+  exit
+fi
 
 boards=()
 for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf riscv32imc-unknown-none-elf wasm32-unknown-unknown; do
@@ -47,12 +66,19 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf
 done
 
 stage 'emulators and interpreters'
-# QEMU knows both boards from version 10 on, which Debian 12 has among its backports.
+# QEMU knows both boards from version 10 on, which Debian 12 has among its backports: on the mirror that the machine takes its
+# packages from.
 suite=
 if grep -qs '^VERSION_CODENAME=bookworm$' /etc/os-release; then
   suite='-t bookworm-backports '
   backports=/etc/apt/sources.list.d/bookworm-backports.list
 fi
+add_backports() {
+  local mirror
+  mirror=$(apt-get indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' 'Created-By: Packages' |
+    sed -n 's/^bookworm main //p' | head -n 1)
+  [ -z "$mirror" ] || printf 'deb %s bookworm-backports main\n' "$mirror" >"$backports"
+}
 version() { "$1" --version 2>/dev/null | sed -n '1s/.* version \([0-9]*\)\..*/\1/p'; }
 for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3; do
   program=${tool%:*} from=
@@ -60,8 +86,7 @@ for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc
     qemu-*)
       from=$suite
       [ "$(version "$program")" -ge 10 ] 2>/dev/null && continue
-      [ -z "$suite" ] || apt-cache policy | grep -q bookworm-backports ||
-        echo 'deb http://deb.debian.org/debian bookworm-backports main' >"$backports" || true
+      [ -z "$suite" ] || apt-cache policy | grep -q bookworm-backports || add_backports || true
       ;;
     *) command -v "$program" && continue ;;
   esac
@@ -80,7 +105,7 @@ stage 'images of emulated boards'
 
 stage 'tests'
 # With debug assertions and overflow checks.
-cargo test --workspace --exclude stiction-bench --features stiction-host-sim/cycles --locked
+cargo test --no-fail-fast --workspace --exclude stiction-bench --features stiction-host-sim/cycles --locked
 
 # Takes minutes to compile: beside what does not need all cores.
 deny=target/cargo-deny.log
@@ -113,7 +138,7 @@ fi
 stage 'tests, release'
 # What computes is run as it is shipped, too; the program around it and the images of boards, which are the same whatever the
 # tests are built with, are not.
-cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
+cargo test --release --no-fail-fast --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
 
 stage 'ten million steps of the hand'
 cargo run --release --locked -p stiction-tests --bin walk -- 10000000
@@ -160,15 +185,34 @@ else
   missing "Rust $oldest" "rustup toolchain install $oldest --profile minimal"
 fi
 
+# as_database ARCHIVE: cargo-deny fetches its database from the files of this archive.
+as_database() {
+  local files=$PWD/target/advisory-snapshot
+  rm -rf "$files"
+  mkdir -p "$files"
+  tar -xzf "$1" -C "$files"
+  git -C "$files" init -q -b main
+  git -C "$files" add -A -f
+  git -C "$files" -c user.name=snapshot -c user.email= commit -q -m "$(basename "$1")"
+  GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0="url.file://$files.insteadOf" GIT_CONFIG_VALUE_0=https://github.com/RustSec/advisory-db \
+    cargo deny --locked fetch db
+}
+
 stage 'dependencies: licences, sources, duplicates'
 if wait "$installs_deny"; then
   cargo deny --locked check licenses bans sources
 
   stage 'dependencies: known vulnerabilities'
+  # The database of the network; where that cannot be reached, a snapshot of it that lies beside the checkout.
+  snapshot=$(printf '%s\n' ../shared/data/advisory-db-*.tar.gz | tail -n 1)
   if cargo deny --locked fetch db; then
-    cargo deny --locked check --disable-fetch advisories
+    cargo deny --locked --offline check advisories
+  elif [ -e "$snapshot" ]; then
+    printf 'the database of vulnerabilities cannot be fetched from here; its snapshot: %s\n' "$(basename "$snapshot")"
+    as_database "$snapshot"
+    cargo deny --locked --offline check advisories
   else
-    echo 'skipped: the advisory database cannot be fetched from here'
+    missing 'the database of vulnerabilities' 'cargo deny fetch db'
   fi
 else
   tail -n 20 "$deny"
