@@ -2,11 +2,13 @@
 
 use crate::common::BOX;
 use stiction_core::frame::{Mode, Pose};
-use stiction_core::{Description, Event, Hand, Output, Real, Scene, Solver, State};
+use stiction_core::{
+    Description, Event, Evolution, Full, Hand, Model, Output, Real, Scene, Solver, State,
+};
 
 /// The solver of the board's scene, beside it.
-pub(crate) struct Beside<R: Real> {
-    pub(crate) solver: Solver<R, 8, 4>,
+pub(crate) struct Beside<R: Real, const V: usize = 8, const S: usize = 4, M: Model = Full> {
+    pub(crate) solver: Solver<R, V, S, M>,
     pub(crate) state: Option<State<R>>,
 }
 
@@ -16,9 +18,15 @@ impl<R: Real<Si = f32>> Beside<R> {
     }
     /// Beside a board with another scene.
     pub(crate) fn of(description: &Description<'_, f32>, mode: &Mode) -> Self {
-        let scene: Scene<R, 8, 4> = Scene::new(description).unwrap();
+        Self::solving(Scene::new(description).unwrap(), mode.evolution)
+    }
+}
+
+impl<R: Real<Si = f32>, const V: usize, const S: usize, M: Model> Beside<R, V, S, M> {
+    /// Beside a board with a scene of any size and model.
+    pub(crate) fn solving(scene: Scene<R, V, S, M>, evolution: Evolution) -> Self {
         Self {
-            solver: Solver::new(scene, mode.evolution),
+            solver: Solver::new(scene, evolution),
             state: None,
         }
     }

@@ -1,7 +1,7 @@
 //! Scenes with obstacles on a board with room for some (FRAME 4.9, 5.8, 5.9): to the bits of a solver beside it; what does not fit is
 //! refused with the numbers, and a board without room says so.
 
-use crate::beside::assert_same;
+use crate::beside::{Beside, assert_same};
 use crate::client::{Heard, Said, scene};
 use crate::common::{BOX, FLOOR};
 use crate::rig::{Nothing, Rig, S, V};
@@ -90,21 +90,13 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
         ..Mode::DEFAULT
     });
     let there = Scene::<R, V, S, Model>::among(&EDGE, &OBSTACLES).expect("a scene");
-    let solver = Solver::new(there, evolution);
-    let mut state: Option<State<R>> = None;
+    let mut beside = Beside::solving(there, evolution);
     let (mut states, mut kinds) = (Vec::new(), [false; 2]);
     for (i, hand) in hands().enumerate() {
         rig.client.heard.clear();
         rig.hand(hand);
-        let output = match &mut state {
-            Some(state) => solver.step(state, hand),
-            None => {
-                let (begun, output) = solver.start(hand);
-                state = Some(begun);
-                output
-            }
-        };
-        let state = state.as_ref().expect("it has begun");
+        let output = beside.step(hand);
+        let (solver, state) = (&beside.solver, beside.state.as_ref().expect("it has begun"));
         let (mut poses, mut forces) = (0, 0);
         for Heard { said, .. } in rig.heard() {
             match said {
@@ -118,7 +110,7 @@ fn every_sample_is_stepped<R: Real<Si = f32>>(evolution: Evolution) {
                     contacts: said,
                 } => {
                     assert_eq!((wrench, turns), (solver.wrench(state), output.angle.turns));
-                    assert_eq!(said, contacts(&solver, state), "sample {i}");
+                    assert_eq!(said, contacts(solver, state), "sample {i}");
                     let touches = |pick: fn(&Touch) -> bool| said.iter().any(|c| pick(&c.touch));
                     kinds[0] |= touches(|touch| matches!(touch, Touch::Side { .. }));
                     kinds[1] |= touches(|touch| matches!(touch, Touch::Corner { .. }));

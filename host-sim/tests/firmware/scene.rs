@@ -5,8 +5,8 @@ use crate::board::Board;
 use crate::chip::{Chip, F405, MICROBIT, SMALL_MICROBIT, bundled};
 use crate::client::{Said, scene};
 use crate::common::BOX;
-use stiction_core::frame::{Command, Mode, Reason, Stepping};
-use stiction_core::{Description, Event, Fixed, Hand, Real, Solver, StateKind};
+use stiction_core::frame::{Command, Mode, Pose, Reason, Stepping};
+use stiction_core::{Description, Event, Fixed, Hand, Real, StateKind};
 use stiction_scene::{Among, HostModel, Motion, SceneFile, WrittenScene};
 
 /// The tip of a tool, held 40 mm above it, on a rough plate: one vertex, one surface, friction, no weight.
@@ -28,6 +28,16 @@ fn hand(i: u16) -> Hand<f32> {
     };
     let (down, along) = (part(0, 100), part(100, SAMPLES));
     Hand::new(0.05 * along, 0.05 - 0.014 * down, 0.1 * along)
+}
+
+/// The pose of a board that steps at every sample, for this one.
+fn stepped(board: &mut Board, hand: Hand<f32>) -> Pose {
+    board.send(Command::Hand(hand));
+    let sample = board.client.sequence.wrapping_sub(1);
+    board.wait(|_, said| match said {
+        Said::Pose(pose) if pose.sample == sample => Some(*pose),
+        _ => None,
+    })
 }
 
 fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
@@ -67,12 +77,7 @@ fn runs_its_scene<R: Real<Si = f32>>(chip: &'static Chip) {
     beside.solver = beside.solver.with_budget(info.budget);
     let mut slips = 0;
     for i in 0..SAMPLES {
-        board.send(Command::Hand(hand(i)));
-        let sample = board.client.sequence.wrapping_sub(1);
-        let pose = board.wait(|_, said| match said {
-            Said::Pose(pose) if pose.sample == sample => Some(*pose),
-            _ => None,
-        });
+        let pose = stepped(&mut board, hand(i));
         assert_same(
             &pose,
             &beside.step(hand(i)),
@@ -123,27 +128,14 @@ fn runs_its_obstacles<R: Real<Si = f32>>(chip: &'static Chip) {
         panic!("{OBSTACLES} has no keyframes");
     };
     let (scene, _) = <Among as HostModel>::scene::<R>(&file.written).unwrap();
-    let solver = Solver::new(scene, info.mode.evolution).with_budget(info.budget);
-    let mut state = None;
+    let mut beside = Beside::solving(scene, info.mode.evolution);
+    beside.solver = beside.solver.with_budget(info.budget);
     let mut tips = 0;
     for (i, sample) in path.frames(Some(RATE)).enumerate() {
         let [x, y] = sample.hand.position.map(|x| x as f32);
         let hand = Hand::new(x, y, sample.hand.angle.radians() as f32);
-        board.send(Command::Hand(hand));
-        let sample = board.client.sequence.wrapping_sub(1);
-        let pose = board.wait(|_, said| match said {
-            Said::Pose(pose) if pose.sample == sample => Some(*pose),
-            _ => None,
-        });
-        let expected = match &mut state {
-            Some(state) => solver.step(state, hand),
-            None => {
-                let (begun, output) = solver.start(hand);
-                state = Some(begun);
-                output
-            }
-        };
-        assert_same(&pose, &expected, &format!("{} {i}", chip.name()));
+        let pose = stepped(&mut board, hand);
+        assert_same(&pose, &beside.step(hand), &format!("{} {i}", chip.name()));
         tips += u32::from(pose.events.contains(Event::Tip));
     }
     assert!(tips > 0);
