@@ -107,9 +107,9 @@ impl<R: Real> Settling<R> {
         (work, true)
     }
 
-    fn verb(
+    fn verb<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         state: &mut ContactState<R>,
         log: &mut Log<R>,
@@ -132,7 +132,7 @@ impl<R: Real> Settling<R> {
             Next::Slip(sign) => state.slip(scene, grip, (sign, under_way)),
             Next::Snap(direction) => state.snap(scene, grip, (direction, under_way)),
         };
-        if begin.is_some_and(|begin| !state.placed(scene).is_near(&begin, R::MICRO)) {
+        if begin.is_some_and(|begin| !state.placed(scene).is_near(&begin, nowhere(scene))) {
             self.tried = Tried::default();
         }
         let gets_on = moved.unsure && *state != before;
@@ -182,6 +182,16 @@ pub(crate) fn log_slide<R: Real>(
             log.transitions.add(halt_arm(state));
         }
         log.event(Event::Stop);
+    }
+}
+
+/// A verb that took the body no farther, turn and all, has not moved it. Among obstacles a contact leaves its side a touch beyond the end
+/// and is back from the next one a touch beyond the other end, twice where the body turns as far: that has led nowhere.
+fn nowhere<R: Real, W: World<R>>(_: &W) -> R {
+    if W::CORNERS {
+        R::MICRO.max(R::TOUCH * R::from_int(4))
+    } else {
+        R::MICRO
     }
 }
 

@@ -45,6 +45,8 @@ enum Begin {
     SlideAlone,
     Open,
     SlideTogetherInBalance,
+    /// Away from what it takes along (STATICS 12.6).
+    SlideAway,
 }
 
 impl Begin {
@@ -222,9 +224,9 @@ impl<R: Real> FixedPose<R> {
 
     /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with
     /// fewest openings first. Each is looked for when it is asked for.
-    fn motions(
+    fn motions<W: World<R>>(
         &self,
-        scene: &impl World<R>,
+        scene: &W,
         (grip, ahead): (&Grip<R>, &Grip<R>),
         load: &Load<R>,
     ) -> impl Iterator<Item = Trigger<R>> {
@@ -252,6 +254,9 @@ impl<R: Real> FixedPose<R> {
                     Begin::SlideTogetherInBalance => {
                         self.twist(scene, grip, &mode, Demand::AtTheEnd).is_some()
                     }
+                    Begin::SlideAway => {
+                        self.is_consistent_with(scene, grip, (&mode, Demand::AtTheEnd))
+                    }
                     _ => is_consistent(&mode),
                 };
                 begins.then(|| match begin {
@@ -260,7 +265,8 @@ impl<R: Real> FixedPose<R> {
                 })
             })
         };
-        let others = Begin::ALL.into_iter().flat_map(of_kind);
+        let last = W::CORNERS.then_some(Begin::SlideAway);
+        let others = Begin::ALL.into_iter().chain(last).flat_map(of_kind);
         core::iter::once_with(of_facet).flatten().chain(others)
     }
 
@@ -272,7 +278,7 @@ impl<R: Real> FixedPose<R> {
             .filter(move |&(i, k, sign)| match begin {
                 Begin::SlideTogether | Begin::SlideTogetherInBalance => i < k,
                 Begin::Turn => i == k && sign > R::ZERO,
-                Begin::SlideAlone => i == k,
+                Begin::SlideAlone | Begin::SlideAway => i == k,
                 Begin::Open => i == 0 && k == 0 && sign > R::ZERO,
             })
     }

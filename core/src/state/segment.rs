@@ -267,12 +267,12 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
 
     /// Ends where the body has turned to the end of what supports a contact at the end of a side.
     fn stop_at_tip<W: World<R>>(&mut self, scene: &W, placed: &Placed<R>, contact: Pair) {
-        let tips = placed.tips(scene, contact);
-        if tips.iter().all(Option::is_none) {
+        let (towards, tips) = placed.tips(scene, contact);
+        if towards * self.turn() <= R::ZERO || tips.iter().all(Option::is_none) {
             return;
         }
         let path = PointPath::straight(Vec2::ZERO);
-        let gap = |body: &Instant<R>, tip: &Tip| {
+        let gap = |body: &Instant<R>, tip: &Tip<R>| {
             let gap = body.gap(scene, tip.neighbour);
             Level::new(gap, R::of_coordinates())
         };

@@ -311,7 +311,9 @@ impl<R: Real> SingleVertex<R> {
             let near = R::met_before();
             placed.gap(scene, pair) <= near && (!W::CORNERS || placed.beyond(scene, pair) <= near)
         };
-        let blocked = matches!(moved.trigger, Trigger::Touch(pair) if was_there(pair));
+        // Where the looks gave up among obstacles, the pair is none.
+        let is_known = !W::CORNERS || !moved.unsure;
+        let blocked = is_known && matches!(moved.trigger, Trigger::Touch(pair) if was_there(pair));
         if blocked {
             *self = begin;
         }

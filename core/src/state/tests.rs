@@ -8,6 +8,7 @@ use crate::model::Model;
 use crate::scene::{Description, Scene, SurfaceDescription};
 
 mod absent;
+mod among;
 mod attempts;
 mod ends;
 mod unsure;

@@ -208,6 +208,14 @@ impl<R: Real> Trammel<R> {
         self.sense.signs
     }
 
+    /// The moment about contact 1 presses contact 2, whose reaction is on the edge of its dynamic cone.
+    pub(crate) fn moment_presses(&self) -> bool {
+        let [_, second] = self.sense.reactions;
+        let moment = self.load.moment();
+        let lever = self.arm.cross(second);
+        moment > R::ZERO && lever < R::ZERO || moment < R::ZERO && lever > R::ZERO
+    }
+
     /// The reactions (N, T) of both contacts in balance, each on an edge of its dynamic cone: from the force alone where that says more
     /// than force and moment together.
     pub(crate) fn reactions(&self) -> [[R; 2]; 2] {

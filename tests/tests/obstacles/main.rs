@@ -8,3 +8,4 @@ mod judge;
 mod judged;
 mod lawful;
 mod pegs;
+mod rests;

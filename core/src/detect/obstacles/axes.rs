@@ -75,15 +75,20 @@ pub(super) fn moving<R: Real, W: World<R>>(
 
 /// A contact is one of those that last, or a corner at the place of one of these.
 pub(super) fn lasts<R: Real, W: World<R>>(scene: &W, pair: Pair, lasting: &[Pair]) -> bool {
-    let place = |pair: Pair| scene.corner(pair.surface).map(|corner| corner.place);
-    let is_at = |other: &Pair| {
+    let is_there = |other: &Pair| {
         other.is_corner()
             && other.body_side() == pair.body_side()
-            && place(*other)
-                .zip(place(pair))
-                .is_some_and(|(a, b)| (a - b).length_bound() <= together())
+            && is_at(scene, other.surface, pair.surface)
     };
-    lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_at)
+    lasting.contains(&pair) || pair.is_corner() && lasting.iter().any(is_there)
+}
+
+/// Two corners are at one place.
+pub(super) fn is_at<R: Real, W: World<R>>(scene: &W, corner: u8, other: u8) -> bool {
+    let place = |corner: u8| scene.corner(corner).map(|corner| corner.place);
+    place(corner)
+        .zip(place(other))
+        .is_some_and(|(a, b)| (a - b).length_bound() <= together())
 }
 
 /// The direction of an axis, from the obstacle to the body.

@@ -10,33 +10,36 @@ use crate::thresholds::Thresholds;
 use crate::world::World;
 
 /// A vertex and a corner at one place: what supports their contact, and what it becomes where that ends.
-pub(crate) struct Tip {
+pub(crate) struct Tip<R> {
     /// The contact that lies flat there and reaches no farther: of a neighbour of the vertex, or of the corner.
     pub(crate) neighbour: Pair,
+    /// How far it is beyond the end.
+    off: R,
     /// The contact at the same place whose normal comes next.
     pub(crate) next: Pair,
 }
 
 impl<R: Real> Placed<R> {
     /// Where a contact is at the end of its side, the body that turns about it lies flat beyond that end and touches nothing more: there
-    /// the normal begins to turn, with the body or with it no more (STATICS 12.4).
-    pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> [Option<Tip>; 2] {
+    /// the normal begins to turn, with the body or with it no more (STATICS 12.4). And the direction in which it turns there.
+    pub(crate) fn tips<W: World<R>>(&self, scene: &W, contact: Pair) -> (R, [Option<Tip<R>>; 2]) {
         let [low, high] = scene.reach(contact);
         let foot = self.foot(scene, contact);
         let (to_low, to_high) = (foot - low, high - foot);
         if to_low > together() && to_high > together() {
-            return [None, None];
+            return (R::ZERO, [None, None]);
         }
         let surface = scene.face(contact, self.orientation.rotation());
         let is_high = to_high < to_low;
         let arm = self.arm_to(scene, contact);
         // Beyond the end, as a vertex and as a corner see it.
-        let off = if is_high == contact.is_corner() {
-            -surface.tangent
+        let (beyond, turn) = if is_high == contact.is_corner() {
+            (-surface.tangent, R::ONE)
         } else {
-            surface.tangent
+            (surface.tangent, -R::ONE)
         };
-        if contact.is_corner() {
+        let off = |neighbour| beyond.dot(self.arm_to(scene, neighbour) - arm);
+        let tips = if contact.is_corner() {
             let obstacle = scene.obstacle_of(contact);
             let own = corners(scene, usize::from(obstacle.unwrap_or_default()));
             let side = contact.body_side();
@@ -47,9 +50,9 @@ impl<R: Real> Placed<R> {
                 let neighbour = Pair::of_corner(other, side);
                 let line = if ahead { contact.surface } else { other };
                 let surface = line_of(scene, line);
-                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
-                (own.len() > 1 && is_off).then_some(Tip {
+                (own.len() > 1).then(|| Tip {
                     neighbour,
+                    off: off(neighbour),
                     next: Pair { vertex, surface },
                 })
             })
@@ -69,17 +72,22 @@ impl<R: Real> Placed<R> {
                     vertex: other,
                     ..contact
                 };
-                let is_off = off.dot(self.arm_to(scene, neighbour) - arm) > R::ZERO;
                 let next = Pair::of_corner(corner?, side);
-                (other != contact.vertex && is_off).then_some(Tip { neighbour, next })
+                (other != contact.vertex).then(|| Tip {
+                    neighbour,
+                    off: off(neighbour),
+                    next,
+                })
             })
-        }
+        };
+        (turn, tips)
     }
 
     /// The contact that comes next where a body has turned to the end of what supports one.
     pub(crate) fn next_at_tip<W: World<R>>(&self, scene: &W, contact: Pair) -> Option<Pair> {
-        let tips = self.tips(scene, contact).into_iter().flatten();
-        let gap = |tip: &Tip| self.gap(scene, tip.neighbour);
+        let (_, tips) = self.tips(scene, contact);
+        let tips = (tips.into_iter().flatten()).filter(|tip| tip.off > R::ZERO);
+        let gap = |tip: &Tip<R>| self.gap(scene, tip.neighbour);
         let next = tips.reduce(|least, tip| if gap(&tip) < gap(&least) { tip } else { least });
         next.map(|tip| tip.next)
     }

@@ -2,7 +2,8 @@
 
 use super::super::Placed;
 use super::axes::{
-    Beside, direction, faces, gap_along, is_flat_on, lies_over, moving, off, stays_open, widest,
+    Axis, Beside, direction, faces, gap_along, is_at, is_flat_on, lies_over, moving, off,
+    opening_along, stays_open, widest,
 };
 use super::tally::{Sizes, Tally};
 use super::{corners, line_of};
@@ -357,8 +358,23 @@ fn touched<R: Real, W: World<R>>(
     let now = &body.placed;
     let own = corners(scene, obstacle);
     let is_own = |pair: Pair| {
-        let side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
-        own.contains(&pair.surface) || own.clone().any(side)
+        let is_side = |corner: u8| !pair.is_corner() && line_of(scene, corner) == pair.surface;
+        // A covered corner of its own touches as the one that covers it.
+        let is_in_place = |corner: u8| pair.is_corner() && is_at(scene, corner, pair.surface);
+        own.contains(&pair.surface)
+            || own
+                .clone()
+                .any(|corner| is_side(corner) || is_in_place(corner))
+    };
+    // Of a body that lies flat on a side the vertex goes as the whole side does.
+    let closing = |pair: Pair| {
+        let axis = if pair.is_corner() {
+            Axis::BodySide(pair.body_side())
+        } else {
+            Axis::Side(pair.surface)
+        };
+        let gap = gap_along(scene, body, (obstacle, axis), lasting);
+        opening_along(scene, body, (obstacle, axis), (lasting, gap))
     };
     let is_new = |pair: Pair| {
         // An overlap that short goes on as its other end.
@@ -375,12 +391,13 @@ fn touched<R: Real, W: World<R>>(
         tally.spend(now.work_of_touching(scene, near));
         let mut list = Pairs::new();
         now.touching_obstacles(scene, near, &mut list);
-        let mut latest: Option<((bool, R, R), Pair)> = None;
+        let mut latest: Option<((bool, R, R, R), Pair)> = None;
         for pair in list.iter().copied().filter(|&pair| is_new(pair)) {
             let normal = scene.face(pair, now.orientation.rotation()).normal;
             let is_beside = is_own(pair) && beside.last.is_none_or(|side| faces(normal, side));
             let gap = before.gap(scene, pair).max(R::met_before());
-            let order = (is_beside, gap, body.gap(scene, pair).slope);
+            let slope = body.gap(scene, pair).slope;
+            let order = (is_beside, gap, closing(pair), slope);
             if latest.is_none_or(|(most, _)| order > most) {
                 latest = Some((order, pair));
             }

@@ -242,3 +242,26 @@ fn a_side_that_ends_at_the_floor_and_goes_on_below_it_is_not_touched() {
     let through = through.map(|[x, y]| [x - 1.0, y]);
     assert_eq!(touching(&through), [v(0, 3)]);
 }
+
+/// A box below the end of a wall, its side in line with the wall and its upper vertex at the corner there, turns about its top such that
+/// the side leans over: the corner comes onto that side, while the vertex goes off the wall.
+#[test]
+fn a_side_that_leans_over_a_corner_is_touched_by_the_corner() {
+    let wall = [[-1.0, 0.0], [0.0, 0.0], [0.0, 2.0], [-1.0, 2.0]];
+    let body = [[0.0, -2.0], [4.0, -2.0], [4.0, 0.0], [0.0, 0.0]];
+    let scene = scene(&body, &[&wall]);
+    // However it touches, by less than what counts as a touch.
+    let offs = [-3e-11, 0.0, 3e-11];
+    for [x, y] in offs.into_iter().flat_map(|x| offs.map(|y| [x, y])) {
+        let about = Placed {
+            body_point: Vec2::new(3.0, 0.0),
+            ..placed(3.0 + x, y, 0.0)
+        };
+        let course = course(about, Vec2::ZERO, -0.1);
+        let (at, pair) = reached(&scene, Known::of(&[]), course).expect("the corner");
+        assert!(
+            at < 1e-3 && pair == Pair::of_corner(1, 3),
+            "{x} {y}: {at} {pair:?}"
+        );
+    }
+}

@@ -156,11 +156,8 @@ impl<R: Real> Placed<R> {
         let mut ways = ways.into_iter().filter(|&(room, _)| room >= least);
         // The side goes on behind a half-plane.
         let is_behind = |along: Vec2<R>| {
-            scene.surface_indices().any(|surface| {
-                let (vertex, normal) = (contact.vertex, scene.surface(surface).normal);
-                self.gap(scene, Pair { vertex, surface }) <= place.1
-                    && normal.dot(along) < -R::MICRO
-            })
+            let mut surfaces = scene.surface_indices();
+            surfaces.any(|surface| self.goes_behind(scene, (surface, contact), along))
         };
         ways.any(|(_, along)| !is_behind(along) && is_in_front(along))
     }
@@ -266,19 +263,24 @@ impl<R: Real> Placed<R> {
 
     /// The side of the second contact, which is at its end, ends on the side of the first and goes on behind it.
     fn ends_behind<W: World<R>>(&self, scene: &W, [front, contact]: [Pair; 2]) -> bool {
-        let there = Pair {
-            vertex: contact.vertex,
-            ..front
-        };
-        let normal = scene.face(front, self.orientation.rotation()).normal;
+        let goes_behind = |along| self.goes_behind(scene, (front.surface, contact), along);
+        self.way_from_end(scene, contact).is_some_and(goes_behind)
+    }
+
+    /// A contact of a vertex is on another surface, too, behind which a direction leads.
+    fn goes_behind<W: World<R>>(
+        &self,
+        scene: &W,
+        (surface, contact): (u8, Pair),
+        along: Vec2<R>,
+    ) -> bool {
+        let there = Pair { surface, ..contact };
         // It is found no better than it lies on its own side.
         let off = (self.gap(scene, contact).abs()).max(self.beyond(scene, contact));
         let known_to = self.here().max(off.doubled());
-        let is_on_front =
-            self.gap(scene, there).abs() <= known_to && self.beyond(scene, there) <= known_to;
-        is_on_front
-            && (self.way_from_end(scene, contact))
-                .is_some_and(|along| along.dot(normal) < -R::MICRO)
+        along.dot(scene.surface(surface).normal) < -R::MICRO
+            && self.gap(scene, there).abs() <= known_to
+            && self.beyond(scene, there) <= known_to
     }
 
     /// The direction in which the side of a contact goes on from its end, if it is there.

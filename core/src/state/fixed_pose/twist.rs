@@ -3,6 +3,7 @@
 
 use super::{FixedPose, Mode};
 use crate::contact::Pair;
+use crate::detect::Placed;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
 use crate::load::Load;
@@ -28,6 +29,16 @@ impl<R: Real> FixedPose<R> {
         grip: &Grip<R>,
         mode: &Mode<R>,
     ) -> bool {
+        self.is_consistent_with(scene, grip, (mode, Demand::Pressed))
+    }
+
+    /// The same with what is asked of reactions.
+    pub(super) fn is_consistent_with(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        mode: (&Mode<R>, Demand),
+    ) -> bool {
         let slowest = self.slowest_opening(scene, grip, mode);
         slowest.is_some_and(|rate| rate >= -R::in_plane())
     }
@@ -39,21 +50,34 @@ impl<R: Real> FixedPose<R> {
         grip: &Grip<R>,
         mode: &Mode<R>,
     ) -> bool {
-        let slowest = self.slowest_opening(scene, grip, mode);
+        let slowest = self.slowest_opening(scene, grip, (mode, Demand::Pressed));
         slowest.is_some_and(|rate| rate > R::in_plane())
     }
 
     /// The least rate at which the gap of a contact opens that does not last; nothing where the load does not drive.
-    fn slowest_opening(&self, scene: &impl World<R>, grip: &Grip<R>, mode: &Mode<R>) -> Option<R> {
-        let twist = self.twist(scene, grip, mode, Demand::Pressed)?;
+    fn slowest_opening(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (mode, demand): (&Mode<R>, Demand),
+    ) -> Option<R> {
+        let twist = self.twist(scene, grip, mode, demand)?;
         let placed = self.pivot.placed(scene);
         let lasting = mode.0.map(|i| self.contact(i));
         let others = self.contacts.iter().filter(|c| !lasting.contains(c));
-        let rates = others.map(|c| {
-            let velocity = twist.velocity + placed.arm_to(scene, *c).turned() * twist.turn;
-            self.surface(scene, *c).normal.dot(velocity)
-        });
+        let rates = others.map(|c| self.opening(scene, &placed, (&twist, *c)));
         Some(rates.fold(R::HUGE, R::min))
+    }
+
+    /// The rate at which the gap of a contact opens.
+    fn opening(
+        &self,
+        scene: &impl World<R>,
+        placed: &Placed<R>,
+        (twist, contact): (&Twist<R>, Pair),
+    ) -> R {
+        let velocity = twist.velocity + placed.arm_to(scene, contact).turned() * twist.turn;
+        self.surface(scene, contact).normal.dot(velocity)
     }
 
     /// The motion of a mode, if the load drives it.
@@ -81,7 +105,12 @@ impl<R: Real> FixedPose<R> {
                 let about = pivot.load(scene, grip);
                 let along = self.sliding(&about, &self.surface(scene, a), sign)?;
                 let stability = about.stability();
-                if stability <= R::ZERO {
+                let is_alone = || {
+                    !W::CORNERS
+                        || demand == Demand::AtTheEnd
+                        || !self.takes_along(scene, grip, (a, sign))
+                };
+                if stability <= R::ZERO || !is_alone() {
                     return None;
                 }
                 let mut drives = -about.lever.cross(along.velocity);
@@ -121,6 +150,31 @@ impl<R: Real> FixedPose<R> {
         (moment.abs() > load.rounding()).then_some(Twist {
             velocity: -(arm.turned() * turn),
             turn,
+        })
+    }
+
+    /// What slides along sign·t takes another contact along: the moment about it presses the body onto that one, and does so still with
+    /// the friction of a slide of both. Alone it would slide away from that contact and fall back onto it, again and again.
+    fn takes_along(
+        &self,
+        scene: &impl World<R>,
+        grip: &Grip<R>,
+        (slides, sign): (Pair, R),
+    ) -> bool {
+        let load = self.pivot.load(scene, grip);
+        let Some(turn) = self.pivoting(scene, &load, slides) else {
+            return false;
+        };
+        let pivot = Pivot::at(scene, &load.placed.pose(), slides);
+        let mut others = self.contacts.iter().filter(|&&other| other != slides);
+        others.any(|&other| {
+            let is_closed = self.opening(scene, &load.placed, (&turn, other)) < -R::in_plane();
+            is_closed
+                && [R::ONE, -R::ONE].into_iter().any(|direction| {
+                    self.cone.spend(DRIVEN);
+                    let both = Trammel::in_sense(scene, (&pivot, other), grip, direction);
+                    both.signs()[0] == sign && both.moment_presses()
+                })
         })
     }
 

@@ -2,7 +2,7 @@
 //! that turns back or leaves its side, and touch.
 
 use super::super::{Demand, Ending, LOOK, RUN, Run};
-use super::{Course, SPOT, Spot};
+use super::{Course, SPOT, Spot, sloped};
 use crate::bounded::Sloped;
 use crate::detect::{Among, Known, Reached, first_reached};
 use crate::falls::{Level, MOST_FALLS, first_fall};
@@ -26,13 +26,21 @@ pub(super) fn level<R: Real>(of: Sloped<R>, sign: R, rounding: R) -> Level<R> {
     }
 }
 
+/// What the moment about a contact is known to, in units of the load, where (E6) is known to a rounding.
+fn moment_known_to<R: Real>(rounding: R) -> R {
+    rounding.max(R::of_sums(R::ONE))
+}
+
 /// Of a slip: the sign and the rounding of (E6), and who may turn back.
 #[derive(Clone, Copy)]
 struct Falls<R> {
     sense: R,
     rounding: R,
     turns: [bool; 2],
-    demand: Demand,
+    /// Both reactions are to press on all of it.
+    presses: bool,
+    /// Which contacts the moment about the other one presses.
+    pressed: [bool; 2],
 }
 
 impl<R: Real, W: World<R>> Course<'_, R, W> {
@@ -51,7 +59,13 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             // Who has just turned does not turn again within a piece.
             turns: [(v1, s1), (v2, s2)]
                 .map(|(v, sign)| sign != R::ZERO && v.value.abs() > R::standstill()),
-            demand,
+            presses: demand == Demand::Pressed,
+            pressed: if demand == Demand::AtTheEnd {
+                let pressing = self.pressing(&self.spot(R::ZERO));
+                pressing.map(|pressing| pressing.value > moment_known_to(rounding))
+            } else {
+                [false; 2]
+            },
         };
         let looks = Cell::new(0_u32);
         let from = |begin: R, end: R| {
@@ -121,14 +135,36 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         (pivot, run)
     }
 
-    /// What is zero where the slip ends: (E6) where it is asked for, N_1, N_2, both velocities, the ends of both sides.
-    fn falls(&self, spot: &Spot<R>, falls: &Falls<R>, is_asked: bool) -> [Option<Level<R>>; 7] {
+    /// How much the moment about the other contact presses each of them: where that falls to zero it presses none any more.
+    fn pressing(&self, spot: &Spot<R>) -> [Sloped<R>; 2] {
+        let (_, [(force, moment), _]) = self.terms(spot, (Vec2::ZERO, R::ZERO));
+        let arm = sloped(spot.arm, self.swing(spot));
+        let [first, second] = spot.surfaces;
+        let [spin1, spin2] = self.spins(spot);
+        let lever = |normal: Vec2<R>, spin| arm.cross(sloped(normal, normal.turned() * spin));
+        let about_other = moment - arm.cross(force);
+        [
+            lever(first.normal, spin1) * about_other,
+            -(lever(second.normal, spin2) * moment),
+        ]
+    }
+
+    /// What is zero where the slip ends: (E6) where it is asked for, N_1, N_2, both velocities, the ends of both sides; where reactions
+    /// are looked at in balance only, what presses each contact.
+    fn falls(&self, spot: &Spot<R>, falls: &Falls<R>, is_asked: bool) -> [Option<Level<R>>; 9] {
         let (place, [load, _]) = self.terms(spot, (Vec2::ZERO, R::ZERO));
         let [n1, n2] = place.normals(load);
         let [v1, v2] = place.velocities;
         let [s1, s2] = self.signs;
         let [turns1, turns2] = falls.turns;
-        let presses = falls.demand == Demand::Pressed;
+        let presses = falls.presses;
+        let pressing = (falls.pressed.contains(&true)).then(|| self.pressing(spot));
+        let pressed = |index: usize, is_pressed: bool| {
+            let pressing = pressing.filter(|_| is_pressed)?;
+            let known_to = moment_known_to(falls.rounding);
+            Some(level(*pressing.get(index)?, R::ONE, known_to))
+        };
+        let [pressed1, pressed2] = falls.pressed;
         let drives = |of| level(of, falls.sense, falls.rounding);
         let goes = |of, sign| level(of, sign, R::standstill());
         [
@@ -139,6 +175,8 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             turns2.then(|| goes(v2, s2)),
             self.ahead(spot, 0),
             self.ahead(spot, 1),
+            pressed(0, pressed1),
+            pressed(1, pressed2),
         ]
     }
 
@@ -146,11 +184,11 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         let [s1, s2] = self.signs;
         match which {
             0 => Ending::Stopped,
-            1 => Ending::Opens {
+            1 | 7 => Ending::Opens {
                 lasts: 1,
                 sliding: s2,
             },
-            2 => Ending::Opens {
+            2 | 8 => Ending::Opens {
                 lasts: 0,
                 sliding: s1,
             },
