@@ -5,6 +5,8 @@
 mod twist;
 
 use super::trammel::Demand;
+use core::cell::OnceCell;
+
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::grip::Grip;
 use crate::list::gather;
@@ -140,11 +142,12 @@ impl<R: Real> FixedPose<R> {
     pub(super) fn advance(&self, scene: &impl World<R>, from: &Grip<R>, to: &Grip<R>) -> Moved<R> {
         let (part, trigger) = match self.bears_until(scene, (from, to)) {
             Borne::ToTheEnd => (R::ONE, Trigger::Balanced),
-            Borne::Unknown => (R::ONE, self.give_way(scene, (to, to), 0)),
+            Borne::Unknown => (R::ONE, self.give_way(scene, (to, &|| *to), 0)),
             Borne::Until(part) => {
                 let at = from.lerp(to, part);
-                // At the bound itself nothing is driven; beyond the rounding, wherever the frame ends, it shows what is.
-                let ahead = at.ahead(scene, to, self.release(scene, &at));
+                // What gives way without stiction is not driven at the bound itself; beyond the rounding, wherever the frame ends, it
+                // shows what is.
+                let ahead = || at.ahead(scene, to, self.release(scene, &at));
                 (part, self.give_way(scene, (&at, &ahead), 0))
             }
         };
@@ -159,13 +162,18 @@ impl<R: Real> FixedPose<R> {
     #[inline(never)]
     fn bears_until(&self, scene: &impl World<R>, (from, to): (&Grip<R>, &Grip<R>)) -> Borne<R> {
         let [before, after] = [from, to].map(|grip| self.pivot.load(scene, grip));
-        if self.holds(&after) {
+        let (wrench, little) = (after.wrench(), after.little());
+        if self.cone.jams(wrench, little) {
             return Borne::ToTheEnd;
         }
+        let of_reactions = R::of_reactions(after.rounding());
         let rounding = (before.rounding() + after.rounding()).doubled();
-        (self.cone)
-            .first_yield(before.wrench(), after.wrench(), rounding)
-            .map_or(Borne::Unknown, Borne::Until)
+        let roundings = [of_reactions, rounding];
+        let [beyond, yields] = (self.cone).first_yields(before.wrench(), wrench, roundings);
+        if beyond.is_none() && self.cone.left(wrench, little) <= little {
+            return Borne::ToTheEnd;
+        }
+        yields.map_or(Borne::Unknown, Borne::Until)
     }
 
     /// A displacement of the hand after which a load that the contacts had just borne is surely beyond that.
@@ -182,7 +190,7 @@ impl<R: Real> FixedPose<R> {
         let trigger = if self.holds(&self.pivot.load(scene, grip)) {
             Trigger::Balanced
         } else {
-            self.give_way(scene, (grip, grip), tried)
+            self.give_way(scene, (grip, &|| *grip), tried)
         };
         Moved {
             work: self.work(),
@@ -210,36 +218,41 @@ impl<R: Real> FixedPose<R> {
         }
     }
 
-    /// The motion that begins where so many were tried in vain.
+    /// The motion that begins where so many were tried in vain. `ahead`: the hand where it shows what is driven.
     fn give_way(
         &self,
         scene: &impl World<R>,
-        grips: (&Grip<R>, &Grip<R>),
+        (grip, ahead): (&Grip<R>, &dyn Fn() -> Grip<R>),
         tried: usize,
     ) -> Trigger<R> {
-        let load = self.pivot.load(scene, grips.0);
-        let mut motions = self.motions(scene, grips, &load);
+        let load = self.pivot.load(scene, grip);
+        let known = OnceCell::new();
+        let ahead = || known.get_or_init(ahead);
+        let mut motions = self.motions(scene, (grip, &ahead), &load);
         motions.nth(tried).unwrap_or(Trigger::Undriven)
     }
 
     /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with
     /// fewest openings first. Each is looked for when it is asked for.
-    fn motions<W: World<R>>(
+    fn motions<'a, W: World<R>>(
         &self,
         scene: &W,
-        (grip, ahead): (&Grip<R>, &Grip<R>),
+        (grip, ahead): (&Grip<R>, &dyn Fn() -> &'a Grip<R>),
         load: &Load<R>,
-    ) -> impl Iterator<Item = Trigger<R>> {
+    ) -> impl Iterator<Item = Trigger<R>>
+    where
+        R: 'a,
+    {
         let is_consistent = move |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; its direction shows ahead.
-            let grip = if mode.1.is_none() { ahead } else { grip };
+            let grip = if mode.1.is_none() { ahead() } else { grip };
             self.is_consistent(scene, grip, mode)
         };
         let of_facet = move || {
             let yields = self.cone.yields(load.wrench(), load.rounding(), &|yields| {
                 // At the bound itself the drive is zero.
                 let mode = self.mode_of(yields);
-                is_consistent(&mode) || self.is_consistent(scene, ahead, &mode)
+                is_consistent(&mode) || self.is_consistent(scene, ahead(), &mode)
             });
             yields.map(|yields| keep(self.mode_of(&yields)))
         };

@@ -22,25 +22,39 @@ pub(crate) enum Yield<R> {
 impl<R: Real> WrenchCone<R> {
     /// The part of the path from one load to another after which the contacts cannot bear it any more, if that comes.
     pub(crate) fn first_yield(&self, from: Wrench2<R>, to: Wrench2<R>, rounding: R) -> Option<R> {
-        let (mut first, mut has_facets) = (None, false);
+        let [first] = self.first_yields(from, to, [rounding]);
+        first
+    }
+
+    /// The same for several roundings.
+    pub(crate) fn first_yields<const N: usize>(
+        &self,
+        from: Wrench2<R>,
+        to: Wrench2<R>,
+        roundings: [R; N],
+    ) -> [Option<R>; N] {
+        let (mut firsts, mut has_facets) = ([None; N], false);
         self.each_facet(&mut |normal, sharpness, _| {
             has_facets = true;
             // The reactions are the opposite of the load.
             let (start, end) = (-normal.dot(from), -normal.dot(to));
-            if end * sharpness < -rounding {
-                let part = if start > R::ZERO {
-                    start / (start - end)
-                } else {
-                    R::ZERO
-                };
-                first = Some(first.map_or(part, |least: R| least.min(part)));
+            for (first, rounding) in firsts.iter_mut().zip(roundings) {
+                if end * sharpness < -rounding {
+                    let part = if start > R::ZERO {
+                        start / (start - end)
+                    } else {
+                        R::ZERO
+                    };
+                    *first = Some(first.map_or(part, |least: R| least.min(part)));
+                }
             }
         });
-        if has_facets || self.is_on_line(to, rounding) {
-            first
-        } else {
-            Some(R::ZERO)
+        for (first, rounding) in firsts.iter_mut().zip(roundings) {
+            if !has_facets && !self.is_on_line(to, rounding) {
+                *first = Some(R::ZERO);
+            }
         }
+        firsts
     }
 
     /// Without facets all edges lie in one line, as of contacts without friction on opposite sides of a slot: they bear what

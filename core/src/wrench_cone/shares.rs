@@ -31,21 +31,19 @@ impl<R: Real> WrenchCone<R> {
     pub(crate) fn jams(&self, load: Wrench2<R>, little: R) -> bool {
         let (mut part, step) = (load, R::digits());
         while part.size() > little * step {
-            if self
-                .triples()
-                .any(|t| self.bearing(t, part, little).is_some())
-            {
-                return true;
-            }
-            let presses = |&part: &R| part >= R::ZERO;
-            let mut solutions = self.triples().filter_map(|t| {
+            let mut is_beyond = false;
+            for edges in self.triples() {
                 self.spend(THREE);
-                self.on_three(t, part)
-            });
-            let is_beyond = solutions.any(|(solution, _)| {
-                let parts = solution.map(|(_, part)| part);
-                parts.iter().all(presses) && parts.iter().any(|&part| part >= R::HUGE)
-            });
+                let Some((solution, volume)) = self.on_three(edges, part) else {
+                    continue;
+                };
+                let mut parts = solution.iter().map(|&(_, part)| part);
+                is_beyond |=
+                    parts.clone().all(|part| part >= R::ZERO) && parts.any(|part| part >= R::HUGE);
+                if (self.refined(edges, (solution, volume), (part, little))).is_some() {
+                    return true;
+                }
+            }
             if !is_beyond {
                 return false;
             }
@@ -213,7 +211,17 @@ impl<R: Real> WrenchCone<R> {
         little: R,
     ) -> Option<[(usize, R); 3]> {
         self.spend(THREE);
-        let (solution, volume) = self.on_three(edges, load)?;
+        let found = self.on_three(edges, load)?;
+        self.refined(edges, found, (load, little))
+    }
+
+    /// The same of parts that are known, and the volume of the edges.
+    fn refined(
+        &self,
+        edges: [usize; 3],
+        (solution, volume): ([(usize, R); 3], R),
+        (load, little): (Wrench2<R>, R),
+    ) -> Option<[(usize, R); 3]> {
         let presses = |solution: &[(usize, R); 3]| {
             solution
                 .iter()
