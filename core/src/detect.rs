@@ -323,6 +323,7 @@ impl<R: Real> Placed<R> {
         let known = Known {
             lasting: moving.lasting,
             left: moving.left,
+            watch: Watch::NONE,
         };
         let at = |x: R| {
             let place = if x == end {

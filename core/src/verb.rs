@@ -142,7 +142,6 @@ fn close_gaps<R: Real>(
     const SWEEPS: usize = 16;
     let least = R::divisor();
     for _ in 0..SWEEPS {
-        let tangent = pivot.surface(scene).tangent;
         let mut is_seated = true;
         for &other in others {
             let placed = pivot.placed(scene);
@@ -153,7 +152,7 @@ fn close_gaps<R: Real>(
             is_seated = false;
             let normal = scene.face(other, placed.orientation.rotation()).normal;
             let by_turn = normal.dot(placed.arm_to(scene, other).turned());
-            let by_shift = normal.dot(tangent);
+            let by_shift = normal.dot(pivot.surface(scene).tangent);
             pivot = if foot_stays && by_turn.abs() > least {
                 pivot.moved(R::ZERO, -gap / by_turn)
             } else {

@@ -298,6 +298,8 @@ const MOST_TOUCHING: u32 = 3;
 /// What a certified slide of two contacts takes more where one is a corner; an event more where two slide on.
 pub(crate) const CERTIFIED_AMONG: u32 = 3;
 const EVENT_AMONG: u32 = 2 * RUN;
+/// What it takes to see that a slip of two contacts is a short one.
+pub(crate) const CERTIFIED_SLIP: u32 = CERTIFIED_SLIDE + CERTIFIED_AMONG;
 
 /// The most that a verb takes more among obstacles: its searches, of which a body without contact begins three, one after the other; the
 /// looks of motions that are looked at place by place; a frame that is tried first, and what touches after it.
@@ -314,7 +316,9 @@ const fn most_of_verb_among(kind: StateKind, sizes: Sizes) -> u32 {
             .saturating_mul(MOST_OF_PIECES)
             .saturating_add(HALVINGS),
         ),
-        StateKind::TwoVertex => (sizes.most_of_search(SPOT)).saturating_add(2 * FALLS * SPOT_LOOK),
+        StateKind::TwoVertex => (sizes.most_of_search(SPOT))
+            .saturating_add(2 * FALLS * SPOT_LOOK)
+            .saturating_add(CERTIFIED_SLIP),
         _ => sizes.most_of_search(PLACE),
     };
     let touching = sizes.most_of_touching().saturating_mul(MOST_TOUCHING + 1);

@@ -285,6 +285,7 @@ impl<R: Real> Free<R> {
         let known = Known {
             lasting: &[],
             left: &left,
+            watch: Watch::NONE,
         };
         segment.stop_at_touch_of(scene, placed, (&PointPath::straight(shift), known));
         let end = Placed {

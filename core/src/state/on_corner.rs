@@ -10,7 +10,7 @@ use super::single_vertex::Travel;
 use crate::balance_curve::Margin;
 use crate::bounded::Sloped;
 use crate::contact::Pair;
-use crate::detect::{Among, Known, PointPath, Reached, first_reached};
+use crate::detect::{Among, Known, PointPath, Reached, Watch, first_reached};
 use crate::falls::{Level, MOST_FALLS, first_fall};
 use crate::friction::SlidingEdge;
 use crate::geometry::Vec2;
@@ -71,6 +71,8 @@ struct CornerSlide<'a, R, W> {
     ahead: (R, R),
     /// How the moment falls there across that direction.
     steepness: R,
+    /// Axes along which the body was apart from obstacles last.
+    watch: Watch,
 }
 
 /// A place of it.
@@ -225,7 +227,11 @@ impl<R: Real, W: World<R>> CornerSlide<'_, R, W> {
             Some(_) => Trigger::Balanced,
         };
         let at = |x: R| self.instant(&self.along(x));
-        let known = (Known::of(contacts), Among::All);
+        let known = Known {
+            watch: self.watch,
+            ..Known::of(contacts)
+        };
+        let known = (known, Among::All);
         let (reached, searched) = first_reached(self.scene, known, x, (&at, CORNER_LOOK));
         let found = match reached {
             Some(Reached { x, contact, unsure }) => (x, Trigger::Touch(contact), unsure),
@@ -360,6 +366,7 @@ impl<R: Real> SingleVertex<R> {
             sign,
             ahead: (R::ZERO, R::ONE),
             steepness: R::ZERO,
+            watch: self.watch,
         };
         let displacement = path.0.displacement_to(path.1);
         let (before, mut spot) = (slide.at((R::ZERO, R::ZERO)), slide.at((R::ZERO, R::ONE)));
@@ -448,6 +455,7 @@ impl<R: Real> SingleVertex<R> {
             sign,
             ahead: (R::ZERO, R::ONE),
             steepness: R::ZERO,
+            watch: self.watch,
         };
         let start = slide.at((R::ZERO, R::ZERO));
         let SlideRates {
@@ -523,6 +531,7 @@ impl<R: Real> SingleVertex<R> {
             sign,
             ahead: (R::ZERO, R::ONE),
             steepness: R::ZERO,
+            watch: self.watch,
         };
         let mut turn = R::ZERO;
         let mut spot = slide.at((turn, R::ZERO));

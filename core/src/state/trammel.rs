@@ -22,7 +22,7 @@ mod slide;
 use kinematics::Quantities;
 
 pub(crate) use certified::{CertifiedSlide, certified_slide};
-pub(crate) use course::{Course, SPOT, certified_slide_among};
+pub(crate) use course::{Course, SPOT, certified_slide_among, certified_slip};
 pub(crate) use slide::{LOOK as SPOT_LOOK, MOST_OF_SLIDE, SLIDE, SlideEnding, Slides};
 
 /// A look at the motion of two contacts that slip takes as long as so many at that of one; to begin a run of it.
@@ -94,6 +94,8 @@ pub(crate) struct Run<R> {
 pub(crate) enum Ending<R> {
     /// (E6)
     Stopped,
+    /// (E6), with both contacts pressed for certain.
+    Rests,
     /// The reaction of one contact fell to zero; contact `lasts` slides on along sign·t.
     Opens { lasts: usize, sliding: R },
     /// A further vertex reached a surface.

@@ -211,7 +211,7 @@ impl<R: Real> TwoVertex<R> {
         let slides = self.sliding(scene, (from, to), sense);
         let (run, part, ending) = if W::CORNERS {
             let contacts = (&self.pivot, self.other);
-            let course = Course::of(scene, contacts, from, slides.trammel());
+            let course = Course::of(scene, contacts, from, slides.trammel()).watching(self.watch);
             let (pivot, run, part, ending) = slides.follow(&course);
             self.pivot = pivot;
             (run, part, ending)

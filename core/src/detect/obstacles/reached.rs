@@ -6,6 +6,7 @@ use super::axes::{
     opening_along, stays_open, widest,
 };
 use super::tally::{Sizes, Tally};
+use super::watched::Watch;
 use super::{corners, line_of};
 use crate::bounded::Sloped;
 use crate::contact::{Pair, Pairs};
@@ -43,12 +44,18 @@ pub(crate) struct Known<'a> {
     pub(crate) lasting: &'a [Pair],
     /// Those that have just opened.
     pub(crate) left: &'a [Pair],
+    /// Axes along which the body was apart from obstacles last.
+    pub(crate) watch: Watch,
 }
 
 impl<'a> Known<'a> {
     /// Of contacts that last.
     pub(crate) fn of(lasting: &'a [Pair]) -> Self {
-        Self { lasting, left: &[] }
+        Self {
+            lasting,
+            left: &[],
+            watch: Watch::NONE,
+        }
     }
 }
 
@@ -117,7 +124,11 @@ fn first_in_pieces<R: Real, W: World<R>>(
     end: R,
     (at, tally): (&dyn Fn(R) -> Instant<R>, &Tally),
 ) -> Option<Reached<R>> {
-    let Known { lasting, left } = known;
+    let Known {
+        lasting,
+        left,
+        watch,
+    } = known;
     let start = at(R::ZERO);
     let (mut x, mut here) = (R::ZERO, start);
     let mut step = end;
@@ -167,6 +178,9 @@ fn first_in_pieces<R: Real, W: World<R>>(
                 continue;
             }
             let piece = [(x, here), (to, there)];
+            if is_apart(scene, (obstacle, watch), piece, (lasting, tally)) {
+                continue;
+            }
             let before = (&start.placed, lasting);
             let last = near.iter().find(|(index, _)| *index == obstacle);
             let beside = Beside {
@@ -250,6 +264,23 @@ fn falls<R: Real>(
 /// Gaps up to this are closed: a touch, or what rounding makes of a place so far from the origin.
 fn near_at<R: Real>(placed: &Placed<R>) -> R {
     R::TOUCH.max(placed.rounding())
+}
+
+/// Along the axis that is watched of an obstacle the body is apart from it on all of a piece of a motion, and by more than a touch in the
+/// end.
+fn is_apart<R: Real, W: World<R>>(
+    scene: &W,
+    (obstacle, watch): (usize, Watch),
+    [from, to]: [Place<R>; 2],
+    (lasting, tally): (&[Pair], &Tally),
+) -> bool {
+    let Some(axis) = watch.axis_of(scene, obstacle) else {
+        return false;
+    };
+    tally.spend(Sizes::of_one(scene, obstacle).axis());
+    let ends = [&from.1, &to.1];
+    stays_open(scene, ends, (obstacle, axis), (lasting, to.0 - from.0))
+        && gap_along(scene, &to.1, (obstacle, axis), lasting) > near_at(&to.1.placed)
 }
 
 /// Where an obstacle is reached on a piece of a motion.

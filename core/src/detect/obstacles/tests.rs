@@ -132,6 +132,7 @@ fn point_that_has_left_a_thin_wall_stays_on_its_side() {
                 let known = Known {
                     lasting: &[],
                     left: &left,
+                    watch: Watch::NONE,
                 };
                 let course = course(placed(1.0, off, 0.0), Vec2::new(x, y), 0.0);
                 reached(&scene, known, course)

@@ -40,6 +40,15 @@ impl Watch {
         }
     }
 
+    /// The axis of an obstacle.
+    pub(super) fn axis_of<R: Real, W: World<R>>(self, scene: &W, obstacle: usize) -> Option<Axis> {
+        let mut named = self
+            .0
+            .into_iter()
+            .filter_map(|name| Self::named(scene, name));
+        named.find(|&(of, _)| of == obstacle).map(|(_, axis)| axis)
+    }
+
     fn named<R: Real, W: World<R>>(scene: &W, name: u8) -> Option<(usize, Axis)> {
         if name & Self::BODY_SIDE != 0 {
             let obstacle = usize::from((name & !Self::BODY_SIDE) >> 3);
@@ -66,7 +75,7 @@ pub(crate) struct Short<'a, R> {
 
 impl<R: Real> Short<'_, R> {
     /// No obstacle is reached. Those that are not watched are farther than `room` from the beginning, which shrinks by the way; where that
-    /// is not enough, it is looked what is near.
+    /// is not enough, it is looked what is near. Where one may be reached the axes are those of before: a search looks there first.
     pub(crate) fn keeps_off<W: World<R>>(
         &self,
         scene: &W,
@@ -85,7 +94,7 @@ impl<R: Real> Short<'_, R> {
             self.looks_around(scene, (flat, &tally))
         };
         work.spend(tally.units());
-        (*room, *watch) = around.unwrap_or((R::ZERO, Watch::NONE));
+        (*room, *watch) = around.unwrap_or((R::ZERO, *watch));
         around.is_some()
     }
 
@@ -104,8 +113,9 @@ impl<R: Real> Short<'_, R> {
         };
         let less = self.after.rounding().doubled() + R::TOUCH;
         let turn = self.turn.doubled();
-        gap(&self.after, self.way + turn) > less
-            || gap(&self.after, turn) > less && gap(&self.before, turn) > R::ZERO
+        // No feature counts as nearer than a body size.
+        let after = gap(&self.after, self.way + turn);
+        after > less || after + self.way > less && gap(&self.before, turn) > R::ZERO
     }
 
     /// Two of the contacts that last are in one line.
@@ -166,6 +176,9 @@ impl<R: Real> Short<'_, R> {
                 }
             }
             room = room.min(next.0);
+            if room <= self.way {
+                return None;
+            }
         }
         (room > self.way).then(|| (room, Watch(watched.map(|(_, name)| name))))
     }

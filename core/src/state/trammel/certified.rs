@@ -3,6 +3,7 @@
 
 use super::on_edges;
 use crate::contact::Pair;
+use crate::detect::Placed;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -50,10 +51,20 @@ impl<R: Real> Twist<R> {
         (pivot, other): (&Pivot<R>, Pair),
         direction: R,
     ) -> Option<Self> {
-        let rotation = pivot.orientation.rotation();
-        let surfaces = [pivot.surface(scene), scene.face(other, rotation)];
+        let contacts = [pivot.contact, other];
+        Self::at(scene, &pivot.placed(scene), (contacts, direction))
+    }
+
+    /// The same of a body that is placed by the first contact.
+    pub(super) fn at(
+        scene: &impl World<R>,
+        placed: &Placed<R>,
+        ([first, other], direction): ([Pair; 2], R),
+    ) -> Option<Self> {
+        let rotation = placed.orientation.rotation();
+        let surfaces = [first, other].map(|contact| scene.face(contact, rotation));
         let [first, second] = surfaces;
-        let arm = pivot.placed(scene).arm_to(scene, other);
+        let arm = placed.arm_to(scene, other);
         let [by_slide, by_turn] = gradient(&surfaces, arm);
         let size = by_slide.hypot(by_turn);
         if size <= R::divisor() {

@@ -6,6 +6,7 @@ use super::kinematics::{Frame, Kinematics, Wrench};
 use super::{Trammel, Turning};
 use crate::bounded::{QuantityVec, Sloped};
 use crate::contact::Pair;
+use crate::detect::Watch;
 use crate::falls::Level;
 use crate::geometry::Vec2;
 use crate::grip::Grip;
@@ -20,7 +21,7 @@ mod certified;
 mod follow;
 mod slip;
 
-pub(crate) use certified::certified_slide_among;
+pub(crate) use certified::{certified_slide_among, certified_slip};
 
 /// What it takes to find a place, in units of work.
 pub(crate) const SPOT: u32 = 4;
@@ -41,6 +42,8 @@ pub(crate) struct Course<'a, R, W> {
     signs: [R; 2],
     /// Forces and moments are counted in 1 over this.
     per_load: R,
+    /// Axes along which the body was apart from obstacles last.
+    watch: Watch,
 }
 
 /// A place of the motion.
@@ -102,6 +105,7 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
             is_held: false,
             signs: trammel.sense.signs,
             per_load: trammel.per_load,
+            watch: Watch::NONE,
         };
         let [by_slide, by_turn] = course.bare(*pivot).gradient();
         let size = by_slide.hypot(by_turn);
@@ -110,6 +114,11 @@ impl<'a, R: Real, W: World<R>> Course<'a, R, W> {
             course.twist = [-by_turn, by_slide].map(|part| direction * part / size);
         }
         course
+    }
+
+    /// The same where axes are watched.
+    pub(crate) fn watching(self, watch: Watch) -> Self {
+        Self { watch, ..self }
     }
 
     fn contacts(&self) -> [Pair; 2] {

@@ -293,7 +293,7 @@ fn run_ends_at_what_comes_first() {
             // As far as it looked.
             Ending::Window => (3, 0.0),
             Ending::Touches(_) => return,
-            Ending::Off { .. } => panic!("planes have no ends"),
+            Ending::Off { .. } | Ending::Rests => panic!("of obstacles alone"),
         };
         assert!(off < 1e-6, "{seed} {ending:?} {off}");
         ends[which] += 1;

@@ -8,9 +8,9 @@ use crate::grip::Grip;
 use crate::pivot::Pivot;
 use crate::real::Real;
 use crate::sign::Sign;
-use crate::state::trammel::{Course, Demand, Ending, Run, Trammel};
+use crate::state::trammel::{Course, Demand, Ending, Run, Trammel, certified_slip};
 use crate::verb::{Moved, Trigger, seat_sliding};
-use crate::work::DRIVEN;
+use crate::work::{CERTIFIED_SLIP, DRIVEN, Work};
 use crate::world::{Surface, World};
 
 /// A slip of one or two vertices that is under way, piece by piece.
@@ -41,6 +41,15 @@ impl<R: Real> Slip<R> {
             sense: Sign::of(sense),
             demand: Demand::Pressed,
             opens: None,
+        }
+    }
+
+    /// The pivot where it began.
+    fn begin(&self, pivot: &Pivot<R>) -> Pivot<R> {
+        Pivot {
+            foot: self.foot,
+            orientation: Orientation::new(self.angle),
+            ..*pivot
         }
     }
 }
@@ -125,20 +134,31 @@ impl<R: Real> TwoVertex<R> {
         (trammel, over_fold): (&Trammel<R>, bool),
         under_way: Option<Slip<R>>,
     ) -> Stretch<R> {
-        self.room = R::ZERO;
         let slip = under_way.unwrap_or_else(|| Slip::from(&self.pivot, trammel.direction()));
         if W::CORNERS {
-            let course = Course::of(scene, (&self.pivot, self.other), grip, trammel);
+            let mut work = Work::none();
+            if under_way.is_none() && !over_fold {
+                let sense = trammel.direction();
+                if let Some(run) = self.slip_shortly(scene, grip, (sense, &mut work)) {
+                    let ending = Ending::Rests;
+                    return Stretch { slip, run, ending };
+                }
+            }
+            self.room = R::ZERO;
+            let course =
+                Course::of(scene, (&self.pivot, self.other), grip, trammel).watching(self.watch);
             let falls = trammel.falls();
             let clear = if over_fold {
                 course.clear_of_fold(falls)
             } else {
                 R::ZERO
             };
-            let (pivot, run, ending) = course.slip(falls, (clear, slip.demand));
+            let (pivot, mut run, ending) = course.slip(falls, (clear, slip.demand));
             self.pivot = pivot;
+            run.work = run.work.saturating_add(work.done());
             return Stretch { slip, run, ending };
         }
+        self.room = R::ZERO;
         let clear = if over_fold {
             trammel.clear_of_fold()
         } else {
@@ -149,10 +169,32 @@ impl<R: Real> TwoVertex<R> {
         Stretch { slip, run, ending }
     }
 
-    /// What has come of a slip: its end, or it is under way.
-    fn slip_on(
+    /// A slip in a sense of the twist that certainly ends in balance (STATICS 12.8), and nothing is reached on it.
+    #[inline(never)]
+    fn slip_shortly<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
+        grip: &Grip<R>,
+        (sense, work): (R, &mut Work),
+    ) -> Option<Run<R>> {
+        work.spend(CERTIFIED_SLIP);
+        let begin = self.pivot;
+        let slip = certified_slip(scene, (&begin, self.other), grip, sense)
+            .filter(|slip| self.are_on_sides(scene, &slip.pivot))
+            .filter(|slip| self.has_room_among(scene, slip, work))?;
+        self.pivot = slip.pivot;
+        Some(Run {
+            slide: self.pivot.foot - begin.foot,
+            turn: (self.pivot.orientation.angle()).minus(begin.orientation.angle()),
+            unsure: false,
+            work: work.done(),
+        })
+    }
+
+    /// What has come of a slip: its end, or it is under way.
+    fn slip_on<W: World<R>>(
+        &mut self,
+        scene: &W,
         grip: &Grip<R>,
         Stretch {
             mut slip,
@@ -162,9 +204,18 @@ impl<R: Real> TwoVertex<R> {
         under_way: &mut Option<Slip<R>>,
     ) -> Moved<R> {
         slip.opens = None;
+        if W::CORNERS && ending == Ending::Rests {
+            let begin = slip.begin(&self.pivot);
+            self.rests(scene, (&slip, &begin));
+            return Moved {
+                slip: self.pivot.foot - begin.foot,
+                work: run.work,
+                ..Moved::by(Trigger::Stopped)
+            };
+        }
         let mut work = run.work;
         let ends = match ending {
-            Ending::Stopped => Some(Trigger::Stopped),
+            Ending::Stopped | Ending::Rests => Some(Trigger::Stopped),
             Ending::Touches(pair) => Some(Trigger::Touch(pair)),
             Ending::Window | Ending::Reverses => None,
             Ending::Off { contact, sign } => Some(Trigger::Off { contact, sign }),
@@ -203,11 +254,7 @@ impl<R: Real> TwoVertex<R> {
         slip: &Slip<R>,
         (trigger, unbalanced): (Trigger<R>, bool),
     ) -> Moved<R> {
-        let begin = Pivot {
-            foot: slip.foot,
-            orientation: Orientation::new(slip.angle),
-            ..self.pivot
-        };
+        let begin = slip.begin(&self.pivot);
         let slide = self.pivot.foot - begin.foot;
         let mut moved = Moved {
             slip: slide,
@@ -230,9 +277,14 @@ impl<R: Real> TwoVertex<R> {
             }
         }
         if !moved.unbalanced {
-            self.regime = Regime::after_slip(self.has_renewed(scene, &begin), slip.sense.number());
+            self.rests(scene, (slip, &begin));
         }
         moved
+    }
+
+    /// In balance at the end of a slip from a place both stick or slide on.
+    fn rests(&mut self, scene: &impl World<R>, (slip, begin): (&Slip<R>, &Pivot<R>)) {
+        self.regime = Regime::after_slip(self.has_renewed(scene, begin), slip.sense.number());
     }
 
     /// A contact has gone as far as its memory since a place, and regains stiction.

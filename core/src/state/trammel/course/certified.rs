@@ -6,6 +6,7 @@ use super::super::CertifiedSlide;
 use super::super::certified::{MAX_CORRECTIONS, Twist, gradient};
 use super::super::slide::per_memory;
 use crate::contact::Pair;
+use crate::detect::Placed;
 use crate::geometry::Vec2;
 use crate::grip::{Displacement, Grip};
 use crate::load::Load;
@@ -43,9 +44,13 @@ struct Sizes<R> {
 
 impl<R: Real> Pairing<R> {
     /// Nothing where there is no such twist.
-    fn of<W: World<R>>(scene: &W, contacts: (&Pivot<R>, Pair), direction: R) -> Option<Self> {
-        let twist = Twist::of(scene, contacts, direction)?;
-        let [corner1, corner2] = [contacts.0.contact, contacts.1].map(Pair::is_corner);
+    fn at<W: World<R>>(
+        scene: &W,
+        placed: &Placed<R>,
+        (contacts, direction): ([Pair; 2], R),
+    ) -> Option<Self> {
+        let twist = Twist::at(scene, placed, (contacts, direction))?;
+        let [corner1, corner2] = contacts.map(Pair::is_corner);
         let slides = twist.surfaces[0].tangent * twist.slide;
         let velocity = slides + twist.arm.turned() * twist.turn;
         let moves = |is_corner, velocity| if is_corner { Vec2::ZERO } else { velocity };
@@ -211,106 +216,263 @@ impl<R: Real> Pairing<R> {
     }
 }
 
+/// A way along the twist as the hand goes a path, so short that there is one balance within reach for every part of it (E15).
+struct Way<'a, R, W> {
+    scene: &'a W,
+    contacts: (Pivot<R>, Pair),
+    direction: R,
+    to: &'a Grip<R>,
+    pairing: Pairing<R>,
+    /// The load at the hand's end on the body as it is.
+    after: Load<R>,
+    displacement: Displacement<R>,
+    /// The stability on the body as it is with the hand at its beginning, at its end, and the lesser one.
+    standing: R,
+    stability: R,
+    least: R,
+    /// (E6) with the hand at its end, on the body as it is; and the way that this asks for at the least stability.
+    drive: R,
+    newton: R,
+    reach: R,
+    sizes: Sizes<R>,
+    /// The curvature of (E6) over the least stability.
+    bend: R,
+    /// By so much f_1×f_2 and the velocities of the contacts change at most.
+    spread_falls: R,
+    slows: R,
+}
+
+/// Where a way ends in balance.
+struct End<R> {
+    pivot: Pivot<R>,
+    /// Both reactions, but for a last correction of the place, and what that changes of them at most.
+    reactions: [R; 2],
+    last: R,
+}
+
+impl<'a, R: Real, W: World<R>> Way<'a, R, W> {
+    /// In a direction of the unit twist; nothing where that is not certain, or a contact may turn back.
+    fn of(
+        scene: &'a W,
+        (pivot, other): (&Pivot<R>, Pair),
+        (from, to): (&Grip<R>, &'a Grip<R>),
+        direction: R,
+    ) -> Option<Self> {
+        let placed = pivot.placed(scene);
+        let pairing = Pairing::at(scene, &placed, ([pivot.contact, other], direction))?;
+        let after = Load::new(scene, placed, to);
+        if !after.is_representable() {
+            return None;
+        }
+        let displacement = from.displacement_to(to);
+        let stability = pairing.stability(scene, &after, &Displacement::turn(R::ZERO));
+        let standing = if displacement.size() > R::ZERO {
+            pairing.stability(scene, &after, &displacement)
+        } else {
+            stability
+        };
+        let least = standing.min(stability);
+        let drive = pairing.twist.drives(after.force, after.moment());
+        if least <= R::divisor() || drive < R::ZERO {
+            return None;
+        }
+        let newton = drive / least;
+        let reach = newton + newton.halved().halved();
+        if (pairing.bend * reach).doubled().doubled().doubled() > R::ONE {
+            return None;
+        }
+        let hand = displacement.hand.length_bound();
+        let couple = after.stiffness * displacement.turn.abs();
+        let force = after.force.length_bound() + hand;
+        let moment = after.moment().abs() + after.lever.length_bound() * hand + couple;
+        let sizes = pairing.within(&after, reach, (force, moment));
+        let weight = scene.weight().length_bound();
+        let falls = after.centroid.length_bound() * weight;
+        let spread = pairing.twist.spread.abs();
+        let bend = sizes.curvature(after.stiffness, (spread, weight, falls)) / least;
+        let spread_falls = sizes.spread_rate() * reach;
+        if bend * newton > R::HALF.halved() || spread_falls.doubled() > spread {
+            return None;
+        }
+        let slows = (sizes.bends(sizes.arm) + sizes.turn * sizes.parts(sizes.arm)) * reach;
+        let goes_on = pairing.twist.velocities.iter().all(|v| v.abs() > slows);
+        goes_on.then_some(Self {
+            scene,
+            contacts: (*pivot, other),
+            direction,
+            to,
+            pairing,
+            after,
+            displacement,
+            standing,
+            stability,
+            least,
+            drive,
+            newton,
+            reach,
+            sizes,
+            bend,
+            spread_falls,
+            slows,
+        })
+    }
+
+    /// The balance where the hand ends, by Newton's steps from the body as it is.
+    fn end(&self) -> Option<End<R>> {
+        let (mut place, other) = self.contacts;
+        let (scene, sizes) = (self.scene, &self.sizes);
+        let still = Displacement::turn(R::ZERO);
+        let (mut slide, mut turn) = (self.pairing.twist.slide, self.pairing.twist.turn);
+        let mut step = self.drive / self.stability;
+        for _ in 0..MAX_CORRECTIONS {
+            place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
+            let placed = place.placed(scene);
+            let contacts = [place.contact, other];
+            let here = Pairing::at(scene, &placed, (contacts, self.direction))?;
+            let load = Load::new(scene, placed, self.to);
+            step =
+                here.twist.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
+            (slide, turn) = (here.twist.slide, here.twist.turn);
+            // What a step of Newton's leaves.
+            if (self.bend * step * step).halved() > R::EPSILON {
+                continue;
+            }
+            let force_rate = sizes.force_rate() + sizes.force * sizes.turn;
+            place = place.moved(slide * step, turn * step);
+            // By less than a rounding no gap opens.
+            if self.pairing.bend * step * step > R::EPSILON {
+                place = seat_sliding(scene, place, other);
+            }
+            return Some(End {
+                pivot: place,
+                reactions: here.twist.sizes(load.force),
+                last: sizes.edge * force_rate * step.abs() / self.spread(),
+            });
+        }
+        None
+    }
+
+    /// |f_1×f_2| at the beginning.
+    fn spread(&self) -> R {
+        self.pairing.twist.spread.abs()
+    }
+
+    /// What a friction is worth of (E6) changes by no more.
+    fn worth_changes(&self) -> R {
+        let sizes = &self.sizes;
+        let edges = sizes.edge * sizes.edge;
+        let worth = sizes.edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
+        (worth + (edges * sizes.turn * sizes.arm).doubled()) * self.reach
+    }
+
+    /// By so much a reaction of a size strays from the straight line between its values at both ends, with the way, besides what
+    /// `bent` adds over the spread.
+    fn strays(&self, size: R, bent: R) -> R {
+        let square = self.reach * self.reach;
+        let bent = (bent + self.sizes.across_bend() * square) / self.spread();
+        let spins = size * (self.sizes.spread_bend() * square) / self.spread();
+        bent.doubled() + spins.doubled() + self.after.rounding()
+    }
+
+    /// To a place.
+    fn to(&self, pivot: Pivot<R>) -> CertifiedSlide<R> {
+        let turn_bound = self.sizes.turn * self.reach;
+        CertifiedSlide {
+            pivot,
+            travel_bound: self.sizes.speed * self.reach + turn_bound,
+            turn_bound,
+        }
+    }
+}
+
 /// The slide in a direction of the unit twist as the hand goes a path, if that is all that can happen, but for a touch and the end of a
 /// side.
 pub(crate) fn certified_slide_among<R: Real, W: World<R>>(
     scene: &W,
     contacts: (&Pivot<R>, Pair),
-    (from, to): (&Grip<R>, &Grip<R>),
+    path: (&Grip<R>, &Grip<R>),
     direction: R,
 ) -> Option<CertifiedSlide<R>> {
-    let (pivot, other) = contacts;
-    let pairing = Pairing::of(scene, contacts, direction)?;
-    let after = pivot.load(scene, to);
-    if !after.is_representable() {
-        return None;
-    }
-    let displacement = from.displacement_to(to);
-    let still = Displacement::turn(R::ZERO);
-    let standing = pairing.stability(scene, &after, &displacement);
-    let stability = pairing.stability(scene, &after, &still);
-    let least = standing.min(stability);
-    let drive = pairing.twist.drives(after.force, after.moment());
-    if least <= R::divisor() || drive < R::ZERO {
-        return None;
-    }
-    // (E15): there is one balance within reach for every part of the path.
-    let newton = drive / least;
-    let reach = newton + newton.halved().halved();
-    if (pairing.bend * reach).doubled().doubled().doubled() > R::ONE {
-        return None;
-    }
-    let hand = displacement.hand.length_bound();
-    let couple = after.stiffness * displacement.turn.abs();
-    let force = after.force.length_bound() + hand;
-    let moment = after.moment().abs() + after.lever.length_bound() * hand + couple;
-    let sizes = pairing.within(&after, reach, (force, moment));
-    let weight = scene.weight().length_bound();
-    let falls = after.centroid.length_bound() * weight;
-    let spread = pairing.twist.spread.abs();
-    let bend = sizes.curvature(after.stiffness, (spread, weight, falls)) / least;
-    if bend * newton > R::HALF.halved() {
-        return None;
-    }
-    // On the way the hand drives it on, and both go on.
+    let way = Way::of(scene, contacts, path, direction)?;
+    let Way {
+        pairing,
+        after,
+        sizes,
+        reach,
+        ..
+    } = &way;
+    let (reach, spread) = (*reach, way.spread());
+    // On the way the hand drives it on.
+    let hand = way.displacement.hand.length_bound();
+    let couple = after.stiffness * way.displacement.turn.abs();
     let edge = sizes.edge;
-    let spread_falls = sizes.spread_rate() * reach;
-    let drive_falls = spread_falls * (sizes.lever * hand + couple)
+    let drive_falls = way.spread_falls * (sizes.lever * hand + couple)
         + (edge * spread * sizes.parts(sizes.lever)
             + edge * sizes.second_rate()
             + edge * edge * sizes.arm * sizes.turn)
             * hand
             * reach;
-    let slows = (sizes.bends(sizes.arm) + sizes.turn * sizes.parts(sizes.arm)) * reach;
-    let goes_on = pairing.twist.velocities.iter().all(|v| v.abs() > slows);
-    if drive <= drive_falls || !goes_on || spread_falls.doubled() > spread {
+    if way.drive <= drive_falls {
         return None;
     }
-    let begin = pairing.twist.sizes(after.force - displacement.hand);
-    // By so much a reaction strays from the straight line between its values at both ends: with the part of the displacement that is
-    // done, with the directions of both, and with the way.
-    let uneven = bend * newton + drive_falls / drive;
-    let turns = edge * sizes.turn * reach + spread_falls / spread;
-    let across = sizes.across_bend() * reach * reach;
-    let stray = |size: R| {
-        let bent = (edge * hand * (uneven + turns) + across) / spread;
-        let spins = size * (sizes.spread_bend() * reach * reach) / spread;
-        bent.doubled() + spins.doubled() + after.rounding()
+    let begin = pairing.twist.sizes(after.force - way.displacement.hand);
+    // By so much a reaction strays with the part of the displacement that is done and with the directions of both.
+    let uneven = way.bend * way.newton + drive_falls / way.drive;
+    let turns = edge * sizes.turn * reach + way.spread_falls / spread;
+    let bent = edge * hand * (uneven + turns);
+    let end = way.end()?;
+    let ([b1, b2], [e1, e2]) = (begin, end.reactions);
+    let [l1, l2] = [b1.max(e1), b2.max(e2)];
+    let [o1, o2] = [l1, l2].map(|size| way.strays(size, bent) + end.last.doubled());
+    let presses = b1.min(e1) > o1 && b2.min(e2) > o2;
+    let memory = Memory {
+        sizes: [l1 + o1, l2 + o2],
+        change: way.worth_changes(),
+        slows: way.slows,
+        stability: way.least - way.least * (way.bend * reach),
     };
-    let mut place = *pivot;
-    let (mut slide, mut turn) = (pairing.twist.slide, pairing.twist.turn);
-    let mut step = drive / stability;
-    for _ in 0..MAX_CORRECTIONS {
-        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
-        let here = Pairing::of(scene, (&place, other), direction)?;
-        let load = place.load(scene, to);
-        step = here.twist.drives(load.force, load.moment()) / here.stability(scene, &load, &still);
-        (slide, turn) = (here.twist.slide, here.twist.turn);
-        // What a step of Newton's leaves.
-        if (bend * step * step).halved() > R::EPSILON {
-            continue;
-        }
-        place = seat_sliding(scene, place.moved(slide * step, turn * step), other);
-        let end = here.twist.sizes(load.force);
-        let ([b1, b2], [e1, e2]) = (begin, end);
-        let [l1, l2] = [b1.max(e1), b2.max(e2)];
-        let last = edge * (sizes.force_rate() + sizes.force * sizes.turn) * step.abs() / spread;
-        let [o1, o2] = [l1, l2].map(|size| stray(size) + last.doubled());
-        let presses = b1.min(e1) > o1 && b2.min(e2) > o2;
-        let worth = edge * (sizes.second_rate().doubled() + sizes.spread_rate() * sizes.arm);
-        let memory = Memory {
-            sizes: [l1 + o1, l2 + o2],
-            change: (worth + (edge * edge * sizes.turn * sizes.arm).doubled()) * reach,
-            slows,
-            stability: least - least * (bend * reach),
-        };
-        let turn_bound = sizes.turn * reach;
-        let lasts = presses && pairing.goes_on(&memory, (begin, standing));
-        return lasts.then_some(CertifiedSlide {
-            pivot: place,
-            travel_bound: sizes.speed * reach + turn_bound,
-            turn_bound,
-        });
+    let lasts = presses && pairing.goes_on(&memory, (begin, way.standing));
+    lasts.then(|| way.to(end.pivot))
+}
+
+/// The slip in a direction of the unit twist at a frozen hand, if it ends in balance with both contacts pressed all along, but for a
+/// touch and the end of a side.
+pub(crate) fn certified_slip<R: Real, W: World<R>>(
+    scene: &W,
+    contacts: (&Pivot<R>, Pair),
+    grip: &Grip<R>,
+    direction: R,
+) -> Option<CertifiedSlide<R>> {
+    let way = Way::of(scene, contacts, (grip, grip), direction)?;
+    let (twist, sizes, reach) = (&way.pairing.twist, &way.sizes, way.reach);
+    let [v1, v2] = twist.velocities;
+    let [first, second] = twist.surfaces;
+    // What the drive exceeds friction by goes into a drag against both velocities: so many times this force.
+    let drag = first.tangent * v1 + second.tangent * v2;
+    let resistance = R::sum_of_products(twist.frictions[0], v1.abs(), twist.frictions[1], v2.abs());
+    let excess = way.drive / resistance;
+    // Of which these change by no more, with the velocities and the directions of both contacts.
+    let speed = v1.abs() + v2.abs();
+    let turns = sizes.turn * reach;
+    let worth = way.worth_changes();
+    let worths = twist.frictions[0].abs() + twist.frictions[1].abs();
+    let resists = worths * way.slows + (speed + way.slows.doubled()) * worth;
+    if resists.doubled() > resistance {
+        return None;
     }
-    None
+    let uneven = way.bend * way.least * reach * reach;
+    let excess_strays = (uneven + excess * resists).doubled() / resistance;
+    let drags = way.slows.doubled() + speed * turns;
+    let of_drag = twist.sizes(drag);
+    let begin = twist.sizes(way.after.force - drag * excess);
+    let end = way.end()?;
+    let presses = |begin: R, end_of: R, of_drag: R| {
+        let across = sizes.edge * (drags + (speed + drags) * turns);
+        let changes = (across + of_drag.abs() * way.spread_falls).doubled() / way.spread();
+        let dragged = excess_strays * (of_drag.abs() + changes) + excess * changes;
+        let size = begin.abs().max(end_of) + excess * of_drag.abs();
+        begin.min(end_of) > way.strays(size, R::ZERO) + dragged + end.last.doubled()
+    };
+    let ([b1, b2], [e1, e2], [d1, d2]) = (begin, end.reactions, of_drag);
+    (presses(b1, e1, d1) && presses(b2, e2, d2)).then(|| way.to(end.pivot))
 }

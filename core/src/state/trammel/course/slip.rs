@@ -118,9 +118,12 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
             return (None, 0);
         }
         let contacts = self.contacts();
-        let known = (Known::of(&contacts), Among::All);
+        let known = Known {
+            watch: self.watch,
+            ..Known::of(&contacts)
+        };
         let at = |x: R| self.instant(x);
-        first_reached(self.scene, known, x, (&at, SPOT))
+        first_reached(self.scene, (known, Among::All), x, (&at, SPOT))
     }
 
     /// How far it has gone.

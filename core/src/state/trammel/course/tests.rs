@@ -12,6 +12,7 @@ use crate::verb::Trigger;
 use core::array::from_fn;
 
 mod closed;
+mod short;
 mod slides;
 
 type Room<R> = Scene<R, 3, 1, WithObstacles<2, 4, Full>>;

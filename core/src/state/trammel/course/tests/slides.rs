@@ -34,10 +34,10 @@ fn slide<R: Digits>(
 }
 
 /// The case of a slide, its state and the two places of the hand.
-type Begun<R> = (Case<R>, TwoVertex<R>, [Vec2<R>; 2]);
+pub(super) type Begun<R> = (Case<R>, TwoVertex<R>, [Vec2<R>; 2]);
 
 /// Of many slips that end in balance one slide each.
-fn begun<R: Digits>((seed, way): (u64, f64), corners: [bool; 2]) -> Option<Begun<R>> {
+pub(super) fn begun<R: Digits>((seed, way): (u64, f64), corners: [bool; 2]) -> Option<Begun<R>> {
     let case = case::<R>(seed, corners);
     let mut state = case.state.clone();
     let contacts = (&case.state.pivot, case.state.other);
