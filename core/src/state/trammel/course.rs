@@ -20,6 +20,7 @@ use crate::world::{Surface, World};
 mod certified;
 mod follow;
 mod slip;
+mod way;
 
 pub(crate) use certified::{certified_slide_among, certified_slip};
 
