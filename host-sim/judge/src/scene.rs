@@ -1,6 +1,7 @@
 //! What a judge needs of a scene file: body, springs, surfaces, obstacles, the initial holding point. SI units; keys of which it needs
 //! nothing are for the program that runs the scene to check.
 
+use std::collections::HashSet;
 use std::ops::Range;
 use std::path::Path;
 
@@ -255,8 +256,10 @@ impl Scene {
     /// # Errors
     /// The file cannot be read, or as [`Scene::parse`].
     pub fn read(file: &Path) -> Result<Self, InputError> {
-        let text = std::fs::read_to_string(file)
-            .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))?;
+        let bytes = stiction_text::read(file);
+        let bytes = bytes.map_err(|problem| InputError::of_file(file, problem))?;
+        let text =
+            String::from_utf8(bytes).map_err(|_| InputError::of_file(file, "is not UTF-8 text"))?;
         Self::parse(file, &text)
     }
 
@@ -315,5 +318,6 @@ impl Scene {
 
 /// The first name that was there before.
 fn second(names: &[&str]) -> Option<usize> {
-    (0..names.len()).find(|&i| names[..i].contains(&names[i]))
+    let mut known = HashSet::new();
+    names.iter().position(|name| !known.insert(name))
 }

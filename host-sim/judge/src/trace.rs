@@ -4,7 +4,6 @@ mod json;
 mod table;
 
 use std::borrow::Borrow;
-use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +11,10 @@ use crate::error::InputError;
 use crate::frame::{Event, Frame, State, Status};
 use crate::scene::Scene;
 use crate::touch::Touch;
+
+/// A record may be so long (bytes): 192 contacts, one for each vertex and corner of the largest scene, of a kilobyte each take less
+/// than a quarter of it.
+const LONGEST_RECORD: usize = 1 << 20;
 
 /// A trace that is being read: an iterator over its frames, each with its line, counted from 1.
 pub struct Trace {
@@ -36,9 +39,11 @@ impl Trace {
     /// The file cannot be read, is neither, or its header lacks a column.
     pub fn open(file: &Path, scene: &Scene) -> Result<Self, InputError> {
         let open = || {
-            File::open(file)
+            // As long as it likes: it is read record by record.
+            let opened = stiction_text::open(file, u64::MAX);
+            opened
                 .map(|opened| BufReader::with_capacity(1 << 16, opened))
-                .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))
+                .map_err(|problem| InputError::of_file(file, problem))
         };
         let lines = match file.extension().and_then(|extension| extension.to_str()) {
             Some("jsonl") => Lines::Json(json::Lines::new(open()?)),

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::check::Check;
 use crate::document::{Hand, Numbers};
-use crate::hand_path::{HandPath, Placement, Row, RowPose, parse_plane};
+use crate::hand_path::{HandPath, Placed, Placement, Row, RowPose, parse_plane};
 use crate::source::InputError;
 
 /// Where the hand's motion comes from.
@@ -66,8 +66,12 @@ fn motion(
             if rows.is_empty() {
                 return Err(check.error("hand.keyframes", list, "at least one keyframe"));
             }
-            let samples = placement.place(check.source(), &rows)?;
-            Ok(Some(Motion::Keyframes(HandPath::new(samples))))
+            let error = |line, problem: &str| check.source().error_in_line(line, problem);
+            let mut placed = Placed::new(placement).map_err(|p| check.source().error(p))?;
+            for row in &rows {
+                placed.add(row).map_err(|p| error(row.line, &p))?;
+            }
+            Ok(Some(Motion::Keyframes(HandPath::new(placed.samples))))
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use stiction_core::{Parameter, SceneError, SiFloat};
 
-use crate::document::Number;
-use crate::source::InputError;
-use crate::written::{CORNERS, OBSTACLES, WrittenScene};
+use crate::document::{Document, Number};
+use crate::source::{InputError, Source};
+use crate::written::{CORNERS, OBSTACLES, SURFACES, VERTICES, WrittenScene};
 
 /// A key, where its value starts in the text, and the value as it was written.
 type Place = (String, usize, String);
@@ -12,6 +12,74 @@ type Place = (String, usize, String);
 fn place<T: std::fmt::Debug>(key: impl Into<String>, given: &toml::Spanned<T>) -> Place {
     let value = format!("{:?}", given.get_ref());
     (key.into(), given.span().start, value)
+}
+
+/// How many of something are allowed, for a solver with room for so many vertices and surfaces.
+fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Option<String> {
+    match parameter {
+        Parameter::VertexCount => Some(format!("1 to {vertices}")),
+        Parameter::SurfaceCount => Some(format!("0 to {surfaces}")),
+        Parameter::ObstacleCount => Some(format!("0 to {OBSTACLES}")),
+        Parameter::CornerCount => Some(format!("at most {CORNERS}")),
+        _ => None,
+    }
+}
+
+impl Document {
+    /// There is no more of anything than room for it, wherever the scene runs: said before anything is done with each of them.
+    ///
+    /// # Errors
+    /// There is.
+    pub(crate) fn check_counts(&self, source: &Source) -> Result<(), InputError> {
+        let vertices = self.body.vertices.as_ref();
+        for (parameter, count, most) in [
+            (
+                Parameter::VertexCount,
+                vertices.map_or(0, |list| list.get_ref().len()),
+                VERTICES,
+            ),
+            (Parameter::SurfaceCount, self.surface.len(), SURFACES),
+            (Parameter::ObstacleCount, self.obstacle.len(), OBSTACLES),
+            (Parameter::CornerCount, self.corner_count(), CORNERS),
+        ] {
+            let place = self.place_of_count(parameter).filter(|_| count > most);
+            let allowed = allowed_count(parameter, [VERTICES, SURFACES]);
+            if let (Some((key, offset, value)), Some(allowed)) = (place, allowed) {
+                let problem = format!("`{key}` is {value}, allowed: {allowed}");
+                return Err(source.error_at(offset, problem));
+            }
+        }
+        Ok(())
+    }
+
+    fn corner_count(&self) -> usize {
+        let lists = self.obstacle.iter().map(|given| &given.get_ref().vertices);
+        lists.map(|list| list.get_ref().len()).sum()
+    }
+
+    /// The key that gives a number of things; of several sections the last one.
+    fn place_of_count(&self, parameter: Parameter) -> Option<Place> {
+        let section = |key: &str, start: usize, count| (key.to_owned(), start, count);
+        match parameter {
+            Parameter::VertexCount => self.body.vertices.as_ref().map(|list| {
+                let count = format!("{} vertices long", list.get_ref().len());
+                section("body.vertices", list.span().start, count)
+            }),
+            Parameter::SurfaceCount => self.surface.last().map(|last| {
+                let count = format!("given {} times", self.surface.len());
+                section("surface", last.span().start, count)
+            }),
+            Parameter::ObstacleCount => self.obstacle.last().map(|last| {
+                let count = format!("given {} times", self.obstacle.len());
+                section("obstacle", last.span().start, count)
+            }),
+            Parameter::CornerCount => self.obstacle.last().map(|last| {
+                let count = format!("given with {} corners in all", self.corner_count());
+                section("obstacle", last.span().start, count)
+            }),
+            _ => None,
+        }
+    }
 }
 
 impl WrittenScene {
@@ -33,13 +101,8 @@ impl WrittenScene {
         error: &SceneError<F>,
         [vertices, surfaces]: [usize; 2],
     ) -> InputError {
-        let allowed = match error.parameter {
-            Parameter::VertexCount => format!("1 to {vertices}"),
-            Parameter::SurfaceCount => format!("0 to {surfaces}"),
-            Parameter::ObstacleCount => format!("0 to {OBSTACLES}"),
-            Parameter::CornerCount => format!("at most {CORNERS}"),
-            _ => error.allowed.to_owned(),
-        };
+        let allowed = allowed_count(error.parameter, [vertices, surfaces]);
+        let allowed = allowed.unwrap_or_else(|| error.allowed.to_owned());
         if let Parameter::Penetration { surface, vertex } = error.parameter {
             let (key, offset, _) = place("body.start", &self.document.body.start);
             let name = self.surfaces.get(surface).map_or("", |s| s.name.as_str());
@@ -78,10 +141,6 @@ impl WrittenScene {
         let document = &self.document;
         let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
         match parameter {
-            Parameter::VertexCount => body.vertices.as_ref().map(|list| {
-                let count = format!("{} vertices long", list.get_ref().len());
-                ("body.vertices".to_owned(), list.span().start, count)
-            }),
             Parameter::Vertex(i) => match &body.vertices {
                 Some(list) => {
                     (list.get_ref().get(i)).map(|v| place(format!("body.vertices[{i}]"), v))
@@ -98,10 +157,6 @@ impl WrittenScene {
                 Some(place("spring.translation", &spring.translation))
             }
             Parameter::StiffnessRotation => Some(place("spring.rotation", &spring.rotation)),
-            Parameter::SurfaceCount => document.surface.last().map(|last| {
-                let count = format!("given {} times", document.surface.len());
-                ("surface".to_owned(), last.span().start, count)
-            }),
             Parameter::Normal(i) => self.surface_place(i, "normal"),
             Parameter::Offset(i) => self.surface_place(i, "offset"),
             Parameter::FrictionStatic(i) => self.surface_place(i, "static"),
@@ -132,10 +187,6 @@ impl WrittenScene {
             let corner = all.get(i)?.get_ref().vertices.get_ref().get(k)?;
             Some(place(format!("obstacle[{i}].vertices[{k}]"), corner))
         };
-        let counted = |count: String| {
-            let last = all.last()?;
-            Some(("obstacle".to_owned(), last.span().start, count))
-        };
         let friction = |i: usize, name: &str| {
             let obstacle = all.get(i)?.get_ref();
             let own = match name {
@@ -146,14 +197,6 @@ impl WrittenScene {
             self.friction_place(format!("obstacle[{i}].{name}"), own.as_ref(), name)
         };
         match parameter {
-            Parameter::ObstacleCount => counted(format!("given {} times", all.len())),
-            Parameter::CornerCount => {
-                let corners = self.obstacles.iter().map(|o| o.vertices.len());
-                counted(format!(
-                    "given with {} corners in all",
-                    corners.sum::<usize>()
-                ))
-            }
             Parameter::Corners(obstacle) => {
                 let list = &all.get(obstacle)?.get_ref().vertices;
                 let count = format!("{} corners long", list.get_ref().len());
@@ -168,7 +211,7 @@ impl WrittenScene {
             Parameter::ObstacleFrictionStatic(i) => friction(i, "static"),
             Parameter::ObstacleFrictionDynamic(i) => friction(i, "dynamic"),
             Parameter::ObstacleMemory(i) => friction(i, "memory"),
-            _ => None,
+            _ => self.document.place_of_count(parameter),
         }
     }
 

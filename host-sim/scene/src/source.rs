@@ -26,6 +26,18 @@ impl InputError {
         }
     }
 
+    /// A problem of a line with its number, counted from 1.
+    pub(crate) fn in_line(
+        file: &Path,
+        (number, text): (usize, &str),
+        problem: impl fmt::Display,
+    ) -> Self {
+        Self {
+            line: Some((number, excerpt(text.trim_end()))),
+            ..Self::of_file(file, problem)
+        }
+    }
+
     /// What is wrong and what is allowed, without the file and the line.
     pub fn problem(&self) -> &str {
         &self.problem
@@ -45,6 +57,11 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {}
+
+/// What is said of bytes in a line that no text has.
+pub(crate) fn not_text(line: usize) -> String {
+    format!("line {line} is not UTF-8 text")
+}
 
 /// What a message shows of a text: its first 100 characters.
 pub(crate) fn excerpt(text: &str) -> String {
@@ -90,10 +107,10 @@ impl Source {
     /// Reads a file.
     ///
     /// # Errors
-    /// The file cannot be read or is not UTF-8.
+    /// The file cannot be read, is longer than 1 MiB, or is not UTF-8.
     pub fn read(file: &Path) -> Result<Self, InputError> {
-        let bytes = std::fs::read(file)
-            .map_err(|error| InputError::of_file(file, format!("cannot be read: {error}")))?;
+        let bytes = stiction_text::read(file);
+        let bytes = bytes.map_err(|problem| InputError::of_file(file, problem))?;
         Self::of_bytes(file, bytes)
     }
 
@@ -105,7 +122,7 @@ impl Source {
         let text = String::from_utf8(bytes).map_err(|error| {
             let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = 1 + good.iter().filter(|&&byte| byte == b'\n').count();
-            InputError::of_file(file, format!("line {line} is not UTF-8 text"))
+            InputError::of_file(file, not_text(line))
         })?;
         Ok(Self::new(file, text.trim_start_matches('\u{feff}')))
     }
@@ -168,9 +185,6 @@ impl Source {
     /// A problem in a line, counted from 1.
     pub(crate) fn error_in_line(&self, line: usize, problem: impl fmt::Display) -> InputError {
         let text = self.text.lines().nth(line.saturating_sub(1)).unwrap_or("");
-        InputError {
-            line: Some((line, excerpt(text.trim_end()))),
-            ..self.error(problem)
-        }
+        InputError::in_line(&self.file, (line, text), problem)
     }
 }

@@ -68,6 +68,7 @@ impl WrittenScene {
     /// As [`WrittenScene::read`].
     pub fn parse(source: Source, limit: f64) -> Result<Self, InputError> {
         let document: Document = source.toml()?;
+        document.check_counts(&source)?;
         let check = Check::new(&source, limit);
         let (body, grasp, spring) = (&document.body, &document.grasp, &document.spring);
         let point = |given| check.numbers("grasp.point", given, "x and y");

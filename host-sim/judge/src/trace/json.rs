@@ -2,11 +2,11 @@
 
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::BufReader;
 
 use serde::{Deserialize, Deserializer};
 
-use super::{Line, Names, Told, event, sliding, state, status};
+use super::{LONGEST_RECORD, Line, Names, Told, event, sliding, state, status};
 use crate::frame::{Contact, Frame};
 
 #[derive(Deserialize)]
@@ -70,34 +70,24 @@ fn finite(number: Option<f64>) -> f64 {
     number.unwrap_or(f64::NAN)
 }
 
-pub(super) struct Lines {
-    file: BufReader<File>,
-    text: Vec<u8>,
-    line: u64,
-}
+pub(super) struct Lines(stiction_text::Lines<BufReader<File>>);
 
 impl Lines {
     pub(super) fn new(file: BufReader<File>) -> Self {
-        Self {
-            file,
-            text: Vec::new(),
-            line: 0,
-        }
+        Self(stiction_text::Lines::new(file, LONGEST_RECORD))
     }
 
     /// The next line that is not blank, with its number.
     pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
         loop {
-            self.text.clear();
-            self.line += 1;
-            match self.file.read_until(b'\n', &mut self.text) {
-                Ok(0) => return None,
-                Ok(_) if self.text.trim_ascii().is_empty() => {}
-                Ok(_) => break,
-                Err(error) => return Some((self.line, Err(format!("cannot be read: {error}")))),
+            let line = self.0.number() as u64 + 1;
+            match self.0.advance() {
+                Ok(None) => return None,
+                Ok(Some(text)) if text.trim_ascii().is_empty() => {}
+                Ok(Some(text)) => return Some((line, frame(text, names))),
+                Err(problem) => return Some((line, Err(problem))),
             }
         }
-        Some((self.line, frame(&self.text, names)))
     }
 }
 

@@ -1,13 +1,15 @@
 //! CSV: a header and a row per frame, up to four contacts in it. Where a row says in its column `contacts` that there were
 //! more, or has four and no such column, the frame is marked as not complete.
 
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{self, BufReader, Read};
+use std::rc::Rc;
 
 use csv::{Reader, StringRecord};
 
-use super::{Line, Names, Told, event, sliding, state, status};
+use super::{LONGEST_RECORD, Line, Names, Told, event, sliding, state, status};
 use crate::frame::{Contact, Frame, State};
 
 /// Contacts in a row.
@@ -54,15 +56,41 @@ const SCALARS: [&str; 15] = [
 const CONTACT: [&str; 6] = ["vertex", "surface", "x", "y", "normal", "friction"];
 const OF_OBSTACLES: [&str; 4] = ["obstacle", "side", "corner", "body_side"];
 
+/// A file of which no more is read for one row than a record may be long, also where a row does not end.
+struct Bounded {
+    file: BufReader<File>,
+    /// What may still be read for this row (bytes).
+    left: Rc<Cell<usize>>,
+}
+
+impl Read for Bounded {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let left = self.left.get();
+        if left == 0 {
+            let problem = format!("is longer than {LONGEST_RECORD} bytes, allowed: at most that");
+            return Err(io::Error::other(problem));
+        }
+        let part = into.len().min(left);
+        let count = self.file.read(&mut into[..part])?;
+        self.left.set(left - count);
+        Ok(count)
+    }
+}
+
 pub(super) struct Rows {
-    reader: Reader<BufReader<File>>,
+    reader: Reader<Bounded>,
+    left: Rc<Cell<usize>>,
     columns: Columns,
     row: StringRecord,
 }
 
 impl Rows {
     pub(super) fn new(file: BufReader<File>) -> Result<Self, String> {
-        let mut reader = Reader::from_reader(file);
+        let left = Rc::new(Cell::new(LONGEST_RECORD));
+        let mut reader = Reader::from_reader(Bounded {
+            file,
+            left: Rc::clone(&left),
+        });
         let header = reader.headers().map_err(|error| error.to_string())?;
         let find = |name: &str| header.iter().position(|column| column == name);
         let need = |name: &str| {
@@ -102,6 +130,7 @@ impl Rows {
         }
         Ok(Self {
             reader,
+            left,
             columns,
             row: StringRecord::new(),
         })
@@ -109,6 +138,7 @@ impl Rows {
 
     /// The next row, with its line.
     pub(super) fn next(&mut self, names: &Names) -> Option<Line> {
+        self.left.set(LONGEST_RECORD);
         match self.reader.read_record(&mut self.row) {
             Ok(false) => None,
             Ok(true) => {
@@ -132,6 +162,7 @@ fn plain(error: &csv::Error) -> String {
         csv::ErrorKind::UnequalLengths {
             expected_len, len, ..
         } => format!("{len} columns, allowed: {expected_len}, as in the header"),
+        csv::ErrorKind::Io(error) => error.to_string(),
         _ => error.to_string(),
     }
 }

@@ -5,7 +5,6 @@ use stiction_core::{Angle, Axis, Hand, Projection, TrackerSample};
 
 use super::recorded::{Row, RowPose};
 use super::{HandPath, Sample, turned};
-use crate::source::{InputError, Source};
 
 /// Plane, scale and origin of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,41 +35,6 @@ impl Default for Placement {
 }
 
 impl Placement {
-    /// The samples of rows in the scene.
-    pub(crate) fn place(&self, source: &Source, rows: &[Row]) -> Result<Vec<Sample>, InputError> {
-        let Some(mut projection) = Projection::new(self.axes) else {
-            return Err(source.error("the plane's axes are not two different ones"));
-        };
-        let mut samples = Vec::with_capacity(rows.len());
-        for row in rows {
-            let error = |problem: &str| Err(source.error_in_line(row.line, problem));
-            let recorded = match row.pose {
-                RowPose::Planar([x, y, phi]) => Hand::new(x, y, phi),
-                RowPose::Spatial(sample) if sample.orientation == [0.0; 4] => {
-                    return error("the quaternion is 0, allowed: any other");
-                }
-                RowPose::Spatial(sample) => projection.planar(&sample).unwrap_or(NOWHERE),
-            };
-            let hand = Hand {
-                held: row.held,
-                ..self.placed(&recorded)
-            };
-            if recorded.is_finite() && !self.fits(&hand) {
-                let problem = format!(
-                    "the pose is out of range, allowed: up to {:.2e} m and {:e} rad after scaling",
-                    self.limit,
-                    HandPath::LARGEST_ANGLE
-                );
-                return error(&problem);
-            }
-            if samples.is_empty() && !recorded.is_finite() {
-                return error("the first pose is not finite, allowed: finite numbers");
-            }
-            samples.push(Sample { t: row.t, hand });
-        }
-        Ok(samples)
-    }
-
     /// For samples that are placed as they come.
     pub fn live(&self) -> Option<LivePlacement> {
         Some(LivePlacement {
@@ -96,6 +60,60 @@ impl Placement {
             .iter()
             .all(|value| value.abs() <= self.limit)
             && hand.angle.radians().abs() <= HandPath::LARGEST_ANGLE
+    }
+}
+
+/// Rows of numbers, placed one after the other.
+pub(crate) struct Placed {
+    live: LivePlacement,
+    pub(crate) samples: Vec<Sample>,
+}
+
+impl Placed {
+    /// None yet.
+    ///
+    /// # Errors
+    /// There is no such plane.
+    pub(crate) fn new(placement: &Placement) -> Result<Self, &'static str> {
+        let live = placement.live();
+        Ok(Self {
+            live: live.ok_or("the plane's axes are not two different ones")?,
+            samples: Vec::new(),
+        })
+    }
+
+    /// Adds the sample of a row.
+    ///
+    /// # Errors
+    /// The pose cannot be used: what is wrong and what is allowed.
+    pub(crate) fn add(&mut self, row: &Row) -> Result<(), String> {
+        let LivePlacement {
+            placement,
+            projection,
+        } = &mut self.live;
+        let recorded = match row.pose {
+            RowPose::Planar([x, y, phi]) => Hand::new(x, y, phi),
+            RowPose::Spatial(sample) if sample.orientation == [0.0; 4] => {
+                return Err("the quaternion is 0, allowed: any other".to_owned());
+            }
+            RowPose::Spatial(sample) => projection.planar(&sample).unwrap_or(NOWHERE),
+        };
+        let hand = Hand {
+            held: row.held,
+            ..placement.placed(&recorded)
+        };
+        if recorded.is_finite() && !placement.fits(&hand) {
+            return Err(format!(
+                "the pose is out of range, allowed: up to {:.2e} m and {:e} rad after scaling",
+                placement.limit,
+                HandPath::LARGEST_ANGLE
+            ));
+        }
+        if self.samples.is_empty() && !recorded.is_finite() {
+            return Err("the first pose is not finite, allowed: finite numbers".to_owned());
+        }
+        self.samples.push(Sample { t: row.t, hand });
+        Ok(())
     }
 }
 

@@ -1,15 +1,21 @@
-//! Recorded paths as files: CSV with a header, or the TUM trajectory format. Gives rows of numbers, checked for their
+//! Recorded paths as files: CSV with a header, or the TUM trajectory format. Read line by line to rows of numbers, checked for their
 //! number, their times and the switch; a pose that is not finite passes.
 
+use std::io::BufRead;
 use std::path::Path;
 
 use stiction_core::TrackerSample;
+use stiction_text::Lines;
 
-use crate::source::{InputError, Source, excerpt};
+use crate::source::{InputError, excerpt, not_text};
 
 const PLANAR: [&str; 4] = ["t", "x", "y", "phi"];
 const SPATIAL: [&str; 8] = ["t", "x", "y", "z", "qx", "qy", "qz", "qw"];
 const HELD: &str = "held";
+
+/// A line may be so long (bytes). The longest that an f64 is written without an exponent is 345 characters: nine of them with their
+/// commas take 3.1 KB. A comment may follow.
+const LONGEST_LINE: usize = 4096;
 
 /// The pose of a row.
 #[derive(Clone, Copy, Debug)]
@@ -88,26 +94,23 @@ impl Columns {
         Some(Self { pose, held })
     }
 
-    fn row(self, source: &Source, line: usize, fields: &[&str]) -> Result<Row, InputError> {
-        let error = |problem: String| source.error_in_line(line, problem);
+    fn row(self, line: usize, fields: &[&str]) -> Result<Row, String> {
         let (expected, count) = (self.pose.len() + usize::from(self.held), fields.len());
         if count != expected {
             let names = self.pose.join(", ") + if self.held { ", held" } else { "" };
-            return Err(error(format!(
-                "{count} values, allowed: {expected} ({names})"
-            )));
+            return Err(format!("{count} values, allowed: {expected} ({names})"));
         }
-        let values = self.values(fields).map_err(error)?;
+        let values = self.values(fields)?;
         let held = match values[self.pose.len()..] {
             [held] if held != 0.0 && held != 1.0 => {
-                return Err(error(format!("`{HELD}` is {held:?}, allowed: 0 or 1")));
+                return Err(format!("`{HELD}` is {held:?}, allowed: 0 or 1"));
             }
             [held] => held == 1.0,
             _ => true,
         };
         let t = values[0];
         if !t.is_finite() {
-            return Err(error(format!("`t` is {t:?}, allowed: a finite time")));
+            return Err(format!("`t` is {t:?}, allowed: a finite time"));
         }
         let pose = match values[1..self.pose.len()] {
             [x, y, z, qx, qy, qz, qw] => RowPose::Spatial(TrackerSample {
@@ -136,52 +139,112 @@ impl Columns {
     }
 }
 
-/// The lines that hold something, counted from 1. A `#` starts a comment.
-fn lines(source: &Source) -> impl Iterator<Item = (usize, &str)> {
-    (1..)
-        .zip(source.text().lines())
-        .map(|(line, text)| (line, text.split('#').next().unwrap_or("").trim()))
-        .filter(|(_, text)| !text.is_empty())
+/// What a line holds; a `#` starts a comment.
+fn content(line: &str) -> &str {
+    line.split('#').next().unwrap_or("").trim()
 }
 
-/// The line of the last record.
-pub(super) fn last_line(source: &Source) -> usize {
-    lines(source).last().map_or(1, |(line, _)| line)
+/// The records of a file one after the other, their times increasing.
+pub(super) struct Records<'a, R> {
+    file: &'a Path,
+    lines: Lines<R>,
+    format: Format,
+    /// Known from the header on.
+    columns: Option<Columns>,
+    /// The time of the record before (s).
+    before: Option<f64>,
 }
 
-/// The rows of a file: at least one, their times increasing.
-pub(super) fn rows(source: &Source, format: Format) -> Result<Vec<Row>, InputError> {
-    let mut lines = lines(source).map(|(line, text)| (line, format.fields(text)));
-    let columns = match format {
-        Format::Tum => Columns::TUM,
-        Format::Csv => {
-            let Some((line, header)) = lines.next() else {
-                return Err(source.error("is empty, allowed: a header and at least one record"));
-            };
-            Columns::of(&header).ok_or_else(|| {
+impl<'a, R: BufRead> Records<'a, R> {
+    /// Those of a reader; `file` is its name in messages.
+    pub(super) fn new(file: &'a Path, reader: R, format: Format) -> Self {
+        Self {
+            file,
+            lines: Lines::new(reader, LONGEST_LINE),
+            format,
+            columns: matches!(format, Format::Tum).then_some(Columns::TUM),
+            before: None,
+        }
+    }
+
+    /// The next record and its line; nothing behind the last one, of which there is at least one.
+    ///
+    /// # Errors
+    /// The line cannot be used, or there is no record at all.
+    pub(super) fn next(&mut self) -> Result<Option<(Row, &str)>, InputError> {
+        loop {
+            let number = self.lines.number() + 1;
+            match self.lines.advance() {
+                Ok(Some(_)) => {}
+                Ok(None) => return self.end(),
+                Err(problem) => {
+                    let begin = String::from_utf8_lossy(self.lines.text());
+                    return Err(InputError::in_line(self.file, (number, &begin), problem));
+                }
+            }
+            if let Some(row) = self.row(number)? {
+                return Ok(Some((row, self.text())));
+            }
+        }
+    }
+
+    /// The line that was read last; it is text.
+    fn text(&self) -> &str {
+        str::from_utf8(self.lines.text()).unwrap_or_default()
+    }
+
+    /// The record in the line that was read last; nothing in a comment and in the header.
+    fn row(&mut self, number: usize) -> Result<Option<Row>, InputError> {
+        let Ok(line) = str::from_utf8(self.lines.text()) else {
+            return Err(InputError::of_file(self.file, not_text(number)));
+        };
+        let error = |problem: String| InputError::in_line(self.file, (number, line), problem);
+        let content = content(line);
+        if content.is_empty() {
+            return Ok(None);
+        }
+        let fields = self.format.fields(content);
+        let Some(columns) = self.columns else {
+            self.columns = Some(Columns::of(&fields).ok_or_else(|| {
                 let (planar, spatial) = (PLANAR.join(","), SPATIAL.join(","));
-                let problem = format!(
+                error(format!(
                     "the header is not known, allowed: {planar}[,held] or {spatial}[,held]"
-                );
-                source.error_in_line(line, problem)
-            })?
-        }
-    };
-    let rows: Vec<Row> = lines
-        .map(|(line, fields)| columns.row(source, line, &fields))
-        .collect::<Result<_, _>>()?;
-    if rows.is_empty() {
-        return Err(source.error("holds no record, allowed: at least one"));
-    }
-    for pair in rows.windows(2) {
-        let (before, row) = (pair[0].t, &pair[1]);
-        if row.t <= before {
-            let problem = format!(
-                "`t` is {:?} after {before:?}, allowed: times that increase",
+                ))
+            })?);
+            return Ok(None);
+        };
+        let row = columns.row(number, &fields).map_err(error)?;
+        if let Some(before) = self.before.filter(|before| row.t <= *before) {
+            let allowed = "allowed: times that increase";
+            return Err(error(format!(
+                "`t` is {:?} after {before:?}, {allowed}",
                 row.t
-            );
-            return Err(source.error_in_line(row.line, problem));
+            )));
+        }
+        self.before = Some(row.t);
+        Ok(Some(row))
+    }
+
+    /// The end of the file.
+    fn end<T>(&self) -> Result<Option<T>, InputError> {
+        let problem = match (self.before, self.columns) {
+            (Some(_), _) => return Ok(None),
+            (None, None) => "is empty, allowed: a header and at least one record",
+            (None, Some(_)) => "holds no record, allowed: at least one",
+        };
+        Err(InputError::of_file(self.file, problem))
+    }
+}
+
+/// The line of the last record and its number.
+pub(super) fn last_line(reader: impl BufRead) -> (usize, String) {
+    let (mut lines, mut last) = (Lines::new(reader, LONGEST_LINE), (1, String::new()));
+    // What cannot be read was refused before.
+    while let Ok(Some(bytes)) = lines.advance() {
+        let line = String::from_utf8_lossy(bytes).into_owned();
+        if !content(&line).is_empty() {
+            last = (lines.number(), line);
         }
     }
-    Ok(rows)
+    last
 }

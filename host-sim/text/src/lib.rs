@@ -1,0 +1,177 @@
+//! Text files of users, read with limits: from a name to the bytes of the file ([`read`]) or to its lines ([`Lines`]), or to what is
+//! wrong and what is allowed. Nothing grows with what a stranger puts into a file: neither memory nor time.
+//!
+//! Only files on a disk are read. A device may have no end, and a pipe no writer.
+
+use std::fs::{self, File};
+use std::io::{self, BufRead, Read};
+use std::path::Path;
+
+/// A file that is read as a whole may be so long (bytes). The numbers of the largest scene, 64 vertices, 16 surfaces and 128 corners,
+/// take less than 32 KiB; the rest has room for 8000 keyframes of five numbers with all their digits. A longer motion is a recorded
+/// path, which is read line by line.
+pub const LONGEST_WHOLE: u64 = 1 << 20;
+
+/// Opens a file of at most `limit` bytes.
+///
+/// # Errors
+/// It is not there, no file on a disk, or longer; the message is without its name.
+pub fn open(file: &Path, limit: u64) -> Result<File, String> {
+    let about = fs::metadata(file).map_err(|error| unread(&error))?;
+    if about.is_dir() {
+        return Err("is a folder, allowed: a file".to_owned());
+    }
+    if !about.is_file() {
+        return Err(
+            "is a device, a pipe or a socket, allowed: a file on a disk, which has an end"
+                .to_owned(),
+        );
+    }
+    if about.len() > limit {
+        return Err(too_long(&about.len().to_string(), limit));
+    }
+    File::open(file).map_err(|error| unread(&error))
+}
+
+/// The bytes of a file, at most [`LONGEST_WHOLE`].
+///
+/// # Errors
+/// As [`open`]; it cannot be read.
+pub fn read(file: &Path) -> Result<Vec<u8>, String> {
+    read_up_to(file, LONGEST_WHOLE)
+}
+
+fn read_up_to(file: &Path, limit: u64) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    // What the system makes up while it is read has no length beforehand.
+    let mut given = open(file, limit)?.take(limit + 1);
+    let count = given.read_to_end(&mut bytes);
+    match count.map_err(|error| unread(&error))? as u64 > limit {
+        true => Err(too_long(&format!("more than {limit}"), limit)),
+        false => Ok(bytes),
+    }
+}
+
+fn unread(error: &io::Error) -> String {
+    format!("cannot be read: {error}")
+}
+
+fn too_long(count: &str, limit: u64) -> String {
+    format!("is {count} bytes long, allowed: at most {limit}")
+}
+
+/// The lines of a text one after the other, as bytes, none longer than a limit.
+#[derive(Debug)]
+pub struct Lines<R> {
+    reader: R,
+    limit: usize,
+    number: usize,
+    text: Vec<u8>,
+}
+
+impl<R: BufRead> Lines<R> {
+    /// Those of a reader, of at most `limit` bytes each, without the line break.
+    pub const fn new(reader: R, limit: usize) -> Self {
+        Self {
+            reader,
+            limit,
+            number: 0,
+            text: Vec::new(),
+        }
+    }
+
+    /// The next line, without its break and without a byte order mark; nothing at the end.
+    ///
+    /// # Errors
+    /// It is longer than allowed, and then [`Self::text`] is what it begins with; or it cannot be read.
+    pub fn advance(&mut self) -> Result<Option<&[u8]>, String> {
+        self.text.clear();
+        // Both characters of a break besides.
+        let room = self.limit as u64 + 2;
+        let mut given = self.reader.by_ref().take(room);
+        let count = given.read_until(b'\n', &mut self.text);
+        self.number += 1;
+        if count.map_err(|error| unread(&error))? == 0 {
+            return Ok(None);
+        }
+        for end in [b'\n', b'\r'] {
+            if self.text.last() == Some(&end) {
+                self.text.pop();
+            }
+        }
+        if self.text.len() > self.limit {
+            let limit = self.limit;
+            return Err(format!(
+                "is longer than {limit} bytes, allowed: at most {limit} in a line"
+            ));
+        }
+        const MARK: &[u8] = "\u{feff}".as_bytes();
+        let skipped = match self.number == 1 && self.text.starts_with(MARK) {
+            true => MARK.len(),
+            false => 0,
+        };
+        Ok(Some(&self.text[skipped..]))
+    }
+
+    /// The number of the line that was read last, counted from 1; at the end that of the one that would follow.
+    pub const fn number(&self) -> usize {
+        self.number
+    }
+
+    /// The line that was read last, or what a line that is too long begins with.
+    pub fn text(&self) -> &[u8] {
+        &self.text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_up_to_its_limit() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("file");
+        fs::write(&file, "12345").expect("a file");
+        assert_eq!(read_up_to(&file, 5).expect("five bytes"), b"12345");
+        let refused = read_up_to(&file, 4).expect_err("five bytes");
+        assert_eq!(refused, "is 5 bytes long, allowed: at most 4");
+        let folder = read(folder.path()).expect_err("a folder");
+        assert_eq!(folder, "is a folder, allowed: a file");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_has_no_end_is_not_read() {
+        let device = read(Path::new("/dev/zero")).expect_err("a device");
+        assert!(device.starts_with("is a device"), "{device}");
+        // It is of no length until it is read.
+        let made = read_up_to(Path::new("/proc/self/status"), 4).expect_err("more than four bytes");
+        assert_eq!(made, "is more than 4 bytes long, allowed: at most 4");
+    }
+
+    #[test]
+    fn lines_end_with_either_break_or_the_text() {
+        let mut lines = Lines::new("\u{feff}ab\r\n\ncd\nabcd".as_bytes(), 3);
+        // The mark is three bytes that the limit counts.
+        lines.limit = 5;
+        assert_eq!(lines.advance(), Ok(Some(&b"ab"[..])));
+        assert_eq!(lines.advance(), Ok(Some(&b""[..])));
+        lines.limit = 3;
+        assert_eq!(lines.advance(), Ok(Some(&b"cd"[..])));
+        let refused = lines.advance().expect_err("too long");
+        assert_eq!(
+            refused,
+            "is longer than 3 bytes, allowed: at most 3 in a line"
+        );
+        assert_eq!((lines.number(), lines.text()), (4, &b"abcd"[..]));
+        assert_eq!(lines.advance(), Ok(None));
+    }
+
+    #[test]
+    fn a_line_without_end_takes_no_memory() {
+        let mut lines = Lines::new(io::BufReader::new(io::repeat(b'0')), 10);
+        assert!(lines.advance().is_err());
+        assert!(lines.text().len() <= 12);
+    }
+}
