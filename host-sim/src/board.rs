@@ -52,7 +52,7 @@ pub use tracker::{HoldButton, TrackerArgs};
 use crate::files::{self, Files};
 use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
-use crate::options::{evolution_parser, parse_rate, parse_trace};
+use crate::options::{evolution_parser, parse_rate, trace_parser};
 use crate::record::Run;
 use crate::recording::Head;
 use crate::settings::Settings;
@@ -99,7 +99,7 @@ pub struct BoardArgs {
     #[arg(long, conflicts_with = "verify")]
     keep: bool,
     /// Trace to write: TRACE.jsonl or TRACE.csv
-    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    #[arg(long, value_name = "TRACE", value_parser = trace_parser())]
     out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, mode, every sample and every answer of the board
     #[arg(long, value_name = "FILE", requires = "verify")]

@@ -11,6 +11,7 @@ use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::sweep::{SweepArgs, sweep};
 use stiction_host_sim::trade::{TradeArgs, trade};
 use stiction_host_sim::view::{ViewArgs, view};
+use stiction_host_sim::{report, stop};
 
 /// Statics-based contact of an object held in the hand
 #[derive(Parser)]
@@ -49,12 +50,41 @@ enum Command {
     Info(InfoArgs),
 }
 
+/// Input that cannot be used, or output that cannot be written.
+const UNUSABLE: u8 = 2;
+
 fn main() -> ExitCode {
+    stop::begin();
+    let code = match command() {
+        Ok(command) => done(command),
+        // Also where help was asked for.
+        Err(said) => {
+            report::printed(said.print());
+            ExitCode::from(said.exit_code() as u8)
+        }
+    };
+    match report::failure() {
+        Some(error) => {
+            report::tell(format_args!("error: standard output: {error}"));
+            ExitCode::from(UNUSABLE)
+        }
+        None => code,
+    }
+}
+
+/// What the arguments ask for.
+fn command() -> Result<Command, clap::Error> {
+    match Cli::try_parse()?.command {
+        Some(command) => Ok(command),
+        None => {
+            let Unasked { view } = Unasked::try_parse_from(["stiction"])?;
+            Ok(Command::View(Box::new(view)))
+        }
+    }
+}
+
+fn done(command: Command) -> ExitCode {
     // False where the work was done and its outcome is bad.
-    let command = Cli::parse().command.unwrap_or_else(|| {
-        let Unasked { view } = Unasked::parse_from(["stiction"]);
-        Command::View(Box::new(view))
-    });
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
         Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
         Command::Replay(args) => replay(&args).map_err(Into::into),
@@ -70,8 +100,8 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(error) => {
-            eprintln!("error: {error}");
-            ExitCode::from(2)
+            report::tell(format_args!("error: {error}"));
+            ExitCode::from(UNUSABLE)
         }
     }
 }

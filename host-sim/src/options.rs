@@ -1,9 +1,10 @@
 //! What several commands take as an option: from its text to its value, or to what is allowed.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::ValueEnum;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use stiction_core::Evolution;
 
 use crate::number::Number;
@@ -46,9 +47,13 @@ pub(crate) fn parse_rate(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A trace that is to be written.
-pub(crate) fn parse_trace(text: &str) -> Result<(PathBuf, Format), String> {
-    let file = PathBuf::from(text);
+/// A trace that is to be written; its name need not be text.
+pub(crate) fn trace_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
+    OsStringValueParser::new().try_map(trace)
+}
+
+fn trace(name: OsString) -> Result<(PathBuf, Format), String> {
+    let file = PathBuf::from(name);
     match Format::of(&file) {
         Some(format) => Ok((file, format)),
         None => Err("allowed: a file name that ends in .jsonl or .csv".to_owned()),

@@ -9,7 +9,7 @@ use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
 
 use crate::files::{self, Files, WriteError};
 use crate::number::Number;
-use crate::options::{parse_evolution, parse_number, parse_trace};
+use crate::options::{parse_evolution, parse_number, trace_parser};
 use crate::record::{Frame, Run};
 use crate::recording::{Head, Recording, RecordingError, this_build};
 use crate::report;
@@ -22,7 +22,7 @@ pub struct ReplayArgs {
     /// Recording, of `run --record` or `board --verify --record`
     recording: PathBuf,
     /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
-    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    #[arg(long, value_name = "TRACE", value_parser = trace_parser())]
     out: Option<(PathBuf, Format)>,
     /// Recording to write: the same samples with the answers of now
     #[arg(long, value_name = "FILE")]
@@ -89,7 +89,7 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     files.finish()?;
     let build = &head.build;
     let cut = recording.cut();
-    cut.iter().for_each(|cut| eprintln!("{cut}"));
+    cut.iter().for_each(report::tell);
     match first {
         Some((line, t, difference)) => {
             report::print(&format!(

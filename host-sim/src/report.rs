@@ -1,8 +1,12 @@
-//! Text for standard output.
+//! Text for standard output and standard error: the one door for all commands.
 
-use std::fmt::Write as _;
-use std::io::{self, Write};
+use std::fmt::{Display, Write as _};
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// The first thing that went wrong with standard output.
+static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
 
 /// Which plots were written, and where.
 pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
@@ -14,7 +18,50 @@ pub(crate) fn plots(folder: &Path, files: &[PathBuf]) -> String {
     text
 }
 
-/// Prints; a reader that has gone is no error.
+/// Prints. Whether it could is asked at the end, with [`failure`].
 pub(crate) fn print(text: &str) {
-    let _ = io::stdout().write_all(text.as_bytes());
+    printed(io::stdout().write_all(text.as_bytes()));
+}
+
+/// What came of printing; a reader that has gone is no error.
+pub fn printed(result: io::Result<()>) {
+    if let Err(error) = result.and_then(|()| io::stdout().flush())
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        let mut first = FAILURE.lock().unwrap_or_else(PoisonError::into_inner);
+        first.get_or_insert(error);
+    }
+}
+
+/// Why not all that was printed is there, if it is not.
+pub fn failure() -> Option<io::Error> {
+    let mut first = FAILURE.lock().unwrap_or_else(PoisonError::into_inner);
+    first.take()
+}
+
+/// Text for standard error. What of it comes from a file may be of any length, and may hold characters that a terminal obeys: neither
+/// gets there. Where nothing can be written nobody can be told.
+pub fn tell(text: impl Display) {
+    let text = text.to_string();
+    let lines: Vec<String> = text.lines().map(plain).collect();
+    let _ = writeln!(io::stderr(), "{}", lines.join("\n"));
+}
+
+/// The longest line is a list of all that is allowed, of keys or scenes (characters).
+const LONGEST_LINE: usize = 2000;
+
+/// A line for a terminal: its begin and its end, where what is allowed stands.
+fn plain(line: &str) -> String {
+    let shown = |c: char| match c.is_control() && c != '\t' {
+        true => '\u{fffd}',
+        false => c,
+    };
+    let count = line.chars().count();
+    if count <= LONGEST_LINE {
+        return line.chars().map(shown).collect();
+    }
+    let part = LONGEST_LINE / 2;
+    let begin = line.chars().take(part).map(shown);
+    let end = line.chars().skip(count - part).map(shown);
+    begin.chain(" ... ".chars()).chain(end).collect()
 }

@@ -9,7 +9,7 @@ use stiction_scene::InputError;
 
 use crate::files::{self, Files, WriteError};
 use crate::input::{self, open_path, open_scene};
-use crate::options::parse_trace;
+use crate::options::trace_parser;
 use crate::plot::{self, PlotError};
 use crate::progress;
 use crate::record::Run;
@@ -28,7 +28,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub(crate) settings: Settings,
     /// Trace to write: TRACE.jsonl or TRACE.csv; without it a summary goes to standard output
-    #[arg(long, value_name = "TRACE", value_parser = parse_trace)]
+    #[arg(long, value_name = "TRACE", value_parser = trace_parser())]
     pub(crate) out: Option<(PathBuf, Format)>,
     /// Recording to write, for `stiction replay`: scene, settings, every sample of the hand and every answer
     #[arg(long, value_name = "FILE")]

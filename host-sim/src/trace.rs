@@ -27,11 +27,10 @@ pub enum Format {
 impl Format {
     /// By the file's extension, `jsonl` or `csv`.
     pub fn of(file: &Path) -> Option<Self> {
-        match file.extension()?.to_str()? {
-            "jsonl" => Some(Self::JsonLines),
-            "csv" => Some(Self::Csv),
-            _ => None,
-        }
+        let extension = file.extension()?;
+        let all = [("jsonl", Self::JsonLines), ("csv", Self::Csv)];
+        let known = all.into_iter().find(|(name, _)| extension == *name);
+        known.map(|(_, format)| format)
     }
 }
 

@@ -10,7 +10,7 @@ use stiction_tools::board::{Board, Emulator as Qemu, OBSTACLES};
 use stiction_tools::process::{EmulatorError, require_qemu_arm};
 
 use super::link::Link;
-use crate::stop;
+use crate::{report, stop};
 
 /// The emulator opens its socket at once, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
@@ -60,7 +60,7 @@ impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
     pub(super) fn start(board: EmulatedBoard, image: Image<'_>) -> Result<Self, EmulatorError> {
         require_qemu_arm()?;
-        eprintln!("building the image of {} ...", board.name());
+        report::tell(format_args!("building the image of {} ...", board.name()));
         let image = match (image, board) {
             (Image::Plain, _) => board.board().image("", None)?,
             (Image::Obstacles(_), EmulatedBoard::Olimex) => board.board().image(OBSTACLES, None)?,

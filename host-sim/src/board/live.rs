@@ -263,7 +263,7 @@ impl Audience for Follower {
     }
 
     fn note(&mut self, text: &str) {
-        eprintln!("{text}");
+        crate::report::tell(text);
     }
 
     fn gone(&mut self) {

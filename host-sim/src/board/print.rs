@@ -1,6 +1,6 @@
 //! What the user sees: one line while it runs, a table at the end.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
 use super::counts::Counts;
@@ -39,7 +39,6 @@ impl Screen {
         let line = line(counts, now, rate);
         if self.terminal {
             report::print(&format!("\r\x1b[K{line}"));
-            let _ = io::stdout().flush();
             self.dirty = true;
         } else {
             report::print(&format!("{line}\n"));
@@ -57,7 +56,7 @@ impl Screen {
     pub(super) fn note(&mut self, text: &str) {
         self.clear();
         if !self.quiet {
-            eprintln!("{text}");
+            report::tell(text);
         }
     }
 
@@ -65,7 +64,6 @@ impl Screen {
     pub(super) fn clear(&mut self) {
         if self.dirty {
             report::print("\r\x1b[K");
-            let _ = io::stdout().flush();
             self.dirty = false;
         }
     }

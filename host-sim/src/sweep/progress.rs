@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{HumanDuration, ProgressBar};
 
 use crate::progress::bar;
+use crate::report;
 
 /// Rows done of all.
 pub(super) struct Progress {
@@ -48,7 +49,9 @@ impl Progress {
         *told = Instant::now();
         let rate = (done - self.before) as f64 / self.begun.elapsed().as_secs_f64();
         let left = HumanDuration(Duration::from_secs_f64((total - done) as f64 / rate));
-        eprintln!("{done} of {total} rows, {rate:.1}/s, {left} left");
+        report::tell(format_args!(
+            "{done} of {total} rows, {rate:.1}/s, {left} left"
+        ));
     }
 }
 

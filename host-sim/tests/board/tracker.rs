@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use crate::common::{Folder, numbers, records, text};
+use crate::common::{Folder, Signal, numbers, records, send, text};
 use crate::fake::{Tricks, behind_socket};
 use crate::lines::terminal;
 use crate::{DRAGGED, assert_error, board, place};
@@ -142,10 +142,7 @@ fn a_tracker_on_a_serial_port_is_followed_until_ctrl_c() {
         .spawn()
         .expect("the program starts");
     thread::sleep(Duration::from_millis(1500));
-    let killed = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(killed.expect("kill").success());
+    send(Signal::SIGINT, &child);
     let output = child.wait_with_output().expect("it ends");
     assert!(output.status.success(), "{}", text(&output.stderr));
     let seen = fake.join().expect("no panic").samples;

@@ -7,8 +7,10 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output};
 
+#[cfg(unix)]
+pub(crate) use nix::sys::signal::Signal;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -112,6 +114,13 @@ impl Folder {
         assert!(output.status.success(), "{}", text(&output.stderr));
         records(&self.read("trace.jsonl"))
     }
+}
+
+/// Sends a signal to a program that runs.
+#[cfg(unix)]
+pub(crate) fn send(signal: Signal, to: &Child) {
+    let number = to.id().try_into().expect("the number of a process");
+    nix::sys::signal::kill(nix::unistd::Pid::from_raw(number), signal).expect("a signal is sent");
 }
 
 /// The records of a trace.

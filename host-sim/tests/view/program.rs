@@ -11,6 +11,8 @@ use tungstenite::http::HeaderValue;
 use tungstenite::{Message, WebSocket};
 
 use crate::common::{Folder, text};
+#[cfg(unix)]
+use crate::common::{Signal, send};
 
 /// Whatever is waited for comes within this, or not at all.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
@@ -57,9 +59,7 @@ impl View {
     /// Ctrl-C.
     #[cfg(unix)]
     pub(crate) fn interrupt(&self) {
-        let number = self.child.id().to_string();
-        let sent = Command::new("kill").args(["-INT", &number]).status();
-        assert!(sent.expect("kill").success());
+        send(Signal::SIGINT, &self.child);
     }
 
     /// A client that is connected and has heard hello.
