@@ -8,6 +8,7 @@
 //! interruption.
 
 mod axis;
+mod beside;
 mod key;
 mod output;
 mod parallel;
@@ -24,7 +25,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use rayon::ThreadPoolBuilder;
 use sha2::{Digest, Sha256};
-use stiction_scene::InputError;
+use stiction_scene::{HandPath, InputError};
 
 use crate::files::{self, WriteError};
 use crate::{report, stop};
@@ -125,7 +126,7 @@ pub fn sweep(args: &SweepArgs) -> Result<bool, SweepError> {
         .out
         .clone()
         .unwrap_or_else(|| place(&args.sweep, shard));
-    let (read, beside) = (plan.files(), output::beside(&place));
+    let (read, beside) = (plan.files(), beside::beside(&place));
     let written = [place.clone(), beside].map(|file| ("--out", file));
     files::check(read.iter().map(PathBuf::as_path), written)?;
     let inputs = inputs(&plan, shard, &header);
@@ -210,9 +211,17 @@ fn inputs(plan: &Plan, shard: Shard, header: &[u8]) -> String {
     }
     for (i, file) in plan.hand_files().iter().enumerate() {
         // One that cannot be read is what its rows say.
-        let digest = std::fs::read(file).map_or_else(|_| "none".to_owned(), |b| digest(&b));
+        let digest = digest_of(file).unwrap_or_else(|_| "none".to_owned());
         let name = file.file_name().unwrap_or_default();
         let _ = writeln!(text, "hand {} {name:?}: {digest}", i + 1);
     }
     text
+}
+
+/// The digest of a file that can be long.
+fn digest_of(file: &Path) -> Result<String, String> {
+    let mut file = stiction_text::open(file, HandPath::LONGEST)?;
+    let mut digest = Sha256::new();
+    io::copy(&mut file, &mut digest).map_err(|error| error.to_string())?;
+    Ok(format!("{:x}", digest.finalize()))
 }

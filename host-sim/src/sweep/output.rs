@@ -1,12 +1,14 @@
 //! The table on disk: rows are added in order, each with one write, so that a killed run leaves whole rows and at most one
-//! that is cut. The next run finds what the rows were made from in a file beside the table, and goes on where they end.
+//! that is cut. The next run finds what the rows were made from, and what they were, in a file beside the table, and goes on where
+//! they end.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use fs4::TryLockError;
-use stiction_tools::files;
+
+use super::beside::Beside;
 
 /// Why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
@@ -84,6 +86,7 @@ impl Rows {
 pub(super) struct Output {
     file: File,
     place: PathBuf,
+    beside: Beside,
     rows: u64,
 }
 
@@ -108,24 +111,24 @@ impl Output {
             Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
             Err(TryLockError::Error(error)) => return Err(cannot_write(error)),
         }
-        let mut output = Self {
-            file,
-            place: place.to_owned(),
-            rows: 0,
-        };
-        let beside = beside(place);
-        let there = output.file.metadata().map_err(&cannot_write)?;
+        let there = file.metadata().map_err(&cannot_write)?;
         if !there.is_file() {
             let error = io::Error::new(ErrorKind::InvalidInput, "it is not a file on a disk");
             return Err(cannot_write(error));
         }
-        if there.len() == 0 {
-            files::write(&beside, inputs.as_bytes()).map_err(write_error(&beside))?;
-        } else {
-            output.compare(&beside, inputs)?;
-        }
+        let beside = match there.len() {
+            0 => Beside::begin(place, inputs)?,
+            _ => Beside::open(place, inputs)?,
+        };
+        let mut output = Self {
+            file,
+            place: place.to_owned(),
+            beside,
+            rows: 0,
+        };
         let whole = output.take_stock(rows)?;
         output.file.set_len(whole).map_err(&cannot_write)?;
+        output.beside.cut(output.rows)?;
         (output.file.seek(io::SeekFrom::Start(whole))).map_err(&cannot_write)?;
         if let (0, Some(header)) = (whole, &rows.header) {
             output.write(header)?;
@@ -144,6 +147,7 @@ impl Output {
     /// The file cannot be written.
     pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
         self.write(row)?;
+        self.beside.append(row)?;
         self.rows += 1;
         Ok(())
     }
@@ -152,38 +156,8 @@ impl Output {
         self.file.write_all(line).map_err(write_error(&self.place))
     }
 
-    /// Whether the rows were made from the same.
-    fn compare(&self, beside: &Path, inputs: &str) -> Result<(), OutputError> {
-        let before = match std::fs::read_to_string(beside) {
-            Ok(before) => before,
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                let (place, beside) = (self.place.clone(), beside.to_owned());
-                return Err(OutputError::Stranger { place, beside });
-            }
-            Err(error) => return Err(write_error(beside)(error)),
-        };
-        if before == inputs {
-            return Ok(());
-        }
-        // A line is "what: which".
-        let names = |text: &str, other: &str| -> Vec<String> {
-            let lines = text
-                .lines()
-                .filter(|line| !other.lines().any(|known| known == *line));
-            let name = |line: &str| line.split(':').next().unwrap_or_default().to_owned();
-            lines.map(name).collect()
-        };
-        let mut changed = names(inputs, &before);
-        changed.extend(names(&before, inputs));
-        changed.sort();
-        changed.dedup();
-        Err(OutputError::Changed {
-            place: self.place.clone(),
-            changed: changed.join(", "),
-        })
-    }
-
-    /// Counts the rows, each of which must be the one that belongs there; returns how many bytes are whole lines.
+    /// Counts the rows, each of which must be the one that was written there; returns how many bytes they are. A row that was written
+    /// last, of which nothing is known, is made again.
     fn take_stock(&mut self, rows: &Rows) -> Result<u64, OutputError> {
         let place = self.place.clone();
         let mut reader = BufReader::new(&self.file);
@@ -201,9 +175,17 @@ impl Output {
                 (rows.header.as_ref() == Some(&text), "the header".to_owned())
             } else {
                 let index = rows.index(self.rows);
-                let fits =
+                let is_next =
                     self.rows < rows.count && text.starts_with(format!("{index},").as_bytes());
-                (fits, format!("the row of index {index}"))
+                let fits = match is_next {
+                    true => match self.beside.is_next(&text)? {
+                        Some(fits) => fits,
+                        None => return Ok(whole),
+                    },
+                    false => false,
+                };
+                let expected = format!("the row of index {index} that the sweep wrote");
+                (fits, expected)
             };
             if !fits {
                 return Err(OutputError::Edited {
@@ -218,17 +200,10 @@ impl Output {
     }
 }
 
-fn write_error(place: &Path) -> impl Fn(io::Error) -> OutputError {
+pub(super) fn write_error(place: &Path) -> impl Fn(io::Error) -> OutputError {
     let place = place.to_owned();
     move |error| OutputError::Write {
         place: place.clone(),
         error,
     }
-}
-
-/// Where it stands what the rows of a table were made from.
-pub(super) fn beside(place: &Path) -> PathBuf {
-    let mut name = place.as_os_str().to_owned();
-    name.push(".sweep");
-    name.into()
 }

@@ -6,6 +6,8 @@ use std::thread::sleep;
 use std::time::Duration;
 
 use super::common::{Folder, SCENE, text};
+#[cfg(unix)]
+use super::common::{Signal, send};
 use super::{folder, table};
 
 const SWEEP: &str = r#"
@@ -125,10 +127,7 @@ fn an_interrupted_sweep_leaves_whole_rows_and_says_so_in_its_status() {
     let whole = table(&folder, "whole.csv", &[]);
     let mut child = start(&folder);
     wait_for(&folder, 2);
-    let interrupt = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupt.expect("kill").success());
+    send(Signal::SIGINT, &child);
     assert_eq!(child.wait().expect("the program ends").code(), Some(1));
     let part = folder.read("out.csv");
     assert!(whole.starts_with(&part) && part.ends_with('\n') && part.len() < whole.len());
@@ -174,6 +173,40 @@ fn recorded_hands_are_input_too() {
     table(&folder, "out.csv", &[]);
     folder.write("hand.csv", "t,x,y,phi\n0,0.2,0.15,0.5\n");
     assert_refused(&folder, &["(hand 1 \"hand.csv\")"]);
+}
+
+#[test]
+fn a_row_that_was_changed_is_found() {
+    let folder = folder(SWEEP);
+    let whole = table(&folder, "out.csv", &[]);
+    for (line, row) in (1..).zip(whole.lines()).skip(1) {
+        // Its last digit is another one.
+        let digit = row.rfind(|c: char| c.is_ascii_digit()).expect("a number");
+        let other = if &row[digit..=digit] == "7" { "3" } else { "7" };
+        let mut changed = row.to_owned();
+        changed.replace_range(digit..=digit, other);
+        folder.write("out.csv", whole.replacen(row, &changed, 1));
+        assert_refused(
+            &folder,
+            &[&format!(
+                "out.csv, line {line}: is not the row of index {}",
+                line - 2
+            )],
+        );
+    }
+    // A row of which nothing is known is made again.
+    folder.write("out.csv", whole.replacen("ok", "good", 1));
+    let beside = folder.read("out.csv.sweep");
+    let (inputs, _) = beside.split_once("rows:\n").expect("digests");
+    for left in [
+        inputs.to_owned(),
+        format!("{inputs}rows:\n"),
+        format!("{inputs}rows:\n0123"),
+    ] {
+        folder.write("out.csv.sweep", left);
+        assert_eq!(table(&folder, "out.csv", &[]), whole);
+        assert_eq!(folder.read("out.csv.sweep"), beside);
+    }
 }
 
 #[test]

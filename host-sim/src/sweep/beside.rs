@@ -1,0 +1,146 @@
+//! The file beside a table: what its rows were made from, line by line, and a digest of every row, by which a row is found that
+//! somebody has changed.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use sha2::{Digest, Sha256};
+use stiction_tools::files;
+
+use super::output::{OutputError, write_error};
+
+/// The line behind what the rows were made from.
+const ROWS: &str = "rows:\n";
+
+/// A line with 64 bits of SHA-256 in hexadecimal digits: chance alters a row unseen once in 2^64 times.
+const DIGEST: usize = 17;
+
+fn digest(row: &[u8]) -> [u8; DIGEST] {
+    let digits = format!("{:x}", Sha256::digest(row));
+    let mut line = [b'\n'; DIGEST];
+    line[..DIGEST - 1].copy_from_slice(&digits.as_bytes()[..DIGEST - 1]);
+    line
+}
+
+/// Where it stands.
+pub(super) fn beside(table: &Path) -> PathBuf {
+    let mut name = table.as_os_str().to_owned();
+    name.push(".sweep");
+    name.into()
+}
+
+/// The file, whose digests are read from the first one on and then added to.
+#[derive(Debug)]
+pub(super) struct Beside {
+    file: BufReader<File>,
+    place: PathBuf,
+    /// Where the digests begin (bytes).
+    begin: u64,
+}
+
+impl Beside {
+    /// For a table without rows, made from `inputs`.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(super) fn begin(table: &Path, inputs: &str) -> Result<Self, OutputError> {
+        let place = beside(table);
+        let text = format!("{inputs}{ROWS}");
+        files::write(&place, text.as_bytes()).map_err(write_error(&place))?;
+        Self::open(table, inputs)
+    }
+
+    /// For a table that is there.
+    ///
+    /// # Errors
+    /// The file is not there, or the rows were made from something else.
+    pub(super) fn open(table: &Path, inputs: &str) -> Result<Self, OutputError> {
+        let place = beside(table);
+        let file = match OpenOptions::new().read(true).write(true).open(&place) {
+            Ok(file) => file,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let (place, beside) = (table.to_owned(), place);
+                return Err(OutputError::Stranger { place, beside });
+            }
+            Err(error) => return Err(write_error(&place)(error)),
+        };
+        let mut file = BufReader::new(file);
+        let expected = format!("{inputs}{ROWS}");
+        let begin = expected.len() as u64;
+        let before = head(file.by_ref().take(begin + stiction_text::LONGEST_WHOLE));
+        let before = before.map_err(write_error(&place))?;
+        if before == expected.as_bytes() {
+            return Ok(Self { file, place, begin });
+        }
+        // Of a program that knew no digests: nobody can tell what became of the rows.
+        if before == inputs.as_bytes() {
+            return Self::begin(table, inputs);
+        }
+        Err(OutputError::Changed {
+            place: table.to_owned(),
+            changed: changed(&String::from_utf8_lossy(&before), &expected),
+        })
+    }
+
+    /// Whether a row is the one that was written next; nothing where none was.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub(super) fn is_next(&mut self, row: &[u8]) -> Result<Option<bool>, OutputError> {
+        let mut line = [0; DIGEST];
+        match self.file.read_exact(&mut line) {
+            Ok(()) => Ok(Some(line == digest(row))),
+            Err(error) if error.kind() == ErrorKind::UnexpectedEof => Ok(None),
+            Err(error) => Err(write_error(&self.place)(error)),
+        }
+    }
+
+    /// Leaves the digests of so many rows; the next one follows.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(super) fn cut(&mut self, rows: u64) -> Result<(), OutputError> {
+        let length = self.begin + rows * DIGEST as u64;
+        let cut = self.file.get_ref().set_len(length);
+        let cut = cut.and_then(|()| self.file.seek(SeekFrom::Start(length)));
+        cut.map(drop).map_err(write_error(&self.place))
+    }
+
+    /// Adds the digest of a row.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(super) fn append(&mut self, row: &[u8]) -> Result<(), OutputError> {
+        let written = self.file.get_mut().write_all(&digest(row));
+        written.map_err(write_error(&self.place))
+    }
+}
+
+/// The lines up to the one before the digests, with it.
+fn head(mut file: impl BufRead) -> io::Result<Vec<u8>> {
+    let mut head = Vec::new();
+    loop {
+        let line = head.len();
+        let count = file.read_until(b'\n', &mut head)?;
+        if count == 0 || &head[line..] == ROWS.as_bytes() {
+            return Ok(head);
+        }
+    }
+}
+
+/// What differs between two lists of inputs, whose lines are "what: which".
+fn changed(before: &str, inputs: &str) -> String {
+    let names = |text: &str, other: &str| -> Vec<String> {
+        let lines = text
+            .lines()
+            .filter(|line| !other.lines().any(|known| known == *line));
+        let name = |line: &str| line.split(':').next().unwrap_or_default().to_owned();
+        lines.map(name).collect()
+    };
+    let mut changed = names(inputs, before);
+    changed.extend(names(before, inputs));
+    changed.sort();
+    changed.dedup();
+    changed.join(", ")
+}
