@@ -33,6 +33,13 @@ pub(super) struct Counts {
 }
 
 impl Counts {
+    /// So many samples were overtaken by newer ones before they were sent.
+    pub(super) fn overtake(&mut self, count: u64) {
+        self.samples += count;
+        self.unanswered += count;
+        self.overtaken += count;
+    }
+
     /// A session begins.
     pub(super) fn begin(&mut self, health: Option<Health>) {
         self.late_before = self.late() - self.overtaken;

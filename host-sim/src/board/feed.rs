@@ -8,6 +8,8 @@ use std::time::{Duration, Instant};
 
 /// Samples that wait for the line: an older hand is of no use.
 const MOST_WAITING: usize = 2;
+/// Samples of a tracker, of which each counts, that wait for the line: half a minute of them.
+const MOST_TRACKED: usize = 4096;
 
 /// Samples in real time.
 pub(super) enum Feed<'a> {
@@ -38,7 +40,7 @@ impl<'a> Feed<'a> {
     pub(super) const fn live() -> Self {
         Self::Live {
             waiting: VecDeque::new(),
-            most: usize::MAX,
+            most: MOST_TRACKED,
             ended: false,
         }
     }
@@ -164,6 +166,13 @@ mod tests {
         assert!(feed.take(now).is_some());
         feed.end();
         assert!(feed.is_over());
+    }
+
+    #[test]
+    fn samples_of_a_tracker_wait_in_a_bounded_queue() {
+        let mut feed = Feed::live();
+        let overtaken = (0..5000).filter(|&t| feed.push(sample(f64::from(t))));
+        assert_eq!(overtaken.count(), 5000 - MOST_TRACKED);
     }
 
     #[test]

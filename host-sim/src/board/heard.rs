@@ -92,11 +92,12 @@ pub(super) struct Events {
 }
 
 impl Events {
-    /// These, and later ones.
-    pub(super) fn merge(&mut self, later: Self) {
+    /// These, and later ones, of which no more than `most` are listed.
+    pub(super) fn merge(&mut self, later: Self, most: usize) {
         self.slips = self.slips.saturating_add(later.slips);
         self.longest_slip = self.longest_slip.max(later.longest_slip);
-        self.list.extend(later.list);
+        let room = most.saturating_sub(self.list.len());
+        self.list.extend(later.list.into_iter().take(room));
     }
 }
 

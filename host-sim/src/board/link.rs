@@ -1,4 +1,5 @@
-//! A serial port, a unix socket or a tcp connection as one thing that is written to, while a thread reads it.
+//! A serial port, a unix socket or a tcp connection as one thing that is written to, while a thread reads it. What was read and
+//! not yet looked at is bounded: a board that says more waits, and the system holds it back or drops what it says.
 
 use std::io::{self, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
@@ -6,7 +7,7 @@ use std::net::{TcpStream, ToSocketAddrs};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -22,11 +23,32 @@ const BREATH: Duration = Duration::from_millis(50);
 /// A line that takes no bytes, or is not there, for so long is gone.
 const STUCK: Duration = Duration::from_secs(1);
 
+/// A reader takes so many bytes at once.
+const AT_ONCE: usize = 4096;
+/// So many of its readings wait to be looked at, 256 KiB at most: a second of the fastest line, 2 Mbaud.
+const MOST_WAITING: usize = 64;
+/// Whether there is room for more is looked at so often.
+const PAUSE: Duration = Duration::from_millis(1);
+
+/// Bytes that were read, and when they came; counted until they are looked at.
+#[derive(Debug)]
+pub(super) struct Reading {
+    pub(super) at: Instant,
+    pub(super) bytes: Vec<u8>,
+    waiting: Arc<AtomicUsize>,
+}
+
+impl Drop for Reading {
+    fn drop(&mut self) {
+        self.waiting.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
 /// What reaches the main thread.
 #[derive(Debug)]
 pub(super) enum News {
-    /// Bytes of a link, by its number, and when they came.
-    Bytes(u32, Instant, Vec<u8>),
+    /// What was read from a link, by its number.
+    Bytes(u32, Reading),
     /// A link is gone, and why.
     Gone(u32, String),
     /// A sample of the tracker.
@@ -147,21 +169,8 @@ impl Open {
     /// Begins to read; the news carry `number`.
     pub(super) fn new(link: Link, number: u32, news: Sender<News>) -> io::Result<Self> {
         let wanted = Arc::new(AtomicBool::new(true));
-        let (mut reader, reading) = (link.try_clone()?, Arc::clone(&wanted));
-        thread::spawn(move || {
-            let mut bytes = [0; 4096];
-            while reading.load(Ordering::Relaxed) {
-                let message = match reader.read(&mut bytes) {
-                    Ok(0) => continue,
-                    Ok(count) => News::Bytes(number, Instant::now(), bytes[..count].to_vec()),
-                    Err(error) => News::Gone(number, reason(&error)),
-                };
-                let last = matches!(message, News::Gone(..));
-                if news.send(message).is_err() || last {
-                    return;
-                }
-            }
-        });
+        let (reader, reading) = (link.try_clone()?, Arc::clone(&wanted));
+        thread::spawn(move || read_all(reader, number, &reading, &news));
         Ok(Self {
             link,
             number,
@@ -178,6 +187,35 @@ impl Open {
     }
 }
 
+/// Reads a link while it is wanted and there is room for what it says.
+fn read_all(mut link: Link, number: u32, wanted: &AtomicBool, news: &Sender<News>) {
+    let mut bytes = [0; AT_ONCE];
+    let waiting = Arc::new(AtomicUsize::new(0));
+    while wanted.load(Ordering::Relaxed) {
+        if waiting.load(Ordering::Relaxed) >= MOST_WAITING {
+            thread::sleep(PAUSE);
+            continue;
+        }
+        let message = match link.read(&mut bytes) {
+            Ok(0) => continue,
+            Ok(count) => {
+                waiting.fetch_add(1, Ordering::Relaxed);
+                let reading = Reading {
+                    at: Instant::now(),
+                    bytes: bytes[..count].to_vec(),
+                    waiting: Arc::clone(&waiting),
+                };
+                News::Bytes(number, reading)
+            }
+            Err(error) => News::Gone(number, reason(&error)),
+        };
+        let last = matches!(message, News::Gone(..));
+        if news.send(message).is_err() || last {
+            return;
+        }
+    }
+}
+
 impl Drop for Open {
     fn drop(&mut self) {
         self.wanted.store(false, Ordering::Relaxed);
@@ -190,5 +228,38 @@ pub(super) fn reason(error: &io::Error) -> String {
         io::ErrorKind::UnexpectedEof => "it was closed at the other end".to_owned(),
         io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => "it takes no more bytes".to_owned(),
         _ => error.to_string(),
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+    use std::sync::mpsc;
+
+    /// A board that says more than is looked at waits; nothing that it said is lost.
+    #[test]
+    fn what_waits_to_be_looked_at_is_bounded() {
+        let (mut board, line) = UnixStream::pair().expect("a line");
+        let link = Link::Socket(line);
+        let (sender, news) = mpsc::channel();
+        let open = Open::new(link, 1, sender).expect("a reader");
+        let flood = vec![7_u8; 4 << 20];
+        let length = flood.len();
+        let talker = thread::spawn(move || board.write_all(&flood));
+        // Longer than it takes to read all of it.
+        thread::sleep(Duration::from_millis(300));
+        assert!(!talker.is_finished(), "it waits");
+        let mut count = 0;
+        let mut most = 0;
+        while count < length {
+            let News::Bytes(_, reading) = news.recv().expect("news") else {
+                panic!("only bytes were sent");
+            };
+            most = most.max(reading.waiting.load(Ordering::Relaxed));
+            count += reading.bytes.len();
+        }
+        assert!(most <= MOST_WAITING, "{most}");
+        assert!(talker.join().expect("no panic").is_ok());
+        drop(open);
     }
 }

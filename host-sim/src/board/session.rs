@@ -17,6 +17,11 @@ use crate::stop;
 
 /// A command without an answer is sent again.
 const AGAIN: Duration = Duration::from_millis(100);
+/// Samples that wait while a command does: those of half a minute of the tracker, of 4 s of the fastest hand.
+const MOST_ASIDE: usize = 4096;
+/// Frames that are kept while a command waits for its answer: more than a board says in the 0.1 s to its second try, 5000 steps
+/// a second of three frames each.
+const MOST_HEARD: usize = 4096;
 
 /// What links and tracker say, from their threads to this one.
 #[derive(Debug)]
@@ -25,6 +30,8 @@ pub(super) struct Mail {
     receiver: Receiver<News>,
     /// What nobody wanted yet.
     aside: VecDeque<News>,
+    /// Samples for which there was no room.
+    pub(super) dropped: u64,
     links: u32,
 }
 
@@ -35,6 +42,7 @@ impl Mail {
             sender,
             receiver,
             aside: VecDeque::new(),
+            dropped: 0,
             links: 0,
         }
     }
@@ -44,9 +52,15 @@ impl Mail {
         self.aside.pop_front().or_else(|| self.receive(until))
     }
 
-    /// Sets news aside, for [`Self::next`].
+    /// Sets news aside, for [`Self::next`]. A sample for which there is no room is dropped; what else there is, is bounded by
+    /// who sends it.
     pub(super) fn keep(&mut self, news: impl IntoIterator<Item = News>) {
-        self.aside.extend(news);
+        for news in news {
+            match news {
+                News::Sample(_) if self.aside.len() >= MOST_ASIDE => self.dropped += 1,
+                news => self.aside.push_back(news),
+            }
+        }
     }
 
     fn receive(&self, until: Instant) -> Option<News> {
@@ -66,9 +80,9 @@ pub(super) struct Session {
     /// The sample of the last pose.
     pub(super) last_sample: Option<u8>,
     /// What came while a command waited for its answer.
-    pub(super) before_answer: Vec<Heard>,
+    pub(super) before_answer: VecDeque<Heard>,
     /// What came with the answer, after it.
-    pub(super) after_answer: Vec<Heard>,
+    pub(super) after_answer: VecDeque<Heard>,
     pub(super) address: String,
     /// The board may be silent for so long.
     pub(super) timeout: Duration,
@@ -98,8 +112,8 @@ impl Session {
             health: None,
             room: Room::default(),
             last_sample: None,
-            before_answer: Vec::new(),
-            after_answer: Vec::new(),
+            before_answer: VecDeque::new(),
+            after_answer: VecDeque::new(),
             address: name,
             timeout,
         };
@@ -167,11 +181,13 @@ impl Session {
                 for heard in self.read(mail, news)? {
                     self.note(&heard.said);
                     if answer.is_some() {
-                        self.after_answer.push(heard);
+                        self.after_answer.push_back(heard);
                     } else {
                         answer = pick(&heard.said, &sent);
-                        self.before_answer.push(heard);
+                        self.before_answer.push_back(heard);
                     }
+                    let beyond = self.before_answer.len().saturating_sub(MOST_HEARD);
+                    self.before_answer.drain(..beyond);
                 }
                 if let Some(answer) = answer {
                     return Ok(answer);
@@ -198,7 +214,9 @@ impl Session {
     ) -> Result<Option<Health>, BoardError> {
         self.health = None;
         let until = Instant::now() + patience;
+        // A board that says everything but that does not lengthen it.
         while self.health.is_none()
+            && Instant::now() < until
             && !stop::asked()
             && let Some(news) = mail.receive(until)
         {
@@ -212,8 +230,8 @@ impl Session {
     /// The frames in news of this line; other news are set aside.
     pub(super) fn read(&mut self, mail: &mut Mail, news: News) -> Result<Vec<Heard>, BoardError> {
         match news {
-            News::Bytes(link, at, bytes) if link == self.line.link() => {
-                Ok(self.line.hear(at, &bytes))
+            News::Bytes(link, reading) if link == self.line.link() => {
+                Ok(self.line.hear(reading.at, &reading.bytes))
             }
             News::Gone(link, problem) if link == self.line.link() => Err(self.gone(problem)),
             // Of a line of before.

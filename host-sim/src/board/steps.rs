@@ -9,6 +9,8 @@ use super::heard::{Events, Forces, Heard, Said};
 
 /// So many later steps may begin before one is given up as it is.
 const PATIENCE: usize = 4;
+/// Events of steps whose poses do not come are kept up to this many, slips are counted on.
+const MOST_EVENTS: usize = 1024;
 
 /// A step of the board, as far as it arrived.
 #[derive(Clone, Debug)]
@@ -110,7 +112,7 @@ impl Steps {
     pub(super) fn keep(&mut self, events: Option<Events>) {
         if let Some(events) = events {
             match &mut self.earlier {
-                Some(earlier) => earlier.merge(events),
+                Some(earlier) => earlier.merge(events, MOST_EVENTS),
                 None => self.earlier = Some(events),
             }
         }
@@ -265,6 +267,18 @@ mod tests {
         steps.add(heard(9, pose(&[])));
         let done = steps.add(heard(9, forces(0)));
         assert_eq!(done[0].events.as_ref().map(|events| events.slips), Some(3));
+    }
+
+    #[test]
+    fn events_without_a_pose_are_kept_in_a_bounded_list() {
+        let mut steps = Steps::default();
+        for time in 0..10_000 {
+            assert!(steps.add(heard(time, events(&[Event::Slip]))).is_empty());
+        }
+        steps.add(heard(10_000, pose(&[Event::Slip])));
+        let done = steps.add(heard(10_000, forces(0)));
+        let told = done[0].events.as_ref().expect("events");
+        assert_eq!((told.slips, told.list.len()), (10_000, MOST_EVENTS));
     }
 
     #[test]

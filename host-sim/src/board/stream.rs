@@ -121,7 +121,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         self.number_anew(session)?;
         session.before_answer.clear();
         session.after_answer.clear();
-        // Since when the board owes a word.
+        // Since when the board owes a word; where it makes a step with every sample, the answer to one.
         let mut owed: Option<Instant> = None;
         let faults = self.counts.faults;
         loop {
@@ -148,8 +148,13 @@ impl<'a, A: Audience> Stream<'a, A> {
                 until = Instant::now();
             }
             if owed.is_some_and(|since| since.elapsed() > self.timeout) {
-                return Err(session.silent("frame"));
+                return Err(session.silent(match self.setup.per_sample {
+                    true => "answer to a sample",
+                    false => "frame",
+                }));
             }
+            let dropped = std::mem::take(&mut self.mail.dropped);
+            self.counts.overtake(dropped);
             self.counts.faults = faults + u64::from(session.line.faults().total());
             self.audience.counts(&self.counts);
         }
@@ -165,11 +170,7 @@ impl<'a, A: Audience> Stream<'a, A> {
 
     /// A live sample.
     pub(super) fn push(&mut self, sample: Sample) {
-        if self.feed.push(sample) {
-            self.counts.samples += 1;
-            self.counts.unanswered += 1;
-            self.counts.overtaken += 1;
-        }
+        self.counts.overtake(self.feed.push(sample).into());
     }
 
     fn has_room(&self) -> bool {
@@ -220,7 +221,7 @@ impl<'a, A: Audience> Stream<'a, A> {
         Ok(count)
     }
 
-    /// Takes news; whether the board said something.
+    /// Takes news; whether the board gave what it owes: a word, or, where it makes a step with every sample, an answer to one.
     fn hear(&mut self, session: &mut Session, news: News) -> Result<bool, BoardError> {
         match news {
             News::Sample(sample) => {
@@ -241,11 +242,14 @@ impl<'a, A: Audience> Stream<'a, A> {
             }
             news => {
                 let heard = session.read(&mut self.mail, news)?;
-                let any = !heard.is_empty();
+                let (any, poses) = (!heard.is_empty(), self.counts.poses);
                 for heard in heard {
                     self.take(session, heard)?;
                 }
-                Ok(any)
+                Ok(match self.setup.per_sample {
+                    true => self.counts.poses > poses,
+                    false => any,
+                })
             }
         }
     }

@@ -44,6 +44,8 @@ pub(crate) struct Tricks {
     pub(crate) line_rate: Option<f32>,
     /// It does so many units of work in a second: the budget of a step follows from its tick.
     pub(crate) work_rate: Option<u32>,
+    /// After so many samples it answers none, and says other things as fast as the line takes them.
+    pub(crate) floods_after: Option<u64>,
     /// It measures the hand itself.
     pub(crate) measures: bool,
 }
@@ -191,6 +193,11 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
                 }
             }
             self.tell_health();
+            if self.floods() {
+                (0..100).for_each(|sequence| {
+                    self.say(self.now(), Report::Pong(Pong { sequence, time: 0 }));
+                });
+            }
             let out = std::mem::take(&mut self.out);
             let silent = self
                 .tricks
@@ -202,6 +209,11 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
         }
     }
 
+    fn floods(&self) -> bool {
+        let after = self.tricks.floods_after;
+        after.is_some_and(|n| self.seen.samples >= n)
+    }
+
     fn leaves(&mut self) -> bool {
         let leaves = self.tricks.leaves_after == Some(self.seen.samples) && !self.left;
         self.left |= leaves;
@@ -209,6 +221,9 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
     }
 
     fn tell_health(&mut self) {
+        if self.floods() {
+            return;
+        }
         let period = Duration::from_millis(self.seen.mode.health_every.into());
         if self.last_health.elapsed() >= period && !period.is_zero() {
             self.last_health = Instant::now();
@@ -330,7 +345,7 @@ impl<R: Real<Si = f32>> FakeBoard<R> {
                 output
             }
         };
-        if self.tricks.lost.contains(&index) {
+        if self.tricks.lost.contains(&index) || self.floods() {
             return;
         }
         let flip = |part, value: &mut f32| {

@@ -169,5 +169,21 @@ fn a_board_that_falls_silent_is_told() {
     };
     let _fake = behind_socket::<f32>(&socket, 1, tricks);
     let output = board(&folder, &["--verify", "--timeout", "0.5"]);
-    assert_error(&output, &["no frame within 0.5 s"]);
+    assert_error(&output, &["no answer to a sample within 0.5 s"]);
+}
+
+/// What it says is no answer to what it was given.
+#[test]
+fn a_board_that_says_everything_but_answers_is_told() {
+    let (folder, socket) = place(DRAGGED);
+    let tricks = Tricks {
+        floods_after: Some(100),
+        ..Tricks::default()
+    };
+    let _fake = behind_socket::<f32>(&socket, 1, tricks);
+    let output = board(&folder, &["--verify", "--timeout", "0.5"]);
+    assert_error(
+        &output,
+        &["no answer to a sample within 0.5 s; ", " frames came"],
+    );
 }
