@@ -54,8 +54,7 @@ use crate::input::{self, open_path, open_scene};
 use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate, trace_parser};
 use crate::record::Run;
-use crate::recording::Head;
-use crate::settings::Settings;
+use crate::recording::{Head, Maker};
 use crate::trace::Format;
 use crate::{report, scenes, stop};
 use audience::Console;
@@ -220,18 +219,18 @@ fn end(stream: Stream<'_, Console>, args: &BoardArgs) -> Result<bool, BoardError
 
 /// What a recording says about a board.
 fn recording_head(about: &About, scene: &SceneFile) -> Head {
+    let dials = (about.number.into(), about.mode.evolution);
+    Head::of(scene, dials, &maker(about))
+}
+
+/// The board as the maker of a recording.
+fn maker(about: &About) -> Maker {
     let [major, minor, patch] = about.version;
-    let settings = Settings {
-        number: about.number.into(),
-        evolution: about.mode.evolution,
-        budget: (about.budget < u32::MAX).then_some(about.budget),
-        ..Settings::default()
-    };
-    Head {
+    Maker {
         build: format!("{} {major}.{minor}.{patch}", about.name),
         friction: about.friction,
         weight: about.weight,
-        ..Head::new(scene, &settings)
+        budget: (about.budget < u32::MAX).then_some(about.budget),
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use stiction_scene::Sample;
 
 use crate::record::{Frame, Run};
-use crate::recording::{Head, RecordingWriter};
+use crate::recording::{Change, Head, RecordingWriter};
 use crate::trace::{Format, TraceWriter};
 
 /// A file cannot be written.
@@ -154,6 +154,17 @@ impl Files {
             writer.write(sample, answer).map_err(WriteError::of(file))?;
         }
         Ok(())
+    }
+
+    /// From here on the body is under another setting, that of `run`.
+    pub(crate) fn change(&mut self, change: &Change, run: &Run) -> Result<(), WriteError> {
+        if let Some((_, writer)) = &mut self.trace {
+            writer.change(run);
+        }
+        match &mut self.recording {
+            Some((file, writer)) => writer.change(change, run).map_err(WriteError::of(file)),
+            None => Ok(()),
+        }
     }
 
     /// Puts both in their places.

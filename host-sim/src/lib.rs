@@ -27,6 +27,7 @@
 
 mod balance;
 pub mod board;
+mod body;
 pub mod check;
 pub mod emulator;
 mod files;

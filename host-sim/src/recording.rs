@@ -10,26 +10,39 @@
 //!
 //! A number that is not finite is null in a sample. An answer that did not come is null. `friction` and `weight` say which
 //! parts the solver has. A `budget` stands behind the evolution, where a frame had one (units of work). The first sample starts the scene. The last line counts the samples; a recording without it was cut.
+//!
+//! Between two samples there may be a change: from there on the body goes on where it is, under another setting.
+//!
+//! ```text
+//! {"change":{"number":"f64","evolution":"path","scene":"[body]\n..."}}
+//! ```
 
 mod line;
 
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, BufWriter, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, LineWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
+use fs4::{FileExt, TryLockError};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
+use stiction_core::Evolution;
 use stiction_scene::{Sample, SceneFile};
 use stiction_tools::files::part;
 use tempfile::NamedTempFile;
 
+use crate::number::Number;
 use crate::record::{Frame, Run, Scenery};
 use crate::settings::Settings;
 use crate::trace::Record;
-use line::{End, LineIn, LineOut, Written};
+use line::{ChangeLine, End, LineIn, LineOut, Written};
 
 /// The version of the format.
 const VERSION: u32 = 2;
+/// The longest line that is read (bytes): a head has the text of its scene, a sample with its answer has some hundred bytes.
+const LONGEST_LINE: u64 = 16 << 20;
+/// Room for a line that is being written (bytes); a longer one is written in pieces.
+const LINE: usize = 64 << 10;
 
 /// What was run, and what made the recording.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,18 +99,53 @@ pub(crate) fn this_build() -> String {
     format!("stiction {version}, {arch}, {os}")
 }
 
+/// What makes a recording: a program or a board, with the solver that it has.
+#[derive(Clone, Debug)]
+pub(crate) struct Maker {
+    pub(crate) build: String,
+    pub(crate) friction: bool,
+    pub(crate) weight: bool,
+    /// The units of work that a frame may take, where they are bounded.
+    pub(crate) budget: Option<u32>,
+}
+
+impl Maker {
+    /// This program, whose solver has all parts.
+    pub(crate) fn this_program() -> Self {
+        Self {
+            build: this_build(),
+            friction: true,
+            weight: true,
+            budget: None,
+        }
+    }
+}
+
 impl Head {
     /// Of a run of this program.
     pub(crate) fn new(scene: &SceneFile, settings: &Settings) -> Self {
+        let maker = Maker {
+            budget: settings.budget,
+            ..Maker::this_program()
+        };
+        Self::of(scene, (settings.number, settings.evolution), &maker)
+    }
+
+    /// Of what `maker` makes of a scene.
+    pub(crate) fn of(
+        scene: &SceneFile,
+        (number, evolution): (Number, Evolution),
+        maker: &Maker,
+    ) -> Self {
         let (file, text) = (scene.source().file(), scene.source().text());
         Self {
             recording: VERSION,
-            build: this_build(),
-            number: settings.number.name().to_owned(),
-            evolution: settings.evolution.name().to_owned(),
-            budget: settings.budget,
-            friction: true,
-            weight: true,
+            build: maker.build.clone(),
+            number: number.name().to_owned(),
+            evolution: evolution.name().to_owned(),
+            budget: maker.budget,
+            friction: maker.friction,
+            weight: maker.weight,
             name: file
                 .file_name()
                 .unwrap_or_default()
@@ -108,23 +156,31 @@ impl Head {
     }
 }
 
-/// A recording that is being written; it appears in its place with [`RecordingWriter::finish`], or not at all.
+/// A setting under which the body goes on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Change {
+    pub(crate) number: String,
+    pub(crate) evolution: String,
+    /// The text of the scene file.
+    pub(crate) scene: String,
+}
+
+/// A recording that is being written. One in a part of a file appears in its place with [`RecordingWriter::finish`], or not at all.
 #[derive(Debug)]
-pub(crate) struct RecordingWriter {
+pub(crate) struct RecordingWriter<W: Write = BufWriter<NamedTempFile>> {
     place: PathBuf,
     scenery: Scenery,
     single: bool,
     samples: u64,
-    writer: BufWriter<NamedTempFile>,
+    writer: W,
 }
 
-impl RecordingWriter {
-    /// Begins the recording of `run` that is to stand at `place`.
-    ///
-    /// # Errors
-    /// The folder of `place` cannot be written to.
-    pub(crate) fn create(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
-        let mut writer = BufWriter::new(part(place)?);
+/// A recording of something that happens once: it is in its place from the beginning, and every line as soon as it is whole.
+pub(crate) type LiveWriter = RecordingWriter<LineWriter<File>>;
+
+impl<W: Write> RecordingWriter<W> {
+    fn begin(place: &Path, mut writer: W, head: &Head, run: &Run) -> io::Result<Self> {
         serde_json::to_writer(&mut writer, head)?;
         writer.write_all(b"\n")?;
         Ok(Self {
@@ -150,14 +206,38 @@ impl RecordingWriter {
         self.writer.write_all(b"\n")
     }
 
+    /// From the next sample on the body is under another setting, that of `run`.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(crate) fn change(&mut self, change: &Change, run: &Run) -> io::Result<()> {
+        (self.scenery, self.single) = (run.scenery(), run.number.is_single());
+        serde_json::to_writer(&mut self.writer, &ChangeLine { change })?;
+        self.writer.write_all(b"\n")
+    }
+
+    fn end(&mut self) -> io::Result<()> {
+        let samples = self.samples;
+        serde_json::to_writer(&mut self.writer, &End { samples })?;
+        self.writer.write_all(b"\n")
+    }
+}
+
+impl RecordingWriter {
+    /// Begins the recording of `run` that is to stand at `place`.
+    ///
+    /// # Errors
+    /// The folder of `place` cannot be written to.
+    pub(crate) fn create(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
+        Self::begin(place, BufWriter::new(part(place)?), head, run)
+    }
+
     /// Ends the recording with the count of its samples and puts it in its place.
     ///
     /// # Errors
     /// The file cannot be written or moved.
     pub(crate) fn finish(mut self) -> io::Result<()> {
-        let samples = self.samples;
-        serde_json::to_writer(&mut self.writer, &End { samples })?;
-        self.writer.write_all(b"\n")?;
+        self.end()?;
         let file = self
             .writer
             .into_inner()
@@ -165,6 +245,43 @@ impl RecordingWriter {
         file.persist(&self.place)?;
         Ok(())
     }
+}
+
+impl LiveWriter {
+    /// Begins a recording at `place`, where nothing may be yet.
+    ///
+    /// # Errors
+    /// Something is there, or the folder cannot be written to.
+    pub(crate) fn live(place: &Path, head: &Head, run: &Run) -> io::Result<Self> {
+        let file = File::options().write(true).create_new(true).open(place)?;
+        // Where the system has no locks, another program may take it for one that was cut.
+        let _ = FileExt::try_lock(&file);
+        Self::begin(place, LineWriter::with_capacity(LINE, file), head, run)
+    }
+
+    /// Where it is.
+    pub(crate) fn place(&self) -> &Path {
+        &self.place
+    }
+
+    /// Ends the recording with the count of its samples.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub(crate) fn finish_live(mut self) -> io::Result<()> {
+        self.end()
+    }
+}
+
+/// Whether a program is still writing a recording.
+pub(crate) fn is_being_written(place: &Path) -> bool {
+    let locked = |file: File| {
+        matches!(
+            FileExt::try_lock_shared(&file),
+            Err(TryLockError::WouldBlock)
+        )
+    };
+    File::open(place).is_ok_and(locked)
 }
 
 /// Why a recording cannot be used.
@@ -190,15 +307,35 @@ pub enum RecordingError {
     },
 }
 
-/// A recording that is read sample by sample.
+/// A line below the head of a recording.
+#[derive(Clone, Debug)]
+pub(crate) enum Line {
+    /// A sample with the text of its answer.
+    Sample(Sample, Option<String>),
+    /// From here on the body is under another setting.
+    Change(Change),
+}
+
+/// A recording that is read line by line.
 #[derive(Debug)]
 pub(crate) struct Recording {
     file: PathBuf,
     line: usize,
     samples: u64,
-    ended: bool,
+    end: Ending,
     reader: BufReader<File>,
     pub(crate) head: Head,
+}
+
+/// How a recording ended, as far as it is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// Without the count of its samples, or not yet.
+    None,
+    /// In the middle of a line, which is left out.
+    Torn,
+    /// With the count of its samples.
+    Counted,
 }
 
 impl Recording {
@@ -212,62 +349,68 @@ impl Recording {
             error,
         };
         let mut reader = BufReader::new(File::open(file).map_err(cannot_read)?);
-        let mut text = String::new();
-        reader.read_line(&mut text).map_err(cannot_read)?;
+        let text = line_of(&mut reader).map_err(cannot_read)?;
         let error = |problem: String| RecordingError::Line {
             file: file.to_owned(),
             line: 1,
             problem,
         };
-        let unread = |e: serde_json::Error| {
-            error(format!("{}, allowed: the head of a recording", plain(&e)))
+        let unread = |e: serde_json::Error| match is_trace(&text) {
+            true => error("this is a trace; use `stiction check`".to_owned()),
+            false => error(format!("{}, allowed: the head of a recording", plain(&e))),
         };
-        let made: Made = serde_json::from_str(&text).map_err(unread)?;
+        let made: Made = serde_json::from_slice(&text).map_err(unread)?;
         made.check().map_err(error)?;
-        let head: Head = serde_json::from_str(&text).map_err(unread)?;
+        let head: Head = serde_json::from_slice(&text).map_err(unread)?;
         Ok(Self {
             file: file.to_owned(),
             line: 1,
             samples: 0,
-            ended: false,
+            end: Ending::None,
             reader,
             head,
         })
     }
 
-    /// The next sample with the text of its answer; nothing at the end.
+    /// The next line; nothing at the end.
     ///
     /// # Errors
-    /// The file cannot be read, the line is no sample, or the last line counts others than there are.
-    pub(crate) fn next(&mut self) -> Result<Option<(Sample, Option<String>)>, RecordingError> {
+    /// The file cannot be read, the line is neither a sample nor a change, or the last line counts others than there are.
+    pub(crate) fn next(&mut self) -> Result<Option<Line>, RecordingError> {
         let Some(text) = self.next_line()? else {
             return Ok(None);
         };
-        if let Ok(end) = serde_json::from_str::<End>(&text) {
+        if let Ok(end) = serde_json::from_slice::<End>(&text) {
             self.end(&end)?;
             return Ok(None);
         }
-        let line: LineIn = serde_json::from_str(&text).map_err(|error| {
-            let allowed = "a sample and its answer, or the count of the samples";
-            self.error(format!("{}, allowed: {allowed}", plain(&error)))
-        })?;
+        if let Ok(ChangeLine { change }) = serde_json::from_slice(&text) {
+            return Ok(Some(Line::Change(change)));
+        }
+        let line: LineIn = match serde_json::from_slice(&text) {
+            Ok(line) => line,
+            Err(_) if text.last() != Some(&b'\n') => {
+                self.end = Ending::Torn;
+                return Ok(None);
+            }
+            Err(error) => {
+                let allowed = "a sample and its answer, or the count of the samples";
+                return Err(self.error(format!("{}, allowed: {allowed}", plain(&error))));
+            }
+        };
         self.samples += 1;
         let answer = line.answer.map(|answer| answer.get().to_owned());
-        Ok(Some((line.sample.sample(), answer)))
+        Ok(Some(Line::Sample(line.sample.sample(), answer)))
     }
 
     /// The text of the next line; nothing at the end of the file.
-    fn next_line(&mut self) -> Result<Option<String>, RecordingError> {
-        let mut text = String::new();
-        let count = self
-            .reader
-            .read_line(&mut text)
-            .map_err(|error| RecordingError::Read {
-                file: self.file.clone(),
-                error,
-            })?;
-        self.line += usize::from(count > 0);
-        Ok((count > 0).then_some(text))
+    fn next_line(&mut self) -> Result<Option<Vec<u8>>, RecordingError> {
+        let text = line_of(&mut self.reader).map_err(|error| RecordingError::Read {
+            file: self.file.clone(),
+            error,
+        })?;
+        self.line += usize::from(!text.is_empty());
+        Ok((!text.is_empty()).then_some(text))
     }
 
     /// Takes the last line.
@@ -279,7 +422,7 @@ impl Recording {
             );
             return Err(self.error(problem));
         }
-        self.ended = true;
+        self.end = Ending::Counted;
         match self.next_line()? {
             Some(_) => {
                 Err(self.error("follows the count of the samples, allowed: nothing".to_owned()))
@@ -290,13 +433,15 @@ impl Recording {
 
     /// What is missing where the recording ended without the count of its samples.
     pub(crate) fn cut(&self) -> Option<String> {
-        (!self.ended).then(|| {
-            format!(
-                "{}: ends after line {} without the count of its samples: it was cut, or what wrote it was ended; allowed: a last line {{\"samples\":N}}",
-                self.file.display(),
-                self.line
-            )
-        })
+        let (file, line) = (self.file.display(), self.line);
+        let what = match self.end {
+            Ending::Counted => return None,
+            Ending::Torn => format!("ends in the middle of line {line}, which is left out"),
+            Ending::None => format!("ends after line {line} without the count of its samples"),
+        };
+        Some(format!(
+            "{file}: {what}: it was cut, or what wrote it was ended; allowed: a last line {{\"samples\":N}}"
+        ))
     }
 
     /// A problem in the line that was read last.
@@ -317,6 +462,30 @@ impl Recording {
     pub(crate) fn scene_name(&self) -> PathBuf {
         PathBuf::from(format!("{}, scene {}", self.file.display(), self.head.name))
     }
+}
+
+/// The next line with its end, where it has one; empty at the end of the file.
+fn line_of(reader: &mut impl BufRead) -> io::Result<Vec<u8>> {
+    let mut text = Vec::new();
+    reader.take(LONGEST_LINE).read_until(b'\n', &mut text)?;
+    match text.last() {
+        Some(last) if *last != b'\n' && text.len() as u64 == LONGEST_LINE => Err(io::Error::other(
+            format!("a line of more than {LONGEST_LINE} bytes, allowed: the lines of a recording"),
+        )),
+        _ => Ok(text),
+    }
+}
+
+/// Whether a first line is that of a trace: a record, or the names of the columns.
+fn is_trace(text: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    #[expect(dead_code, reason = "that they are there is what counts")]
+    struct Keys {
+        t: IgnoredAny,
+        hand: IgnoredAny,
+        pose: IgnoredAny,
+    }
+    text.starts_with(b"t,hand_x,") || serde_json::from_slice::<Keys>(text).is_ok()
 }
 
 /// What serde_json says, without its place in a text of a single line.

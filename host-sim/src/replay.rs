@@ -1,17 +1,19 @@
 //! `stiction replay`: a recording through the solver again, every answer compared bit for bit with the recorded one.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
 use serde_json::Value;
 use stiction_core::{Fixed, Parts, Real, SiFloat};
 use stiction_scene::{HostModel, InputError, Sample, SceneFile, Source};
 
+use crate::body::{Body, Setting};
 use crate::files::{self, Files, WriteError};
 use crate::number::Number;
 use crate::options::{parse_evolution, parse_number, trace_parser};
-use crate::record::{Frame, Run};
-use crate::recording::{Head, Recording, RecordingError, this_build};
+use crate::record::{Frame, Run, Scenery};
+use crate::recording::{Change, Head, Line, Recording, RecordingError, this_build};
 use crate::report;
 use crate::simulate::{Running, Task, with_solver};
 use crate::trace::{Format, Record};
@@ -59,48 +61,52 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     let mut recording = Recording::open(&args.recording)?;
     let head = recording.head.clone();
     let (scene, run) = read(&recording)?;
-    let mut solver = stepper(&head, &run, &scene)?;
-    let scenery = run.scenery();
+    let solver = stepper(&head, &run, scene)?;
     let head_now = Head {
         build: this_build(),
         ..head.clone()
     };
-    let mut files = Files::trace(args.out.as_ref(), &run)?.with_recording(
+    let files = Files::trace(args.out.as_ref(), &run)?.with_recording(
         args.record.as_ref(),
         &head_now,
         &run,
     )?;
-    let (mut count, mut compared, mut first) = (0_u64, 0_u64, None);
-    while let Some((sample, recorded)) = recording.next()? {
-        let frame = solver.step(&sample);
-        count += 1;
-        if let Some(recorded) = recorded {
-            compared += 1;
-            let record = Record::new(&frame, &scenery, run.number.is_single());
-            let differs = || difference(&recorded, &record);
-            first = first.or_else(|| Some((recording.line(), sample.t, differs()?)));
+    let mut again = Again {
+        solver,
+        scenery: run.scenery(),
+        number: run.number,
+        files,
+        count: 0,
+        compared: 0,
+        first: None,
+    };
+    while let Some(line) = recording.next()? {
+        match line {
+            Line::Sample(sample, recorded) => again.step(&recording, &sample, recorded)?,
+            Line::Change(change) => again.change(&recording, &change)?,
         }
-        files.write(&sample, Some(&frame))?;
     }
-    if count == 0 {
+    if again.count == 0 {
         let problem = "no sample follows the head, allowed: at least one".to_owned();
         return Err(recording.error(problem).into());
     }
-    files.finish()?;
-    let build = &head.build;
+    again.files.finish()?;
     let cut = recording.cut();
     cut.iter().for_each(report::tell);
-    match first {
+    let (build, now) = (&head.build, this_build());
+    match again.first {
         Some((line, t, difference)) => {
             report::print(&format!(
-                "frame {} differs (line {line}, t = {t} s): {difference}\n  recorded by {build}, now {}\n",
+                "frame {} differs (line {line}, t = {t} s): {difference}\n  recorded by {build}, now {now}\n",
                 line - 2,
-                this_build()
             ));
             Ok(false)
         }
         None => {
             if !args.quiet {
+                let Again {
+                    count, compared, ..
+                } = again;
                 report::print(&format!(
                     "{compared} of {count} frames compared, the same bits; recorded by {build}\n"
                 ));
@@ -110,16 +116,59 @@ pub fn replay(args: &ReplayArgs) -> Result<bool, ReplayError> {
     }
 }
 
+/// A recording that is run again.
+struct Again {
+    solver: Box<dyn Stepper>,
+    scenery: Scenery,
+    number: Number,
+    files: Files,
+    count: u64,
+    compared: u64,
+    /// Line and time (s) of the first answer that is not the recorded one, and what is different.
+    first: Option<(usize, f64, String)>,
+}
+
+impl Again {
+    fn step(
+        &mut self,
+        recording: &Recording,
+        sample: &Sample,
+        recorded: Option<String>,
+    ) -> Result<(), ReplayError> {
+        let frame = self
+            .solver
+            .step(sample)
+            .map_err(|problem| recording.error(problem))?;
+        self.count += 1;
+        if let Some(recorded) = recorded {
+            self.compared += 1;
+            if self.first.is_none() {
+                let record = Record::new(&frame, &self.scenery, self.number.is_single());
+                let differs = difference(&recorded, &record);
+                self.first = differs.map(|differs| (recording.line(), sample.t, differs));
+            }
+        }
+        Ok(self.files.write(sample, Some(&frame))?)
+    }
+
+    fn change(&mut self, recording: &Recording, change: &Change) -> Result<(), ReplayError> {
+        let refused = |problem| recording.error(problem);
+        let setting = Setting::named(change, recording.scene_name()).map_err(refused)?;
+        self.solver.change(&setting).map_err(refused)?;
+        let run = Run::of(&setting.scene, setting.number, setting.evolution);
+        (self.scenery, self.number) = (run.scenery(), run.number);
+        Ok(self.files.change(change, &run)?)
+    }
+}
+
 /// The scene of a recording and what is run.
 fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
     let head = &recording.head;
-    let refused = |key: &str, name: &str, allowed: String| {
-        recording.error(format!("`{key}` is {name:?}, {allowed}"))
-    };
-    let number =
-        parse_number(&head.number).map_err(|allowed| refused("number", &head.number, allowed))?;
-    let evolution = parse_evolution(&head.evolution)
-        .map_err(|allowed| refused("evolution", &head.evolution, allowed))?;
+    let number = parse_number(&head.number)
+        .map_err(|allowed| recording.error(format!("`number` is {:?}, {allowed}", head.number)))?;
+    let evolution = parse_evolution(&head.evolution).map_err(|allowed| {
+        recording.error(format!("`evolution` is {:?}, {allowed}", head.evolution))
+    })?;
     let source = Source::new(recording.scene_name(), head.scene.as_str());
     let scene = SceneFile::parse(source, number.limit())?;
     let run = Run::of(&scene, number, evolution);
@@ -129,12 +178,45 @@ fn read(recording: &Recording) -> Result<(SceneFile, Run), ReplayError> {
 /// A solver with its state.
 trait Stepper {
     /// The answer to the next sample; the first one starts the scene.
-    fn step(&mut self, sample: &Sample) -> Frame;
+    fn step(&mut self, sample: &Sample) -> Result<Frame, String>;
+    /// The body goes on under another setting.
+    fn change(&mut self, setting: &Setting) -> Result<(), String>;
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Stepper for Running<R, M> {
-    fn step(&mut self, sample: &Sample) -> Frame {
-        self.frame(sample)
+    fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
+        Ok(self.frame(sample))
+    }
+
+    fn change(&mut self, _: &Setting) -> Result<(), String> {
+        Err("the setting changes in a recording with a budget, or of a solver without friction or weight, which this \
+             program cannot follow; allowed: a change where there are all parts and no budget"
+            .to_owned())
+    }
+}
+
+/// A solver with all parts and as much work as it needs, whose setting may change.
+struct Whole {
+    setting: Setting,
+    body: Option<Box<dyn Body>>,
+}
+
+impl Stepper for Whole {
+    fn step(&mut self, sample: &Sample) -> Result<Frame, String> {
+        match &mut self.body {
+            Some(body) => body.step(&sample.hand),
+            None => self.body = Some(self.setting.start(&sample.hand)?),
+        }
+        let frame = self.body.as_ref().map(|body| body.frame(sample.t));
+        frame.ok_or_else(|| "there is no body".to_owned())
+    }
+
+    fn change(&mut self, setting: &Setting) -> Result<(), String> {
+        if let Some(body) = &mut self.body {
+            *body = setting.carry(&body.present())?;
+        }
+        self.setting = setting.clone();
+        Ok(())
     }
 }
 
@@ -150,12 +232,26 @@ impl Task for Boxed {
 }
 
 /// The solver of a recording: its number type, with the parts that it had.
-fn stepper(head: &Head, run: &Run, scene: &SceneFile) -> Result<Box<dyn Stepper>, InputError> {
+fn stepper(head: &Head, run: &Run, scene: SceneFile) -> Result<Box<dyn Stepper>, InputError> {
     match run.number {
-        Number::F32 if lacks_parts(head) => with_parts::<f32>(head, run, scene),
-        Number::Fixed if lacks_parts(head) => with_parts::<Fixed>(head, run, scene),
+        Number::F32 if lacks_parts(head) => with_parts::<f32>(head, run, &scene),
+        Number::Fixed if lacks_parts(head) => with_parts::<Fixed>(head, run, &scene),
         // No board computes in f64, and this computer has all parts.
-        _ => with_solver(scene, (run.number, run.evolution, budget(head)), Boxed),
+        _ => {
+            let running = with_solver(&scene, (run.number, run.evolution, budget(head)), Boxed)?;
+            let whole = Whole {
+                setting: Setting {
+                    scene: Arc::new(scene),
+                    number: run.number,
+                    evolution: run.evolution,
+                },
+                body: None,
+            };
+            Ok(match head.budget {
+                Some(_) => running,
+                None => Box::new(whole),
+            })
+        }
     }
 }
 

@@ -239,6 +239,11 @@ impl TraceWriter {
         }
     }
 
+    /// From here on the frames are of another run of the same body.
+    pub(crate) fn change(&mut self, run: &Run) {
+        (self.scenery, self.single) = (run.scenery(), run.number.is_single());
+    }
+
     /// Puts the whole trace in its place.
     ///
     /// # Errors

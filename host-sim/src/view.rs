@@ -6,17 +6,16 @@
 //!                                               │        └ body: the solver; the f64 path reference
 //!                                               ├─ guide, holder: the hand
 //!                                               ├─ remote, answers, mirror: a board instead of the solver
-//!                                               └─ recording, replay
+//!                                               └─ recording, shelf, resume, replay
 //! ```
 //!
 //! The engine has a thread of its own and waits for nobody.
 
 mod answers;
-mod body;
-mod carry;
 mod change;
 mod client;
 mod counts;
+mod doors;
 mod echo;
 mod ends;
 mod engine;
@@ -33,47 +32,53 @@ mod pair;
 mod recording;
 mod remote;
 mod replay;
+mod resume;
 mod say;
 mod server;
+mod shelf;
 mod stage;
 mod step_times;
 mod urgent;
 
-use std::future::IntoFuture;
 use std::io;
 use std::net::{SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::mpsc::{Receiver, SyncSender};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use axum::serve::ListenerExt;
 use clap::Args;
 use stiction_core::Evolution;
 use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
 use crate::board::{BoardError, ConnectArgs, Identity, LiveBoard, PLACE};
+use crate::body::{Setting, check, without_obstacles};
 use crate::input::open_scene;
 use crate::number::Number;
 use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::scenes;
 use crate::stop;
-use body::{Setting, check, without_obstacles};
 use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
+use orders::Order;
+use recording::Recording;
 use remote::Remote;
 use replay::Way;
 use server::Hub;
+use shelf::Shelf;
 use stage::Stage;
 
 /// The scene where none is named.
 const SCENE: &str = "box-flat";
 /// Orders that wait for the solver.
 const ORDERS: usize = 1024;
+/// Lines that wait for the terminal: whoever records more often than it shows is not told of each.
+const NOTES: usize = 64;
 /// Ctrl-C is looked for so often.
 const BREATH: Duration = Duration::from_millis(50);
 /// Connections may end by themselves for so long.
@@ -102,6 +107,9 @@ pub struct ViewArgs {
     /// own can hold the hand
     #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:8405")]
     listen: SocketAddr,
+    /// Where recordings go, instead of the folder of this program where the system keeps data
+    #[arg(long, value_name = "FOLDER")]
+    recordings: Option<PathBuf>,
     /// The socket, OSC and OpenTrack only, no page
     #[arg(long)]
     headless: bool,
@@ -173,13 +181,17 @@ pub enum ViewError {
 /// Input that cannot be used, an address that cannot be listened to.
 pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     stop::listen();
-    let (engine, feed) = prepared(args)?;
+    let (notes, told) = std::sync::mpsc::sync_channel(NOTES);
+    let shelf = Shelf::new(args.recordings.clone());
+    let (engine, feed) = prepared(args, (shelf.clone(), notes))?;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
     let scenes = orders::scene_names(engine.own.as_ref(), board.is_some());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
     let ends = Ends::open(args, place)?;
+    let offers = orders.clone();
+    thread::spawn(move || offer(&shelf, &offers));
     let ending = Arc::new(AtomicBool::new(false));
     let solver = {
         let ending = Arc::clone(&ending);
@@ -202,16 +214,35 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
-    let result = runtime.block_on(serve(args, listener, ends, hub, (stopper, &solver)));
+    let watched = Watched {
+        stopper,
+        solver: &solver,
+        told: &told,
+    };
+    let result = runtime.block_on(serve(args, listener, ends, hub, watched));
     ending.store(true, Ordering::Relaxed);
     let ended = solver.join();
+    told.try_iter().for_each(|note| report::print(&note));
     runtime.shutdown_timeout(FAREWELL);
     let ended = ended.unwrap_or_else(|_| Err("the solver broke".to_owned()));
     result.and(ended.map_err(ViewError::Solver))
 }
 
+/// Finds what was recorded before this program was started, however that ended.
+fn offer(shelf: &Shelf, orders: &mpsc::Sender<Order>) {
+    let Some(place) = shelf.newest() else { return };
+    match Recording::read(&place) {
+        // Where the program ends meanwhile, nobody has to know.
+        Ok(recording) => drop(orders.blocking_send(Order::Earlier(Box::new(recording)))),
+        Err(problem) => eprintln!("{} cannot be used: {problem}", place.display()),
+    }
+}
+
 /// The solver with its scene, before its first tick.
-fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
+fn prepared(
+    args: &ViewArgs,
+    records: (Shelf, SyncSender<String>),
+) -> Result<(Engine, Arc<Feed>), ViewError> {
     let stage = Stage::new(open_scene(&args.scene, args.number)?)?;
     // Said with the key and the line.
     match args.connect.is_wanted() {
@@ -235,7 +266,8 @@ fn prepared(args: &ViewArgs) -> Result<(Engine, Arc<Feed>), ViewError> {
     let feed = Arc::new(Feed::default());
     let own = (!is_bundled).then(|| stage.clone());
     let placement = stage.scene.hand.placement;
-    let mut engine = Engine::new(stage, &setting, Arc::clone(&feed)).map_err(ViewError::Scene)?;
+    let mut engine =
+        Engine::new(stage, &setting, Arc::clone(&feed), records).map_err(ViewError::Scene)?;
     engine.own = own;
     engine.board = board;
     if let Some(file) = &args.hand {
@@ -263,13 +295,22 @@ fn greet(args: &ViewArgs, place: SocketAddr, board: Option<&Identity>) {
     report::print(&format!("{what}   Ctrl-C ends it\n{board}"));
 }
 
+/// What is looked after while clients are served.
+struct Watched<'a> {
+    /// Tells all that it ends.
+    stopper: watch::Sender<bool>,
+    solver: &'a JoinHandle<Result<(), String>>,
+    /// What the solver has for the terminal.
+    told: &'a Receiver<String>,
+}
+
 /// Until Ctrl-C, or until the solver is gone.
 async fn serve(
     args: &ViewArgs,
     listener: TcpListener,
     ends: Ends,
     hub: Arc<Hub>,
-    (stopper, solver): (watch::Sender<bool>, &JoinHandle<Result<(), String>>),
+    watched: Watched<'_>,
 ) -> Result<(), ViewError> {
     for (socket, format) in ends.out {
         let feed = Arc::clone(&hub.feed);
@@ -278,26 +319,22 @@ async fn serve(
     for (socket, format) in ends.inward {
         tokio::spawn(outward::hear(socket, format, hub.orders.clone()));
     }
-    let mut stop = hub.stop.clone();
+    let stop = hub.stop.clone();
     let listener = tokio::net::TcpListener::from_std(listener)?;
-    let listener = listener.tap_io(|stream| {
-        // A frame does not wait until the one before was acknowledged. Where this cannot be set, it is only later.
-        let _ = stream.set_nodelay(true);
-    });
-    let server = axum::serve(listener, server::router(hub, !args.headless));
-    let server = server.with_graceful_shutdown(async move {
-        // An end of the other side is one, too.
-        let _ = stop.wait_for(|stop| *stop).await;
-    });
+    let server = doors::serve(listener, server::router(hub, !args.headless), stop);
     let end = async {
-        while !stop::asked() && !solver.is_finished() {
+        while !stop::asked() && !watched.solver.is_finished() {
+            watched
+                .told
+                .try_iter()
+                .for_each(|note| report::print(&note));
             tokio::time::sleep(BREATH).await;
         }
-        let _ = stopper.send(true);
+        let _ = watched.stopper.send(true);
         tokio::time::sleep(FAREWELL).await;
     };
     tokio::select! {
-        result = server.into_future() => result?,
+        () = server => {}
         () = end => {}
     }
     Ok(())

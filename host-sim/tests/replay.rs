@@ -168,15 +168,62 @@ fn without_answer(line: &str) -> String {
     format!(r#"{},"answer":null}}"#, &line[..end])
 }
 
+/// What was being written when its program was killed is left out, wherever it was cut; the rest is replayed.
+#[test]
+fn a_recording_that_was_cut_in_a_line_is_replayed_as_far_as_it_is_whole() {
+    let folder = recorded(&[]);
+    let recording = folder.read("recording.jsonl");
+    let starts: Vec<usize> = recording
+        .match_indices('\n')
+        .map(|(end, _)| end + 1)
+        .collect();
+    for (line, cut) in [
+        (13, starts[11] + 1),
+        (12, starts[11] - 2),
+        (12, starts[10] + 1),
+        (7, (starts[5] + starts[6]) / 2),
+    ] {
+        folder.write("cut.jsonl", &recording[..cut]);
+        let again = ["replay", "cut.jsonl", "--out", "again.jsonl"];
+        let (status, message) = said(&folder, &again);
+        assert_eq!(status, Some(1), "{message}");
+        let place = format!("cut.jsonl: ends in the middle of line {line}, which is left out");
+        assert!(message.contains(&place), "{message}");
+        let compared = format!("{0} of {0} frames compared, the same bits", line - 2);
+        assert!(message.contains(&compared), "{message}");
+        let whole = folder.read("trace.jsonl");
+        let replayed = folder.read("again.jsonl");
+        assert_eq!(replayed.lines().count(), line - 2);
+        assert!(whole.starts_with(&replayed));
+    }
+    // Between two bytes of a letter.
+    folder.write(
+        "cut.jsonl",
+        [&recording.as_bytes()[..starts[3]], b"{\"\xc3"].concat(),
+    );
+    let (status, message) = said(&folder, &["replay", "cut.jsonl"]);
+    assert_eq!(status, Some(1), "{message}");
+    // A last line without its end is whole all the same.
+    folder.write("cut.jsonl", recording.trim_end());
+    let (status, message) = said(&folder, &["replay", "cut.jsonl"]);
+    assert_eq!(status, Some(0), "{message}");
+}
+
+/// What is said of a trace.
+const TRACE: &str = "line 1: this is a trace; use `stiction check`";
+
 #[test]
 fn what_is_no_recording_is_refused_with_its_line() {
     let folder = recorded(&[]);
+    let run = ["run", "scene.toml", "--out", "trace.csv", "--quiet"];
+    assert_eq!(said(&folder, &run).0, Some(0));
     let recording = folder.read("recording.jsonl");
     let head = recording.lines().next().expect("a head").to_owned();
     let cases = [
         (String::new(), "line 1: "),
         ("nonsense\n".to_owned(), "line 1: "),
-        (folder.read("trace.jsonl"), "line 1: "),
+        (folder.read("trace.jsonl"), TRACE),
+        (folder.read("trace.csv"), TRACE),
         (head.clone() + "\n", "line 1: no sample follows the head"),
         (
             recording.replacen(r#""recording":2"#, r#""recording":3"#, 1),
@@ -202,7 +249,7 @@ fn what_is_no_recording_is_refused_with_its_line() {
             recording.replacen("translation = 500.0", "translation = 0.0", 1),
             "`spring.translation` is 0.0, allowed: ",
         ),
-        (recording[..recording.len() - 20].to_owned(), "line 12: "),
+        (recording[..40].to_owned(), "line 1: "),
         (
             recording.replacen(r#""sample""#, r#""simple""#, 1),
             "line 2: unknown field `simple`",

@@ -17,11 +17,13 @@ use super::error::BoardError;
 use super::feed::Feed;
 use super::heard::About;
 use super::link::News;
+use super::maker;
 use super::setup::Setup;
 use super::stream::Stream;
 use super::wish::Wish;
 use crate::number::Number;
 use crate::record::Frame;
+use crate::recording::Maker;
 use crate::stop;
 
 /// How the board fares is told so often.
@@ -87,12 +89,15 @@ pub(crate) struct Identity {
     pub(crate) emulated: bool,
     /// Ticks in a second.
     pub(crate) tick_rate: u16,
+    /// As it makes recordings.
+    pub(crate) maker: Maker,
 }
 
 /// A board that is followed.
 #[derive(Debug)]
 pub(crate) struct LiveBoard {
     news: Sender<News>,
+    /// Bounded by what is asked: a word for every sample on its way, for every wish, and how it fares four times a second.
     words: Receiver<Word>,
     pub(crate) identity: Identity,
     thread: Option<JoinHandle<()>>,
@@ -184,6 +189,7 @@ fn identify(about: &About, address: &Address) -> Identity {
         },
         emulated: matches!(address, Address::Emulated(_)),
         tick_rate: about.mode.tick_rate,
+        maker: maker(about),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The lines of a recording below its head: a sample with its answer, and the count of the samples.
+//! The lines of a recording below its head: a sample with its answer, a change of the setting, and the count of the samples.
 
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -75,4 +75,11 @@ pub(super) struct LineIn {
 #[serde(deny_unknown_fields)]
 pub(super) struct End {
     pub(super) samples: u64,
+}
+
+/// A line with a change, of which C is the content.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ChangeLine<C> {
+    pub(super) change: C,
 }

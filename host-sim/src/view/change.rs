@@ -3,14 +3,15 @@
 
 use tokio::sync::mpsc::Sender;
 
-use super::body::Setting;
 use super::engine::Engine;
 use super::guide::{Guide, HandPose};
 use super::pair::Pair;
 use super::recording::Recording;
 use super::replay::{Replay, Way};
 use super::say;
-use super::stage::Stage;
+use super::stage::{Stage, reread};
+use crate::body::Setting;
+use crate::recording::Maker;
 
 /// A change of the body.
 #[derive(Debug)]
@@ -28,8 +29,8 @@ pub(super) struct Run {
     pub(super) setting: Setting,
     /// A path that the hand follows, and its name.
     pub(super) path: Option<(String, Way)>,
-    /// A recording, which begins with the run.
-    pub(super) recording: Option<Recording>,
+    /// A recording, which begins with the run, and where the live hand is that goes on.
+    pub(super) recording: Option<(Recording, HandPose)>,
 }
 
 impl Change {
@@ -99,6 +100,15 @@ impl Engine {
     }
 
     fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
+        let recorded;
+        let setting = match &self.recording {
+            // From now on the scene is the one that a reader of the file gets.
+            Some(_) => {
+                recorded = reread(setting)?;
+                &recorded
+            }
+            None => setting,
+        };
         let result = match self.board {
             // It has changed already, and its next answer shows what became of the body.
             Some(_) => self.pair.changed(setting),
@@ -108,7 +118,9 @@ impl Engine {
                 Ok(())
             }
         };
-        self.end_recording();
+        if let Some(recording) = &mut self.recording {
+            recording.change(setting);
+        }
         if let Some(replay) = &mut self.replay {
             replay.forget();
         }
@@ -130,11 +142,37 @@ impl Engine {
             }
             None => (Pair::start(&setting, 0.0, &stage.home)?, None),
         };
+        let home = HandPose::of(&stage.home);
+        let (recording, guide) = match recording {
+            Some((mut recording, now)) => {
+                recording.open(&self.shelf, &self.maker())?;
+                recording.add(home, &pair.frame);
+                self.tell(format!("recording to {}\n", recording.place().display()));
+                let mut guide = match self.replay {
+                    Some(_) => Guide::at(now),
+                    None => self.guide.clone(),
+                };
+                guide.leave_for(home);
+                (Some(recording), guide)
+            }
+            None => (None, Guide::at(home)),
+        };
         self.end_recording();
-        self.guide = Guide::at(HandPose::of(&stage.home));
-        (self.stage, self.pair, self.replay) = (stage, pair, replay);
+        if recording.is_none() {
+            self.stage = stage;
+        }
+        (self.pair, self.replay, self.guide) = (pair, replay, guide);
         self.recording = recording;
-        self.begin_run();
+        self.begin_run(home);
         Ok(())
+    }
+
+    /// Who makes recordings.
+    fn maker(&self) -> Maker {
+        let board = self
+            .board
+            .as_ref()
+            .map(|board| board.identity().maker.clone());
+        board.unwrap_or_else(Maker::this_program)
     }
 }

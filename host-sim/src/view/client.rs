@@ -1,41 +1,47 @@
 //! One client of the socket: its messages to the solver, answers, the state and frames back. A client that does not read
-//! waits alone.
+//! waits alone; one that floods is not read any more and has to go, and so has one that says nothing, not even to pings.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{FutureExt, SinkExt, StreamExt};
 use tokio::sync::{mpsc, watch};
-use tokio::time::{Instant as Tick, sleep_until, timeout};
+use tokio::time::{Instant as Tick, sleep, sleep_until, timeout};
 
-use super::hear::{self, Message, Said};
+use super::doors::Seat;
+use super::hear::{self, LONGEST, Message, Said};
 use super::orders::Order;
 use super::say::{self, News};
 use super::server::Hub;
 
-/// Messages of a client in a second.
-const MOST: u32 = 2000;
+/// Messages of a client in a second. Longer ones than are read count more often.
+const MOST: usize = 2000;
+const SECOND: Duration = Duration::from_secs(1);
 /// Answers that wait for a client.
 const WAITING: usize = 256;
 /// Frames a second, unless the client asks for others.
 const RATE: f64 = 60.0;
 /// The state is looked after so often.
 const STATE_EVERY: Duration = Duration::from_millis(20);
-/// A client that takes nothing for so long is gone.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// A client is pinged so often, which it answers without knowing.
+const PING_EVERY: Duration = Duration::from_secs(10);
+/// A client that says nothing or takes nothing for so long, three pings, is gone.
+const PATIENCE: Duration = Duration::from_secs(30);
 /// The server goes away.
 const GOING_AWAY: u16 = 1001;
 
 /// Serves a client until it goes or the server ends.
-pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>) {
+pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>, seat: Arc<Seat>) {
     let client = hub.number();
     let (sink, stream) = socket.split();
     let (answers, inbox) = mpsc::channel(WAITING);
     let (rate, wanted) = watch::channel(RATE);
     let ear = Ear {
         hub: &hub,
+        seat: &seat,
         client,
         answers,
         rate,
@@ -54,6 +60,7 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>) {
     tokio::select! {
         () = ear.listen(stream) => {}
         _ = mouth.talk(inbox, wanted) => {}
+        () = seat.lost() => {}
     }
     // Where the solver is gone, nobody has to know.
     let _ = hub.orders.send(Order::Left(client)).await;
@@ -62,21 +69,27 @@ pub(super) async fn serve(socket: WebSocket, hub: Arc<Hub>) {
 /// What a client says.
 struct Ear<'a> {
     hub: &'a Hub,
+    seat: &'a Seat,
     client: u32,
     answers: mpsc::Sender<String>,
     rate: watch::Sender<f64>,
     /// Since when so many messages came.
-    second: (Instant, u32),
+    second: (Instant, usize),
 }
 
 impl Ear<'_> {
+    /// Until it goes, floods or says nothing.
     async fn listen(mut self, mut stream: SplitStream<WebSocket>) {
-        while let Some(Ok(message)) = stream.next().await {
+        while let Ok(Some(Ok(message))) = timeout(PATIENCE, stream.next()).await {
+            self.seat.hear();
+            if let Some(rest) = self.is_too_fast(&message) {
+                let problem =
+                    format!("too many messages, allowed: {MOST} a second; the connection ends");
+                let _ = self.answers.try_send(say::error(None, &problem));
+                sleep(rest).await;
+                return;
+            }
             let refusal = match message {
-                _ if self.is_too_fast() => Some(say::error(
-                    None,
-                    &format!("too many messages, allowed: {MOST} a second"),
-                )),
                 Wire::Text(text) => self.take(hear::read(&text)),
                 Wire::Binary(_) => Some(say::error(None, "a binary message, allowed: text")),
                 Wire::Close(_) => return,
@@ -89,14 +102,19 @@ impl Ear<'_> {
         }
     }
 
-    fn is_too_fast(&mut self) -> bool {
-        let (since, count) = &mut self.second;
-        if since.elapsed() >= Duration::from_secs(1) {
-            self.second = (Instant::now(), 1);
-            return false;
+    /// The rest of the second, where it said too much in it.
+    fn is_too_fast(&mut self, message: &Wire) -> Option<Duration> {
+        let length = match message {
+            Wire::Text(text) => text.len(),
+            Wire::Binary(bytes) | Wire::Ping(bytes) | Wire::Pong(bytes) => bytes.len(),
+            Wire::Close(_) => 0,
+        };
+        if self.second.0.elapsed() >= SECOND {
+            self.second = (Instant::now(), 0);
         }
-        *count += 1;
-        *count > MOST
+        let (since, count) = &mut self.second;
+        *count += 1 + length / (LONGEST + 1);
+        (*count > MOST).then(|| SECOND.saturating_sub(since.elapsed()))
     }
 
     /// Passes a message on; the answer, where it is known already.
@@ -143,17 +161,22 @@ impl Mouth<'_> {
     ) -> Result<(), Gone> {
         let mut stop = self.hub.stop.clone();
         let hello = say::hello(self.client, &self.hub.scenes, self.hub.board.as_ref());
-        self.send(hello).await?;
+        self.send(Wire::Text(hello.into())).await?;
         let mut due = Tick::now();
+        let mut ping = due;
         let mut told = Told::new(self.hub);
         loop {
             tokio::select! {
                 biased;
                 () = ended(&mut stop) => return self.close().await,
-                Some(answer) = inbox.recv() => self.skipped += self.send(answer).await?,
+                Some(answer) = inbox.recv() => self.skipped += self.send(Wire::Text(answer.into())).await?,
                 Ok(()) = rate.changed() => {
                     self.period = Duration::from_secs_f64(1.0 / *rate.borrow_and_update());
                     due = Tick::now();
+                }
+                () = sleep_until(ping) => {
+                    ping = Tick::now() + PING_EVERY;
+                    self.skipped += self.send(Wire::Ping(Bytes::new())).await?;
                 }
                 () = sleep_until(due.min(Tick::now() + STATE_EVERY)) => {
                     let with_frame = Tick::now() >= due;
@@ -170,18 +193,18 @@ impl Mouth<'_> {
     async fn tell(&mut self, told: &mut Told, with_frame: bool) -> Result<(), Gone> {
         let (state, news) = told.look(self.hub, with_frame);
         if let Some(state) = state {
-            self.send(state.to_string()).await?;
+            self.send(Wire::Text(state.as_ref().into())).await?;
         }
         if let Some(news) = news {
             let message = news.message(self.client, self.skipped);
-            self.skipped += self.send(message).await?;
+            self.skipped += self.send(Wire::Text(message.into())).await?;
         }
         Ok(())
     }
 
     /// Sends a message. How many frames were lost because the client did not take it.
-    async fn send(&mut self, text: String) -> Result<u64, Gone> {
-        let mut sending = self.sink.send(Wire::Text(text.into()));
+    async fn send(&mut self, message: Wire) -> Result<u64, Gone> {
+        let mut sending = self.sink.send(message);
         // Where there is room it is done at once, whatever else this computer does.
         let (sent, lost) = match (&mut sending).now_or_never() {
             Some(sent) => (sent, 0),
@@ -209,7 +232,7 @@ impl Mouth<'_> {
 }
 
 /// The server ends.
-async fn ended(stop: &mut watch::Receiver<bool>) {
+pub(super) async fn ended(stop: &mut watch::Receiver<bool>) {
     // An end of the other side is one, too.
     let _ = stop.wait_for(|stop| *stop).await;
 }

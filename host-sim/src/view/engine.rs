@@ -3,13 +3,13 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::SyncSender;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use stiction_scene::Sample;
 use tokio::sync::mpsc::Receiver;
 
-use super::body::Setting;
 use super::change::Reply;
 use super::echo::Echoes;
 use super::feed::{Feed, Latest, Pending};
@@ -21,8 +21,10 @@ use super::recording::{self, Recording};
 use super::remote::Remote;
 use super::replay::{Replay, Way};
 use super::say::{self, By, Recorded, Replayed, Status};
+use super::shelf::Shelf;
 use super::stage::Stage;
 use super::step_times::StepTimes;
+use crate::body::Setting;
 
 /// From one tick to the next.
 const PERIOD: Duration = Duration::from_millis(1);
@@ -36,6 +38,8 @@ const ORDERING: Duration = Duration::from_micros(500);
 const BREATH: Duration = Duration::from_micros(50);
 /// A board answers the last sample of a recording within this, or not at all.
 const LAST_ANSWER: Duration = Duration::from_millis(500);
+/// A board is given so many ticks to take hold, before the hand goes on.
+const LONGEST_GRASP: u64 = 100;
 /// While it records, the state tells so every so many ticks.
 const RECORDING_EVERY: usize = 100;
 
@@ -51,10 +55,16 @@ pub(super) struct Engine {
     sample: Sample,
     pub(super) times: StepTimes,
     pub(super) guide: Guide,
+    /// The tick in which the hand closed or opened last.
+    switched: u64,
     pub(super) holder: Holder,
     pub(super) replay: Option<Replay>,
     pub(super) recording: Option<Recording>,
     pub(super) recorded: Option<Arc<Recording>>,
+    /// Where recordings go.
+    pub(super) shelf: Shelf,
+    /// What the terminal is told.
+    pub(super) notes: SyncSender<String>,
     /// A path that was sent, and its name.
     pub(super) upload: Option<(String, Way)>,
     /// The scene of the command line, where it is a file.
@@ -81,12 +91,18 @@ impl Engine {
     ///
     /// # Errors
     /// The scene cannot be used.
-    pub(super) fn new(stage: Stage, setting: &Setting, feed: Arc<Feed>) -> Result<Self, String> {
+    pub(super) fn new(
+        stage: Stage,
+        setting: &Setting,
+        feed: Arc<Feed>,
+        (shelf, notes): (Shelf, SyncSender<String>),
+    ) -> Result<Self, String> {
         let pair = Pair::start(setting, 0.0, &stage.home)?;
         let mut engine = Self {
             feed,
             pending: Pending::default(),
             guide: Guide::at(HandPose::of(&stage.home)),
+            switched: 0,
             sample: Sample {
                 t: 0.0,
                 hand: stage.home,
@@ -99,6 +115,8 @@ impl Engine {
             replay: None,
             recording: None,
             recorded: None,
+            shelf,
+            notes,
             upload: None,
             own: None,
             tick: 0,
@@ -117,15 +135,17 @@ impl Engine {
         Ok(engine)
     }
 
-    /// Until `stop`.
+    /// Until `stop`; what is being recorded then is whole.
     ///
     /// # Errors
     /// The board will not come back.
-    pub(super) fn run(
-        mut self,
-        mut orders: Receiver<Order>,
-        stop: &AtomicBool,
-    ) -> Result<(), String> {
+    pub(super) fn run(mut self, orders: Receiver<Order>, stop: &AtomicBool) -> Result<(), String> {
+        let result = self.go(orders, stop);
+        self.end_recording();
+        result
+    }
+
+    fn go(&mut self, mut orders: Receiver<Order>, stop: &AtomicBool) -> Result<(), String> {
         let mut due = Instant::now();
         while !stop.load(Ordering::Relaxed) {
             let now = Instant::now();
@@ -195,6 +215,7 @@ impl Engine {
         if let Some(replay) = &mut self.replay {
             while replay.is_seeking() && begun.elapsed() < SEEKING {
                 replay.approach(&mut self.pair, &mut self.times);
+                self.changed |= replay.takes_change();
                 self.pending.record(&self.pair.frame);
             }
             self.tick = replay.at as u64;
@@ -209,6 +230,7 @@ impl Engine {
                 true => replay.next(),
                 false => replay.advance(&mut self.pair, &mut self.times),
             };
+            self.changed |= replay.takes_change();
             let Some(sample) = sample else { return };
             (self.sample, self.tick) = (sample, replay.at as u64);
             if !is_board {
@@ -216,12 +238,19 @@ impl Engine {
             }
             return;
         }
-        let mut hand = self.guide.next();
+        let before = self.guide.now();
+        let mut hand = match self.is_grasping() {
+            true => before,
+            false => self.guide.next(),
+        };
         if self.recording.is_some() {
             // The file of a planar hand has no depth.
             hand.depth = 0.0;
         }
         self.tick += 1;
+        if hand.held != before.held {
+            self.switched = self.tick;
+        }
         self.sample = Sample {
             t: self.tick as f64 / 1000.0,
             hand: hand.hand(),
@@ -235,13 +264,21 @@ impl Engine {
             self.pending.record(&self.pair.frame);
         }
         if let Some(recording) = &mut self.recording {
-            recording.add(hand);
+            recording.add(hand, &self.pair.frame);
             let count = recording.len();
             self.changed |= count.is_multiple_of(RECORDING_EVERY);
-            if count > recording::LONGEST {
+            if count > recording::LONGEST || recording.problem.is_some() {
                 self.close_recording(Instant::now());
             }
         }
+    }
+
+    /// A board has not yet answered the hand that closed or opened: it takes the newest sample, and must not miss this one.
+    fn is_grasping(&self) -> bool {
+        let answered = self.pair.frame.t * 1000.0;
+        self.board.is_some()
+            && answered < self.switched as f64
+            && self.tick < self.switched + LONGEST_GRASP
     }
 
     /// No more ticks are recorded; of a board, what it answers to the last one still is.
@@ -263,6 +300,11 @@ impl Engine {
         let closing = self.closing.take().map(|(recording, _)| recording);
         if let Some(mut recording) = self.recording.take().or(closing) {
             recording.finish();
+            let (seconds, place) = (recording.seconds(), recording.place().display());
+            self.tell(match &recording.problem {
+                None => format!("recorded {seconds:.3} s: {place}\n"),
+                Some(problem) => format!("the recording has ended: {problem}\n"),
+            });
             let recording = Arc::new(recording);
             self.recorded = Some(Arc::clone(&recording));
             self.pending.recorded(recording);
@@ -270,16 +312,35 @@ impl Engine {
         }
     }
 
-    /// What is shown from now on is of another run.
-    pub(super) fn begin_run(&mut self) {
+    /// What was recorded before this program was started is there again, unless there is something newer.
+    pub(super) fn offer(&mut self, recording: Recording) {
+        if self.recorded.is_some() || self.recording.is_some() || self.closing.is_some() {
+            return;
+        }
+        let (seconds, place) = (recording.seconds(), recording.place().display());
+        self.tell(format!("recorded before, {seconds:.3} s: {place}\n"));
+        let recording = Arc::new(recording);
+        self.recorded = Some(Arc::clone(&recording));
+        self.pending.recorded(recording);
+        self.changed = true;
+    }
+
+    /// Tells the terminal, which the engine does not wait for.
+    pub(super) fn tell(&self, text: String) {
+        let _ = self.notes.try_send(text);
+    }
+
+    /// What is shown from now on is of another run, which the hand begins at `home`.
+    pub(super) fn begin_run(&mut self, home: HandPose) {
         self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
         let first = self.replay.as_ref().and_then(Replay::sample);
         self.sample = first.unwrap_or(Sample {
             t: 0.0,
-            hand: self.stage.home,
+            hand: home.hand(),
         });
         self.phase = 0.0;
         self.steps = 0;
+        self.switched = 0;
         self.echoes = Echoes::default();
         if let Some(board) = &mut self.board {
             board.begin();
@@ -331,7 +392,12 @@ impl Engine {
         let recorded = self.recorded.as_ref().map(|recording| Recorded {
             seconds: recording.seconds(),
             frames: recording.len(),
+            file: recording.place().display().to_string(),
+            earlier: recording.is_earlier,
+            problem: recording.problem.clone(),
         });
+        let file = self.recording.as_ref().map(Recording::place);
+        let file = file.map(|place| place.display().to_string());
         let replay = self.replay.as_ref().map(|replay| Replayed {
             what: replay.what.clone(),
             seconds: replay.seconds(),
@@ -340,6 +406,7 @@ impl Engine {
             paused: self.paused,
             speed: self.speed,
             recording: self.recording.as_ref().map(Recording::seconds),
+            recording_file: file,
             recorded,
             replay,
             hand,

@@ -1,5 +1,7 @@
-//! The hand between samples: in a straight line from where it is to where the newest sample says, one pose per tick.
+//! The hand between samples: in a straight line from where it is to where the newest sample says, one pose per tick. Where the
+//! switch changes, the hand is at that sample in a tick of its own, however near the next one is: it closes where it was told to.
 
+use std::collections::VecDeque;
 use std::time::Duration;
 
 use stiction_core::{Angle, Hand};
@@ -7,6 +9,8 @@ use stiction_core::{Angle, Hand};
 /// Ticks of the way to a sample, at least and at most: they are 1 ms each.
 const LEAST: f64 = 1.0;
 const MOST: f64 = 20.0;
+/// Changes of the switch that wait for their ticks: of a client that makes more than one in a tick, the oldest are left out.
+const SWITCHES: usize = 8;
 
 /// x, y (m), phi (rad), depth (m) and the hold switch of a live hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,6 +52,8 @@ pub(super) struct Guide {
     target: HandPose,
     /// Ticks until the target.
     left: u32,
+    /// Samples that changed the switch, the oldest first: the hand is at each before it goes on.
+    switches: VecDeque<HandPose>,
 }
 
 impl Guide {
@@ -57,18 +63,42 @@ impl Guide {
             now: pose,
             target: pose,
             left: 0,
+            switches: VecDeque::new(),
         }
     }
 
     /// A sample; `since`: the time since the one before.
     pub(super) fn lead(&mut self, target: HandPose, since: Duration) {
         let ticks = (since.as_secs_f64() * 1e3).round().clamp(LEAST, MOST);
+        if target.held != self.target.held {
+            if self.switches.len() == SWITCHES {
+                self.switches.pop_front();
+            }
+            self.switches.push_back(target);
+        }
         self.target = target;
         self.left = ticks as u32;
     }
 
-    /// Where the hand is at the next tick. The switch goes with the first one.
+    /// The hand is taken to another place, and comes back with the next tick to go on from there.
+    pub(super) fn leave_for(&mut self, pose: HandPose) {
+        if self.now != pose {
+            self.switches.push_front(self.now);
+            self.now = pose;
+        }
+    }
+
+    /// Where the hand is.
+    pub(super) const fn now(&self) -> HandPose {
+        self.now
+    }
+
+    /// Where the hand is at the next tick.
     pub(super) fn next(&mut self) -> HandPose {
+        if let Some(switch) = self.switches.pop_front() {
+            self.now = switch;
+            return self.now;
+        }
         let (from, to) = (self.now, self.target);
         let part = 1.0 / f64::from(self.left.max(1));
         let between = |from: f64, to: f64| from + (to - from) * part + 0.0;
@@ -114,6 +144,44 @@ mod tests {
             let count = (1..).find(|_| guide.next() == pose(1.0));
             assert_eq!(count, Some(ticks), "{since} ms");
         }
+    }
+
+    /// A press and a move of 20 m, as they come in one tick or in two.
+    #[test]
+    fn the_hand_closes_where_the_press_was_and_then_goes_on() {
+        let open = |x| HandPose {
+            held: false,
+            ..pose(x)
+        };
+        for ms in [0, 1, 10] {
+            let mut guide = Guide::at(open(0.0));
+            guide.lead(pose(10.0), Duration::from_millis(15));
+            guide.lead(pose(30.0), Duration::from_millis(ms));
+            assert_eq!(guide.next(), pose(10.0), "{ms} ms");
+            let ticks = ms.max(1);
+            let way: Vec<HandPose> = (0..ticks).map(|_| guide.next()).collect();
+            assert_eq!(way[0], pose(10.0 + 20.0 / ticks as f64));
+            assert_eq!(way.last(), Some(&pose(30.0)));
+        }
+        // Released and taken elsewhere between two ticks: it is open in between.
+        let mut guide = Guide::at(pose(0.0));
+        for to in [open(0.0), pose(5.0), pose(6.0)] {
+            guide.lead(to, Duration::ZERO);
+        }
+        let way = [(); 3].map(|()| guide.next());
+        assert_eq!(way, [open(0.0), pose(5.0), pose(6.0)]);
+    }
+
+    #[test]
+    fn a_switch_that_never_rests_keeps_no_more_than_8() {
+        let mut guide = Guide::at(pose(0.0));
+        for k in 0..1001 {
+            let held = k % 2 == 1;
+            guide.lead(HandPose { held, ..pose(0.0) }, Duration::ZERO);
+        }
+        assert_eq!(guide.switches.len(), SWITCHES);
+        assert!((0..SWITCHES).all(|k| guide.next().held == (k % 2 == 1)));
+        assert!(!guide.next().held);
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use stiction_core::{Angle, Hand, Wrench};
 
-use super::body::{Body, Setting};
-use super::carry::{Hold, Present};
+use crate::body::{Body, Setting};
+use crate::body::{Hold, Present};
 use crate::record::Frame;
 
 /// What a board said last.

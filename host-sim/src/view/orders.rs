@@ -10,7 +10,6 @@ use stiction_core::Evolution;
 use stiction_scene::{HandPath, SceneFile};
 use tokio::sync::mpsc::Sender;
 
-use super::body::{Setting, without_obstacles};
 use super::change::{Change, Reply, Run};
 use super::engine::Engine;
 use super::guide::{Guide, HandPose};
@@ -18,7 +17,9 @@ use super::hear::{Message, Parameters, Path};
 use super::holder::Source;
 use super::recording::Recording;
 use super::replay::Way;
+use super::resume::resumed;
 use super::stage::{Stage, reread};
+use crate::body::{Setting, without_obstacles};
 use crate::number::Number;
 use crate::scenes;
 
@@ -43,6 +44,8 @@ pub(super) enum Order {
     Hand(Source, HandPose),
     /// A path, and its name.
     Upload(String, Arc<HandPath>),
+    /// A recording that was made before the program was started.
+    Earlier(Box<Recording>),
 }
 
 impl Engine {
@@ -65,6 +68,7 @@ impl Engine {
             Order::Upload(name, path) => {
                 self.upload = Some((name, Way::Path(path)));
             }
+            Order::Earlier(recording) => self.offer(*recording),
             Order::Message {
                 client,
                 id,
@@ -178,11 +182,18 @@ impl Engine {
         Ok(Change::run(stage, setting))
     }
 
-    /// Body and hand as at the beginning; a path from its beginning.
+    /// Body and hand as at the beginning; a path from its beginning. A recording may have begun elsewhere.
     pub(super) fn anew(&self) -> Change {
+        let mut setting = self.pair.setting.clone();
+        let (written, of_stage) = (
+            &mut Arc::make_mut(&mut setting.scene).written,
+            &self.stage.scene,
+        );
+        (written.start, written.holding_point) = (of_stage.start, of_stage.holding_point);
+        written.reach = of_stage.reach;
         Change::Run(Box::new(Run {
             stage: self.stage.clone(),
-            setting: self.pair.setting.clone(),
+            setting,
             path: self
                 .replay
                 .as_ref()
@@ -244,30 +255,42 @@ impl Engine {
         Change::Setting(setting)
     }
 
+    /// The body stays where it is, and so does the hand, which is live from then on.
     fn record(&self) -> Result<Change, String> {
-        let mut setting = self.pair.setting.clone();
-        // From now on the scene is the one that a reader of the file gets.
-        let (scene, text) =
-            reread(&setting.scene, setting.number).map_err(|error| error.to_string())?;
-        setting.scene = Arc::new(SceneFile {
-            // Where paths lie in it stays as it is.
-            hand: setting.scene.hand.clone(),
-            ..scene
-        });
-        let mut home = HandPose::of(&self.stage.home);
-        home.depth = 0.0;
+        let mut now = match &self.replay {
+            Some(_) => self.shown_hand(),
+            None => self.guide.now(),
+        };
+        // The file of a planar hand has no depth.
+        now.depth = 0.0;
+        let setting = &self.pair.setting;
+        let (scene, first) = resumed(&setting.scene, &self.pair.present(), now);
+        let setting = reread(&Setting {
+            scene: Arc::new(scene),
+            ..setting.clone()
+        })?;
         let stage = Stage {
-            home: home.hand(),
+            scene: Arc::clone(&setting.scene),
+            home: first.hand(),
             ..self.stage.clone()
         };
-        let is_heard = self.board.is_some();
-        let recording = Recording::begin(text, setting.clone(), stage.clone(), is_heard)?;
+        let recording = Recording::new(setting.clone(), stage.clone(), self.board.is_some());
         Ok(Change::Run(Box::new(Run {
             stage,
             setting,
             path: None,
-            recording: Some(recording),
+            recording: Some((recording, now)),
         })))
+    }
+
+    /// The hand as the newest frame has it.
+    fn shown_hand(&self) -> HandPose {
+        let frame = &self.pair.frame;
+        HandPose {
+            pose: frame.hand.map(|value| value + 0.0),
+            depth: frame.depth,
+            held: frame.held,
+        }
     }
 
     fn replay(&mut self, what: Path) -> Result<Change, String> {
@@ -310,12 +333,7 @@ impl Engine {
     /// The hand is live again, and stays where it is.
     fn live(&mut self) {
         if self.replay.take().is_some() {
-            let frame = &self.pair.frame;
-            self.guide = Guide::at(HandPose {
-                pose: frame.hand.map(|value| value + 0.0),
-                depth: frame.depth,
-                held: frame.held,
-            });
+            self.guide = Guide::at(self.shown_hand());
             self.changed = true;
             self.pending.touch();
         }
@@ -329,7 +347,7 @@ impl Engine {
             return Err("a board cannot be set back, allowed: a reset".to_owned());
         }
         replay.seek(seconds, &mut self.pair)?;
-        self.begin_run();
+        self.begin_run(HandPose::of(&self.stage.home));
         Ok(())
     }
 }

@@ -8,10 +8,10 @@ use serde::Serialize;
 use stiction_core::Hand;
 use stiction_insertion::Meter;
 
-use super::body::{Body, Setting};
 use super::counts::Counts;
 use super::mirror::Mirror;
 use super::step_times::StepTimes;
+use crate::body::{Body, Present, Setting};
 use crate::meter;
 use crate::record::Frame;
 
@@ -145,6 +145,11 @@ impl Pair {
         self.comparison = Comparison::default();
         self.look(false);
         Ok(())
+    }
+
+    /// Where the body is.
+    pub(super) fn present(&self) -> Present {
+        self.body.present()
     }
 
     /// A copy of all of it.

@@ -1,26 +1,30 @@
-//! A recording: the hand of every tick and the setting. Its trace is computed from these, by the code of `stiction run`; that
-//! of a board is what the board said.
+//! A recording: the hand of every tick, the setting and what became of it, to be replayed; and a file with the same and with
+//! what the solver or a board answered, which has every tick as soon as it is over: however the program ends, it is there.
 
+use std::collections::VecDeque;
 use std::fmt::Write as _;
 use std::fs::File;
-use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
-use std::{fs, io};
+use std::io::{self, BufWriter, Seek, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use tempfile::TempDir;
+use stiction_scene::Sample;
 
-use super::body::Setting;
 use super::guide::HandPose;
+use super::shelf::Shelf;
 use super::stage::Stage;
+use crate::body::Setting;
 use crate::record::{Frame, Run};
-use crate::run::{RunArgs, run};
-use crate::settings::Settings;
-use crate::trace::{Format, TraceWriter};
+use crate::recording::{Change, Head, Line, LiveWriter, Maker, Recording as Reader};
 
 /// A recording ends by itself after so many ticks (ms).
 pub(super) const LONGEST: usize = 600_000;
 /// Ticks that are stored together: what is stored is never moved.
 const CHUNK: usize = 4096;
+/// Samples that wait for the answer of a board: more than are on their way to it.
+const MOST_UNANSWERED: usize = 1024;
+/// Ticks in a second.
+const RATE: f64 = 1000.0;
 
 /// The hand of every tick, and the setting.
 #[derive(Debug)]
@@ -31,56 +35,190 @@ pub(super) struct Recording {
     pub(super) setting: Setting,
     pub(super) stage: Stage,
     chunks: Vec<Vec<HandPose>>,
-    /// What a board said.
-    heard: Option<Heard>,
-    /// The folder of the trace, once somebody has asked for it.
-    computed: Mutex<Option<TempDir>>,
+    /// From which tick on it is under another setting.
+    changes: Vec<(usize, Setting)>,
+    /// Its file, and what writes it until it is over.
+    place: PathBuf,
+    writer: Option<LiveWriter>,
+    /// Of a board: samples that it has not answered yet.
+    unanswered: Option<VecDeque<Sample>>,
+    /// Why it is not in its file as a whole.
+    pub(super) problem: Option<String>,
+    /// It was made before the program was started.
+    pub(super) is_earlier: bool,
 }
 
 impl Recording {
-    /// With the hand at the beginning. `is_heard`: of a board.
-    ///
-    /// # Errors
-    /// There is no room for what a board says.
-    pub(super) fn begin(
-        scene: String,
-        setting: Setting,
-        stage: Stage,
-        is_heard: bool,
-    ) -> Result<Self, String> {
-        let heard = match is_heard {
-            true => Some(Heard::begin(&setting).map_err(|error| error.to_string())?),
-            false => None,
-        };
-        let home = HandPose::of(&stage.home);
-        let mut recording = Self {
-            scene,
+    /// Before its first tick, without a file. `is_heard`: of a board.
+    pub(super) fn new(setting: Setting, stage: Stage, is_heard: bool) -> Self {
+        Self {
+            scene: setting.scene.source().text().to_owned(),
             setting,
             stage,
             chunks: Vec::with_capacity(LONGEST / CHUNK + 1),
-            heard,
-            computed: Mutex::default(),
+            changes: Vec::new(),
+            place: PathBuf::new(),
+            writer: None,
+            unanswered: is_heard.then(VecDeque::new),
+            problem: None,
+            is_earlier: false,
+        }
+    }
+
+    /// Its file begins.
+    ///
+    /// # Errors
+    /// There is no place for it.
+    pub(super) fn open(&mut self, shelf: &Shelf, maker: &Maker) -> Result<(), String> {
+        let Setting {
+            scene,
+            number,
+            evolution,
+        } = &self.setting;
+        let head = Head::of(scene, (*number, *evolution), maker);
+        let writer = shelf.begin(&head, &Run::of(scene, *number, *evolution))?;
+        writer.place().clone_into(&mut self.place);
+        self.writer = Some(writer);
+        Ok(())
+    }
+
+    /// One that is in a file, as far as it is whole.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none of this program's live recordings.
+    pub(super) fn read(place: &Path) -> Result<Self, String> {
+        let mut reader = Reader::open(place).map_err(|error| error.to_string())?;
+        let Head {
+            number,
+            evolution,
+            scene,
+            name,
+            ..
+        } = reader.head.clone();
+        let named = |change: &Change| Setting::named(change, PathBuf::from(&name));
+        let setting = named(&Change {
+            number,
+            evolution,
+            scene,
+        })?;
+        let scene = Arc::clone(&setting.scene);
+        let mut recording: Option<Self> = None;
+        let line = |reader: &mut Reader| reader.next().map_err(|error| error.to_string());
+        while let Some(line) = line(&mut reader)? {
+            let known = recording.as_ref().map_or(0, Self::len);
+            match line {
+                Line::Sample(sample, _) if known <= LONGEST => {
+                    if sample.t != known as f64 / RATE {
+                        return Err("its ticks are not milliseconds".to_owned());
+                    }
+                    let stage = || Stage {
+                        scene: Arc::clone(&scene),
+                        path: None,
+                        home: sample.hand,
+                    };
+                    let begun = || Self::new(setting.clone(), stage(), false);
+                    let hand = HandPose::of(&sample.hand);
+                    recording.get_or_insert_with(begun).keep(hand);
+                }
+                Line::Sample(..) => break,
+                Line::Change(change) => {
+                    let setting = named(&change)?;
+                    if let Some(recording) = &mut recording {
+                        recording.changes.push((known, setting));
+                    }
+                }
+            }
+        }
+        let recording = recording.ok_or("no sample is whole in it")?;
+        Ok(Self {
+            place: place.to_owned(),
+            is_earlier: true,
+            ..recording
+        })
+    }
+
+    /// Its file.
+    pub(super) fn place(&self) -> &Path {
+        &self.place
+    }
+
+    /// The hand of the next tick, and the answer to it; that of a board comes later.
+    pub(super) fn add(&mut self, hand: HandPose, answer: &Frame) {
+        let sample = Sample {
+            t: self.len() as f64 / RATE,
+            hand: hand.hand(),
         };
-        recording.add(home);
-        Ok(recording)
+        self.keep(hand);
+        match &mut self.unanswered {
+            None => self.write(&sample, Some(answer)),
+            Some(waiting) => {
+                waiting.push_back(sample);
+                if waiting.len() > MOST_UNANSWERED
+                    && let Some(oldest) = waiting.pop_front()
+                {
+                    self.write(&oldest, None);
+                }
+            }
+        }
     }
 
-    /// The board said something.
+    /// The board answered the sample of this time, and none of those before it. A hand that rests sends the same sample again: its
+    /// first answer counts.
     pub(super) fn hear(&mut self, frame: &Frame) {
-        if let Some(heard) = &mut self.heard {
-            heard.add(frame);
+        let due = |waiting: &mut VecDeque<Sample>| {
+            let is_due = waiting.front().is_some_and(|sample| sample.t <= frame.t);
+            is_due.then(|| waiting.pop_front()).flatten()
+        };
+        while let Some(sample) = self.unanswered.as_mut().and_then(due) {
+            self.write(&sample, (sample.t == frame.t).then_some(frame));
         }
     }
 
-    /// It is over.
+    /// From the next tick on the body is under another setting.
+    pub(super) fn change(&mut self, setting: &Setting) {
+        let unanswered = self.unanswered.as_ref().map_or(0, VecDeque::len);
+        self.changes
+            .push((self.len() - unanswered, setting.clone()));
+        let change = Change {
+            number: setting.number.name().to_owned(),
+            evolution: setting.evolution.name().to_owned(),
+            scene: setting.scene.source().text().to_owned(),
+        };
+        let run = Run::of(&setting.scene, setting.number, setting.evolution);
+        let written = self
+            .writer
+            .as_mut()
+            .map(|writer| writer.change(&change, &run));
+        self.note(written);
+    }
+
+    /// It is over: what a board has not answered yet, it does not.
     pub(super) fn finish(&mut self) {
-        if let Some(heard) = &mut self.heard {
-            heard.finish();
+        for sample in self.unanswered.take().into_iter().flatten() {
+            self.write(&sample, None);
+        }
+        let finished = self.writer.take().map(LiveWriter::finish_live);
+        self.note(finished);
+    }
+
+    fn write(&mut self, sample: &Sample, answer: Option<&Frame>) {
+        let written = self
+            .writer
+            .as_mut()
+            .map(|writer| writer.write(sample, answer));
+        self.note(written);
+    }
+
+    /// Nothing is written after what could not be.
+    fn note(&mut self, result: Option<io::Result<()>>) {
+        if let Some(Err(error)) = result {
+            let problem = format!("{}: cannot be written: {error}", self.place.display());
+            self.problem.get_or_insert(problem);
+            self.writer = None;
         }
     }
 
-    /// The hand of the next tick.
-    pub(super) fn add(&mut self, hand: HandPose) {
+    fn keep(&mut self, hand: HandPose) {
         match self.chunks.last_mut() {
             Some(chunk) if chunk.len() < CHUNK => chunk.push(hand),
             _ => {
@@ -99,12 +237,21 @@ impl Recording {
 
     /// From the first tick to the last (s).
     pub(super) fn seconds(&self) -> f64 {
-        self.len().saturating_sub(1) as f64 / 1000.0
+        self.len().saturating_sub(1) as f64 / RATE
     }
 
     /// The hand of a tick.
     pub(super) fn get(&self, k: usize) -> Option<&HandPose> {
         self.chunks.get(k / CHUNK)?.get(k % CHUNK)
+    }
+
+    /// The setting that begins with a tick.
+    pub(super) fn change_at(&self, k: usize) -> Option<&Setting> {
+        // Of several the last one holds.
+        let mut changes = self.changes.iter().rev();
+        changes
+            .find(|(from, _)| *from == k)
+            .map(|(_, setting)| setting)
     }
 
     /// A recorded hand path with the digits that read back to the same values.
@@ -113,109 +260,35 @@ impl Recording {
         for (k, hand) in self.chunks.iter().flatten().enumerate() {
             let ([x, y, phi], held) = (hand.pose, u8::from(hand.held));
             // Writing to a string does not fail.
-            let _ = writeln!(text, "{:?},{x:?},{y:?},{phi:?},{held}", k as f64 / 1000.0);
+            let _ = writeln!(text, "{:?},{x:?},{y:?},{phi:?},{held}", k as f64 / RATE);
         }
         text
     }
 
-    /// The trace, as `stiction run` writes it. It is computed once, while others who ask for it wait.
+    /// The trace: the answers that its file has.
     ///
     /// # Errors
-    /// There is no room for its files.
+    /// The file is gone, or there is no room for another one.
     pub(super) fn trace(&self) -> Result<File, String> {
-        if let Some(heard) = &self.heard {
-            return heard.trace();
+        let mut reader = Reader::open(&self.place).map_err(|error| error.to_string())?;
+        let file = tempfile::tempfile().map_err(|error| error.to_string())?;
+        let mut trace = BufWriter::new(file);
+        while let Some(line) = reader.next().map_err(|error| error.to_string())? {
+            if let Line::Sample(_, Some(answer)) = line {
+                writeln!(trace, "{answer}").map_err(|error| error.to_string())?;
+            }
         }
-        let mut computed = self.computed.lock().unwrap_or_else(PoisonError::into_inner);
-        let folder = match computed.take() {
-            Some(folder) => folder,
-            None => self.compute()?,
-        };
-        let file = File::open(folder.path().join("trace.jsonl"));
-        *computed = Some(folder);
-        file.map_err(|error| error.to_string())
+        let mut file = trace.into_inner().map_err(|error| error.to_string())?;
+        file.rewind().map_err(|error| error.to_string())?;
+        Ok(file)
     }
 
-    /// A folder with the trace.
-    fn compute(&self) -> Result<TempDir, String> {
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let file = |name| folder.path().join(name);
-        let (scene, hand, trace) = (file("scene.toml"), file("hand.csv"), file("trace.jsonl"));
-        fs::write(&scene, &self.scene).map_err(|error| error.to_string())?;
-        fs::write(&hand, self.hand_csv()).map_err(|error| error.to_string())?;
-        let args = RunArgs {
-            scene,
-            settings: Settings {
-                hand: Some(hand),
-                number: self.setting.number,
-                evolution: self.setting.evolution,
-                ..Settings::default()
-            },
-            out: Some((trace, Format::JsonLines)),
-            record: None,
-            plot: None,
-            quiet: true,
-        };
-        run(&args).map_err(|error| error.to_string())?;
-        Ok(folder)
-    }
-}
-
-/// The answers of a board, in a file.
-#[derive(Debug)]
-struct Heard {
-    folder: TempDir,
-    writer: Option<TraceWriter>,
-    /// Time of the last one (s).
-    last: f64,
-    problem: Option<String>,
-}
-
-impl Heard {
-    fn begin(setting: &Setting) -> io::Result<Self> {
-        let folder = tempfile::tempdir()?;
-        let run = Run::of(&setting.scene, setting.number, setting.evolution);
-        let writer = TraceWriter::create(&Self::file(&folder), Format::JsonLines, &run)?;
-        Ok(Self {
-            folder,
-            writer: Some(writer),
-            last: f64::NEG_INFINITY,
-            problem: None,
-        })
-    }
-
-    fn file(folder: &TempDir) -> PathBuf {
-        folder.path().join("trace.jsonl")
-    }
-
-    /// A hand that rests sends the same sample again: its first answer counts.
-    fn add(&mut self, frame: &Frame) {
-        if let Some(writer) = &mut self.writer
-            && frame.t > self.last
-        {
-            self.last = frame.t;
-            let written = writer.write(frame);
-            self.note(written);
-        }
-    }
-
-    fn finish(&mut self) {
-        if let Some(writer) = self.writer.take() {
-            let finished = writer.finish();
-            self.note(finished);
-        }
-    }
-
-    fn note(&mut self, result: io::Result<()>) {
-        if let Err(error) = result {
-            self.problem.get_or_insert(error.to_string());
-        }
-    }
-
-    fn trace(&self) -> Result<File, String> {
-        match &self.problem {
-            Some(problem) => Err(problem.clone()),
-            None => File::open(Self::file(&self.folder)).map_err(|error| error.to_string()),
-        }
+    /// The file as it is.
+    ///
+    /// # Errors
+    /// It is gone.
+    pub(super) fn file(&self) -> Result<File, String> {
+        let problem = |error| format!("{}: {error}", self.place.display());
+        File::open(&self.place).map_err(problem)
     }
 }

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use stiction_scene::{HandPath, Sample};
 
-use super::body::Setting;
 use super::pair::Pair;
 use super::recording::Recording;
 use super::step_times::StepTimes;
+use crate::body::Setting;
 
 /// Ticks from one snapshot to the next.
 const SNAPSHOT_EVERY: usize = 500;
@@ -74,6 +74,8 @@ pub(super) struct Replay {
     sought: Option<usize>,
     /// At ticks 0, n, 2 n ... as far as the path was followed.
     snapshots: Vec<Pair>,
+    /// The setting has changed on the way.
+    changed: bool,
 }
 
 impl Replay {
@@ -92,6 +94,7 @@ impl Replay {
             at: 0,
             sought: None,
             snapshots: vec![pair.snapshot()],
+            changed: false,
         };
         Ok((replay, pair))
     }
@@ -132,9 +135,20 @@ impl Replay {
         Some(sample)
     }
 
+    /// Whether the setting has changed since this was asked last.
+    pub(super) fn takes_change(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
     /// As [`Self::next`], and the body follows.
     pub(super) fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> Option<Sample> {
         let sample = self.next()?;
+        if let Way::Recorded(recording) = &self.way
+            && let Some(setting) = recording.change_at(self.at)
+        {
+            // As it was when it was recorded, or, where it was changed since, as far as it can be.
+            self.changed |= pair.change(setting).is_ok();
+        }
         pair.step(sample.t, &sample.hand, times);
         if self.at == self.snapshots.len() * SNAPSHOT_EVERY {
             self.snapshots.push(pair.snapshot());

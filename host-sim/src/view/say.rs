@@ -66,6 +66,8 @@ pub(super) struct Status {
     pub(super) speed: f64,
     /// Seconds so far.
     pub(super) recording: Option<f64>,
+    /// The file that they go to.
+    pub(super) recording_file: Option<String>,
     pub(super) recorded: Option<Recorded>,
     pub(super) replay: Option<Replayed>,
     pub(super) hand: By,
@@ -77,6 +79,12 @@ pub(super) struct Status {
 pub(super) struct Recorded {
     pub(super) seconds: f64,
     pub(super) frames: usize,
+    /// Where it is on the computer of this program.
+    pub(super) file: String,
+    /// Made before this program was started.
+    pub(super) earlier: bool,
+    /// Why it is not in its file as a whole.
+    pub(super) problem: Option<String>,
 }
 
 /// A path that is followed.
@@ -135,7 +143,8 @@ pub(super) fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
 }
 
 fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
-    let scene = &pair.setting.scene;
+    // A recording may have begun elsewhere: start, holding point and reach are those of a reset.
+    let (scene, of_stage) = (&pair.setting.scene, &stage.scene);
     let surface = |surface: &SurfaceInfo| {
         json!({
             "name": surface.name,
@@ -173,9 +182,9 @@ fn described(stage: &Stage, pair: &Pair) -> serde_json::Value {
         "obstacles": obstacles,
         "peg": pair.meter.as_deref().map(peg),
         "weight": scene.weight,
-        "grasp": scene.holding_point,
-        "reach": scene.reach,
-        "start": scene.start,
+        "grasp": of_stage.holding_point,
+        "reach": of_stage.reach,
+        "start": of_stage.start,
         "home": [x, y, stage.home.angle.radians()],
     })
 }

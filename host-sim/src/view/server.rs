@@ -1,6 +1,6 @@
 //! The server: the page, the socket, recordings and uploads. Only the page itself, and programs that are no browser, may ask.
 
-use std::net::IpAddr;
+use std::net::{Ipv4Addr, Ipv6Addr};
 use std::path::Path as FilePath;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::rejection::{BytesRejection, QueryRejection};
-use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
+use axum::extract::{DefaultBodyLimit, Extension, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
@@ -20,6 +20,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::task::spawn_blocking;
 use tokio_util::io::ReaderStream;
 
+use super::doors::Seat;
 use super::feed::Feed;
 use super::orders::Order;
 use super::recording::Recording;
@@ -31,6 +32,8 @@ use crate::board::Identity;
 const LARGEST: usize = 16 << 20;
 /// A message that is longer than this ends the connection; one that is longer than is read is answered.
 const LONGEST_WIRE: usize = 64 << 10;
+/// What is read from a client at once (bytes).
+const AT_ONCE: usize = 4 << 10;
 /// The longest name of a path, in characters.
 const NAME: usize = 100;
 
@@ -69,9 +72,11 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
 
 /// Refuses what another page asks for, and adds what a browser has to know.
 async fn guard(request: Request, next: Next) -> Response {
-    let mut response = match is_own(request.headers()) {
-        true => next.run(request).await,
-        false => (
+    let place = own_place(request.headers());
+    let policy = policy(place);
+    let mut response = match place {
+        Some(_) => next.run(request).await,
+        None => (
             StatusCode::FORBIDDEN,
             "another page asks, allowed: this one\n",
         )
@@ -79,31 +84,34 @@ async fn guard(request: Request, next: Next) -> Response {
     };
     let headers = response.headers_mut();
     for (name, value) in [
-        (
-            header::CONTENT_SECURITY_POLICY,
-            "default-src 'self'; connect-src 'self' ws:",
-        ),
         (header::CACHE_CONTROL, "no-store"),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (HeaderName::from_static("referrer-policy"), "no-referrer"),
+        (header::X_FRAME_OPTIONS, "DENY"),
+        (header::REFERRER_POLICY, "no-referrer"),
     ] {
         headers.insert(name, HeaderValue::from_static(value));
     }
+    headers.insert(header::CONTENT_SECURITY_POLICY, policy);
     response
 }
 
-/// The host is asked for by an address or as localhost, which no foreign name can be made to mean, and a page that asks is
-/// of this host.
-fn is_own(headers: &HeaderMap) -> bool {
+/// What a page from here may do: use what is here, on this host and port, and not be in a frame of another page.
+fn policy(place: Option<&str>) -> HeaderValue {
+    let socket = place.map_or_else(String::new, |place| format!(" ws://{place}"));
+    let text = format!("default-src 'self'; connect-src 'self'{socket}; frame-ancestors 'none'");
+    // The place is an address or localhost.
+    HeaderValue::from_str(&text).unwrap_or(HeaderValue::from_static(
+        "default-src 'none'; frame-ancestors 'none'",
+    ))
+}
+
+/// The host and port that are asked for, where it is by an address or as localhost, which no foreign name can be made to mean,
+/// and a page that asks is of this host.
+fn own_place(headers: &HeaderMap) -> Option<&str> {
     let text = |name| headers.get(name).map(HeaderValue::to_str);
     let Some(Ok(host)) = text(header::HOST) else {
-        return false;
+        return None;
     };
-    let name = match host.strip_prefix('[') {
-        Some(rest) => rest.split(']').next().unwrap_or(rest),
-        None => host.split(':').next().unwrap_or(host),
-    };
-    let is_here = name.eq_ignore_ascii_case("localhost") || name.parse::<IpAddr>().is_ok();
     let of_page = match text(header::ORIGIN) {
         None => true,
         Some(Ok(origin)) => origin.strip_prefix("http://") == Some(host),
@@ -112,17 +120,42 @@ fn is_own(headers: &HeaderMap) -> bool {
     // What another page has its browser fetch has no origin; but a link to this page may stand anywhere.
     let is_fetched = !matches!(text(FETCH_MODE), Some(Ok("navigate")))
         && matches!(text(FETCH_SITE), Some(Ok("cross-site" | "same-site")));
-    is_here && of_page && !is_fetched
+    (is_here(host) && of_page && !is_fetched).then_some(host)
+}
+
+/// An address or localhost, with a port or without.
+fn is_here(host: &str) -> bool {
+    let (name, port) = match host.rsplit_once(':') {
+        // The colons of an address of version 6 are within brackets.
+        Some((name, port)) if !port.ends_with(']') => (name, Some(port)),
+        _ => (host, None),
+    };
+    let is_port = port.is_none_or(|port| port.parse::<u16>().is_ok());
+    let bare = name
+        .strip_prefix('[')
+        .and_then(|name| name.strip_suffix(']'));
+    let is_name = match bare {
+        Some(bare) => bare.parse::<Ipv6Addr>().is_ok(),
+        None => name.eq_ignore_ascii_case("localhost") || name.parse::<Ipv4Addr>().is_ok(),
+    };
+    is_port && is_name
 }
 
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 
-async fn socket(State(hub): State<Arc<Hub>>, upgrade: WebSocketUpgrade) -> Response {
+async fn socket(
+    State(hub): State<Arc<Hub>>,
+    Extension(seat): Extension<Arc<Seat>>,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     upgrade
         .max_message_size(LONGEST_WIRE)
         .max_frame_size(LONGEST_WIRE)
-        .on_upgrade(move |socket| client::serve(socket, hub))
+        .read_buffer_size(AT_ONCE)
+        // Every message is sent at once.
+        .write_buffer_size(0)
+        .on_upgrade(move |socket| client::serve(socket, hub, seat))
 }
 
 async fn file(request: Request) -> Response {
@@ -134,7 +167,7 @@ async fn file(request: Request) -> Response {
 
 async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Response {
     let kind = match file.as_str() {
-        "trace.jsonl" => "application/x-ndjson",
+        "trace.jsonl" | "recording.jsonl" => "application/x-ndjson",
         "scene.toml" => "application/toml",
         "hand.csv" => "text/csv",
         _ => return problem(StatusCode::NOT_FOUND, "not here"),
@@ -166,19 +199,21 @@ async fn recording(State(hub): State<Arc<Hub>>, Path(file): Path<String>) -> Res
 
 /// A file of a recording, and its bytes.
 fn content(recorded: &Recording, file: &str) -> Result<(Body, u64), String> {
-    let text = match file {
-        "trace.jsonl" => {
-            // The trace of ten minutes is hundreds of megabytes: it is read as it is sent.
-            let trace = recorded.trace()?;
-            let length = trace.metadata().map_err(|error| error.to_string())?.len();
-            let bytes = ReaderStream::new(tokio::fs::File::from_std(trace));
-            return Ok((Body::from_stream(bytes), length));
-        }
-        "scene.toml" => recorded.scene.clone(),
-        _ => recorded.hand_csv(),
+    let file = match file {
+        "trace.jsonl" => recorded.trace()?,
+        "recording.jsonl" => recorded.file()?,
+        "scene.toml" => return Ok(of_text(recorded.scene.clone())),
+        _ => return Ok(of_text(recorded.hand_csv())),
     };
+    // That of ten minutes is hundreds of megabytes: it is read as it is sent.
+    let length = file.metadata().map_err(|error| error.to_string())?.len();
+    let bytes = ReaderStream::new(tokio::fs::File::from_std(file));
+    Ok((Body::from_stream(bytes), length))
+}
+
+fn of_text(text: String) -> (Body, u64) {
     let length = text.len() as u64;
-    Ok((text.into(), length))
+    (text.into(), length)
 }
 
 #[derive(Deserialize)]
@@ -256,7 +291,7 @@ mod tests {
         if let Some(origin) = origin {
             headers.insert(header::ORIGIN, HeaderValue::from_static(origin));
         }
-        is_own(&headers)
+        own_place(&headers).is_some()
     }
 
     #[test]
@@ -278,7 +313,7 @@ mod tests {
             headers.insert(header::HOST, HeaderValue::from_static("127.0.0.1:8405"));
             headers.insert(FETCH_SITE, HeaderValue::from_static(site));
             headers.insert(FETCH_MODE, HeaderValue::from_static(mode));
-            is_own(&headers)
+            own_place(&headers).is_some()
         };
         // A picture or a script of another page, and a link in it.
         assert!(!fetched("cross-site", "no-cors") && !fetched("same-site", "no-cors"));
@@ -286,5 +321,20 @@ mod tests {
         // A name that was made to mean this computer.
         assert!(!own("example.org:8405", Some("http://example.org:8405")));
         assert!(!own("example.org", None));
+        // What would be another part of the policy.
+        assert!(!own("127.0.0.1:80; script-src *", None) && !own("[::1]:x", None));
+        assert!(!own("[127.0.0.1]", None) && !own("127.0.0.1:", None));
+    }
+
+    #[test]
+    fn a_page_may_talk_to_its_own_host_and_be_in_no_frame() {
+        for (place, sources) in [
+            (Some("[::1]:8405"), "'self' ws://[::1]:8405"),
+            (None, "'self'"),
+        ] {
+            let expected =
+                format!("default-src 'self'; connect-src {sources}; frame-ancestors 'none'");
+            assert_eq!(policy(place), expected);
+        }
     }
 }

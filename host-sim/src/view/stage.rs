@@ -5,8 +5,8 @@ use std::sync::Arc;
 use stiction_core::{Angle, Hand};
 use stiction_scene::{HandPath, InputError, Sample, SceneFile, Source};
 
+use crate::body::Setting;
 use crate::input::open_path;
-use crate::number::Number;
 
 /// How far from a point or a rod a hand may be at least, and still take hold (m): a hand's tremor.
 const LEAST_REACH: f64 = 1e-4;
@@ -118,20 +118,30 @@ fn quoted(text: &str) -> String {
     json.replace('\u{7f}', "\\u007f")
 }
 
-/// The scene that is read from a written one: what it gives is what a reader of the file gets, to the last bit.
+/// A setting whose scene is read from a written one: what it gives is what a reader of the file gets, to the last bit.
 ///
 /// # Errors
 /// The parameters are not those of a scene.
-pub(super) fn reread(scene: &SceneFile, number: Number) -> Result<(SceneFile, String), InputError> {
-    let text = written(scene);
-    let name = format!("{}.toml", scene.title);
-    let scene = SceneFile::parse(Source::new(name, text.clone()), number.limit())?;
-    Ok((scene, text))
+pub(super) fn reread(setting: &Setting) -> Result<Setting, String> {
+    let scene = &setting.scene;
+    let source = Source::new(format!("{}.toml", scene.title), written(scene));
+    let read = SceneFile::parse(source, setting.number.limit());
+    let read = read.map_err(|error| error.to_string())?;
+    Ok(Setting {
+        scene: Arc::new(SceneFile {
+            // Where paths lie in it stays as it is.
+            hand: scene.hand.clone(),
+            ..read
+        }),
+        ..setting.clone()
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::Number;
+    use stiction_core::Evolution;
 
     #[test]
     fn a_written_scene_keeps_its_surfaces_and_obstacles() {
@@ -141,7 +151,12 @@ mod tests {
                     [[obstacle]]\nname = \"pin\"\nvertices = [[0.5, 0.5]]\nmemory = 1e-4\n\
                     [[obstacle]]\nname = \"wall\"\nvertices = [[0.1, 0.3], [0.2, 0.7]]\nstatic = 0.7\n";
         let scene = SceneFile::parse(Source::new("point.toml", text), 1e9).expect("a scene");
-        let (again, _) = reread(&scene, Number::F64).expect("the same scene");
+        let setting = Setting {
+            scene: Arc::new(scene.clone()),
+            number: Number::F64,
+            evolution: Evolution::Path,
+        };
+        let again = reread(&setting).expect("the same scene").scene;
         let lengths: Vec<_> = again
             .surfaces
             .iter()

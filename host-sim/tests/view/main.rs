@@ -11,6 +11,7 @@ mod paths;
 #[cfg(unix)]
 mod plugged;
 mod program;
+mod recordings;
 mod refusals;
 mod several;
 #[cfg(unix)]

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::program::View;
+use crate::program::{Client, View};
 
 fn numbers(value: &serde_json::Value) -> Vec<f64> {
     serde_json::from_value(value.clone()).expect("numbers")
@@ -119,7 +119,7 @@ fn parameters_number_and_evolution_change_while_the_body_stays() {
     let view = View::start(&["box-flat"]);
     let mut client = view.client();
     client.lead([0.0, 0.07, 0.0], [0.01, 0.04, 0.0], 20);
-    let pose = |client: &mut crate::program::Client| {
+    let pose = |client: &mut Client| {
         numbers(&client.frame(|frame| frame["frame"]["hand"][1] == json!(0.04))["frame"]["pose"])
     };
     let before = pose(&mut client);
@@ -175,9 +175,7 @@ fn a_hold_that_was_taken_on_the_way_goes_on_under_other_parameters() {
         [from[0], from[1] + 0.3, 31.0],
         60,
     );
-    let turned = |client: &mut crate::program::Client| {
-        client.frame(|frame| frame["frame"]["hand"][2] == 31.0)
-    };
+    let turned = |client: &mut Client| client.frame(|frame| frame["frame"]["hand"][2] == 31.0);
     let before = turned(&mut client)["frame"].clone();
     client.done(json!({"type": "set", "parameters": {"stiffness_rotation": 0.9}}));
     client.done(json!({"type": "number", "value": "f32"}));
@@ -215,4 +213,33 @@ fn scenes_are_changed() {
         .ask(json!({"type": "scene", "name": "nowhere"}))
         .expect_err("no such scene");
     assert!(refusal.contains("ladder"), "{refusal}");
+}
+
+/// A press and a move that the solver hears of between two ticks: the body goes with the hand from where it was taken.
+#[test]
+fn the_body_is_held_where_the_press_was() {
+    let view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    client.done(json!({"type": "pause", "value": true}));
+    let steps = |client: &mut Client, ticks: u64| {
+        // Paused, only a client that comes gets a frame.
+        let now = view.client().frame(|_| true);
+        let tick = now["tick"].as_u64().expect("a tick");
+        client.done(json!({"type": "step", "ticks": ticks}));
+        client.frame(|frame| frame["tick"] == json!(tick + ticks))
+    };
+    let hand = |x: f64, held: bool| json!({"type": "hand", "pose": [x, 0.07, 0.0], "held": held});
+    client.done(hand(0.0, false));
+    let before = steps(&mut client, 30);
+    assert!(before["holding"].is_null());
+    for sample in [hand(0.01, true), hand(0.055, true)] {
+        client.done(sample);
+    }
+    let x = |value: &serde_json::Value| numbers(value)[0];
+    let closed = steps(&mut client, 1);
+    assert_eq!(x(&closed["frame"]["hand"]), 0.01);
+    assert!((x(&closed["holding"]) - 0.01).abs() < 1e-6);
+    let after = steps(&mut client, 30);
+    let way = x(&after["frame"]["pose"]) - x(&before["frame"]["pose"]);
+    assert!((way - 0.045).abs() < 1e-6, "{way}");
 }

@@ -23,7 +23,7 @@ pub(crate) struct View {
     /// Address and port.
     pub(crate) place: String,
     /// Where it runs.
-    _folder: Folder,
+    folder: Option<Folder>,
 }
 
 impl View {
@@ -33,8 +33,14 @@ impl View {
     }
 
     pub(crate) fn in_folder(folder: Folder, arguments: &[&str]) -> Self {
+        // Not among those of whoever runs the tests.
+        let recordings: &[&str] = match arguments.contains(&"--recordings") {
+            true => &[],
+            false => &["--recordings", "recordings"],
+        };
         let mut child = Command::new(env!("CARGO_BIN_EXE_stiction"))
             .args(["view", "--listen", "127.0.0.1:0"])
+            .args(recordings)
             .args(arguments)
             .current_dir(folder.file(""))
             .stdout(Stdio::piped())
@@ -52,8 +58,20 @@ impl View {
         Self {
             child,
             place: place.to_owned(),
-            _folder: folder,
+            folder: Some(folder),
         }
+    }
+
+    /// Where it runs.
+    pub(crate) fn folder(&self) -> &Folder {
+        self.folder.as_ref().expect("its folder")
+    }
+
+    /// As kill -9; its folder.
+    pub(crate) fn kill(mut self) -> Folder {
+        self.child.kill().expect("it runs");
+        self.child.wait().expect("it ends");
+        self.folder.take().expect("its folder")
     }
 
     /// Ctrl-C.
@@ -65,6 +83,11 @@ impl View {
     /// A client that is connected and has heard hello.
     pub(crate) fn client(&self) -> Client {
         self.client_of(None).expect("a connection")
+    }
+
+    /// The state as a client gets it that comes now.
+    pub(crate) fn state(&self) -> Value {
+        self.client().state(|_| true)
     }
 
     /// A client that comes from a page.

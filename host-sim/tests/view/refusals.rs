@@ -1,13 +1,14 @@
 //! What is malformed, too large, too much, or from elsewhere is refused, and changes nothing.
 
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
 use std::process::{Child, Command, Stdio};
 
 use serde_json::{Value, json};
 use tungstenite::Message;
 
 use crate::common::{Folder, text};
-use crate::program::View;
+use crate::program::{Client, PATIENCE, View};
 
 #[test]
 fn malformed_messages_are_answered_and_dropped() {
@@ -58,22 +59,86 @@ fn malformed_messages_are_answered_and_dropped() {
     client.done(json!({"type": "reset"}));
 }
 
+/// What it said beyond is not read, and it has to go; the others go on.
 #[test]
-fn more_than_2000_messages_a_second_are_dropped() {
+fn a_client_that_says_more_than_2000_messages_a_second_has_to_go() {
     let view = View::start(&["box-flat"]);
+    let mut other = view.client();
     let mut client = view.client();
     client.done(json!({"type": "pause", "value": true}));
-    for _ in 0..20_000 {
+    let flood = Message::text(r#"{"type": "let-go"}"#);
+    let is_taken = |client: &mut Client| client.socket.write(flood.clone()).is_ok();
+    // As many as it takes until nothing is taken any more.
+    while is_taken(&mut client) && client.socket.flush().is_ok() {}
+    other.state(|state| state["clients"] == 1);
+    other.done(json!({"type": "pause", "value": false}));
+    other.frame(|frame| frame["tick"].as_u64() > Some(5));
+}
+
+/// What is said of it, before it has to go.
+#[test]
+fn a_client_that_says_too_much_is_told() {
+    let view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    // A second may begin in between.
+    for _ in 0..4100 {
         client.send(r#"{"type": "let-go"}"#);
     }
     client.until(|message| {
         message["message"]
             .as_str()
-            .is_some_and(|text| text.contains("2000"))
+            .is_some_and(|text| text.contains("allowed: 2000 a second; the connection ends"))
     });
-    let mut other = view.client();
-    other.done(json!({"type": "pause", "value": false}));
-    other.frame(|frame| frame["tick"].as_u64() > Some(5));
+    let end = loop {
+        match client.socket.read() {
+            Ok(Message::Close(_)) | Err(_) => break true,
+            Ok(_) => {}
+        }
+    };
+    assert!(end);
+}
+
+/// Who opens connections and says half of something, or nothing, locks nobody out.
+#[test]
+fn half_requests_and_silent_sockets_lock_nobody_out() {
+    let view = View::start(&["box-flat"]);
+    let mut client = view.client();
+    client.done(json!({"type": "pause", "value": false}));
+    let connect = |text: &[u8]| {
+        let mut stream = TcpStream::connect(&view.place).expect("a connection");
+        // One that has to go already does not take it.
+        let _ = stream.write_all(text);
+        stream
+    };
+    let upgrade = format!(
+        "GET /ws HTTP/1.1\r\nHost: {}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n\
+         Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\nSec-WebSocket-Version: 13\r\n\r\n",
+        view.place
+    );
+    for text in ["", "GET / HTTP/1.1\r\nHost: 127", &upgrade] {
+        let held: Vec<TcpStream> = (0..300).map(|_| connect(text.as_bytes())).collect();
+        assert_eq!(view.http("GET", "/", "", b"").status, 200, "{text:?}");
+        view.client().frame(|_| true);
+        // The first ones had to make room.
+        let mut bytes = Vec::new();
+        let mut first = &held[0];
+        first.set_read_timeout(Some(PATIENCE)).expect("a time-out");
+        let _ = first.read_to_end(&mut bytes);
+    }
+    client.done(json!({"type": "reset"}));
+}
+
+#[test]
+fn a_request_that_does_not_come_to_its_end_is_closed() {
+    let view = View::start(&["box-flat"]);
+    for text in ["", "GET / HTTP/1.1\r\nHost: 127"] {
+        let mut stream = TcpStream::connect(&view.place).expect("a connection");
+        stream.write_all(text.as_bytes()).expect("taken");
+        stream.set_read_timeout(Some(PATIENCE)).expect("a time-out");
+        let mut said = Vec::new();
+        let ended = stream.read_to_end(&mut said);
+        assert!(ended.is_ok(), "{text:?}: {ended:?}");
+    }
 }
 
 #[test]
@@ -101,9 +166,15 @@ fn files_have_their_types_and_a_policy() {
     let view = View::start(&["box-flat"]);
     let page = view.http("GET", "/", "", b"");
     assert_eq!(page.status, 200);
+    // Its own host alone, and in no frame.
+    let policy = format!(
+        "content-security-policy: default-src 'self'; connect-src 'self' ws://{}; frame-ancestors 'none'\r\n",
+        view.place
+    );
     for part in [
         "content-type: text/html; charset=utf-8",
-        "content-security-policy: default-src 'self'; connect-src 'self' ws:",
+        &policy,
+        "x-frame-options: deny",
         "x-content-type-options: nosniff",
         "cache-control: no-store",
     ] {

@@ -60,6 +60,8 @@ fn a_client_that_never_reads_costs_the_solver_nothing() {
     let mut other = view.client();
     // What the system keeps for one that does not read, and how fast it fills, differ: longer and longer.
     let lost = [4_000, 8_000, 16_000].into_iter().find(|wait| {
+        // One that says nothing has to go.
+        stalled.say(&json!({"type": "rate", "value": 1000}));
         let first = other.frame(|_| true)["tick"].as_u64().expect("a number");
         let mut received = 0;
         let last = other.frame(|frame| {

@@ -17,7 +17,7 @@ const OUT_OF_REACH: &str = "the hand would lose its hold, allowed: what keeps it
 
 /// How the hand came to hold the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Hold {
+pub(crate) enum Hold {
     /// Not yet.
     Never,
     /// At the scene's holding point.
@@ -28,7 +28,7 @@ pub(super) enum Hold {
 
 impl Hold {
     /// After a step with these events, that left the body `held`.
-    pub(super) fn after(self, events: &[Event], held: bool) -> Self {
+    pub(crate) fn after(self, events: &[Event], held: bool) -> Self {
         match self {
             _ if events.contains(&Event::Grasp) => Self::Taken,
             Self::Never if held => Self::Given,
@@ -39,20 +39,42 @@ impl Hold {
 
 /// Where a body and its hand are, SI units.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Present {
+pub(crate) struct Present {
     /// Position of the body's origin (m).
-    pub(super) position: [f64; 2],
+    pub(crate) position: [f64; 2],
     /// Its orientation.
-    pub(super) angle: Angle<f64>,
+    pub(crate) angle: Angle<f64>,
     /// The hand holds it.
-    pub(super) held: bool,
-    pub(super) hold: Hold,
+    pub(crate) held: bool,
+    pub(crate) hold: Hold,
     /// The hand, turned back by the body's whole turns.
-    pub(super) hand: Hand<f64>,
+    pub(crate) hand: Hand<f64>,
     /// Of the hand on the body.
-    pub(super) wrench: Wrench<f64>,
+    pub(crate) wrench: Wrench<f64>,
     /// k_h (N/m), k_theta (N·m/rad) of that wrench.
-    pub(super) stiffness: [f64; 2],
+    pub(crate) stiffness: [f64; 2],
+}
+
+impl Present {
+    /// The hand where it would pull at nothing, as it was at the moment of the grasp.
+    pub(crate) fn idle(&self) -> Hand<f64> {
+        let Wrench { force, moment } = self.wrench;
+        let ([x, y], [fx, fy]) = (self.hand.position, force);
+        let [k_h, k_theta] = self.stiffness;
+        // Without a spring that turns, the angle at which it would rest is the present one.
+        let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
+        Hand {
+            position: [x - fx / k_h, y - fy / k_h],
+            angle: self.hand.angle.plus(-turn),
+            ..self.hand
+        }
+    }
+}
+
+/// The reach with which a point is taken again that was within `reach` (m): its rounding must not put it outside.
+pub(crate) fn within_reach(scene: &WrittenScene, reach: f64) -> f64 {
+    let coordinates = scene.vertices.iter().flatten();
+    reach + ROUNDING * coordinates.fold(0.0, |size: f64, x| size.max(x.abs()))
 }
 
 /// A solver with the state that goes on, and the answer of the settling; its turns are those since `Present::angle.turns`.
@@ -136,22 +158,9 @@ fn taken_on<R: Real<Si: SiFloat>, M: HostModel>(
     (written, mut there): (&WrittenScene, Description<'_, R::Si>),
     present: &Present,
 ) -> Result<(State<R>, Output<R::Si>), String> {
-    let Wrench { force, moment } = present.wrench;
-    let ([x, y], [fx, fy]) = (present.hand.position, force);
-    let [k_h, k_theta] = present.stiffness;
-    // Without a spring that turns, the angle at which it would rest is the present one.
-    let turn = if k_theta > 0.0 { moment / k_theta } else { 0.0 };
-    let idle = Hand {
-        position: [x - fx / k_h, y - fy / k_h],
-        angle: present.hand.angle.plus(-turn),
-        ..present.hand
-    };
-    let coordinates = there.vertices.iter().flatten();
-    let size = coordinates.fold(0.0, |size: f64, x| size.max(x.widen().abs()));
-    // The point was within reach; its rounding must not put it outside.
-    there.reach = R::Si::narrow(there.reach.widen() + ROUNDING * size);
+    there.reach = R::Si::narrow(within_reach(written, there.reach.widen()));
     let (solver, _) = solver::<R, M>((written, &there), Evolution::Frame)?;
-    let (mut state, taken) = solver.start(narrow_hand(&idle));
+    let (mut state, taken) = solver.start(narrow_hand(&present.idle()));
     if !taken.held {
         return Err(OUT_OF_REACH.to_owned());
     }
@@ -169,9 +178,9 @@ mod tests {
     use stiction_scene::{SceneFile, Source};
 
     use super::*;
+    use crate::body::{Body, Setting};
     use crate::number::Number;
     use crate::record::Frame;
-    use crate::view::body::{Body, Setting};
 
     /// The lever (m): r² = 0.0016 + 0.4 / 500 m².
     const LEVER: f64 = 0.04;

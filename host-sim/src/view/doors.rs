@@ -1,0 +1,171 @@
+//! The connections: so many at a time, each with a time for its request. Where all places are taken, a newcomer gets the place of
+//! the one that has been there longest of those from whom nothing was heard: who works with the program is not locked out.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use axum::Router;
+use axum::extract::Request;
+use hyper::body::Incoming;
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{Notify, watch};
+use tokio::time::sleep;
+use tower_service::Service;
+
+use super::client::ended;
+
+/// Connections at a time: pages have up to seven each. An eighth of the descriptors that a process has where least are allowed.
+const MOST: usize = 128;
+/// The head of a request comes within this: a browser sends it at once.
+const HEAD: Duration = Duration::from_secs(5);
+/// Where the system gives no connection, it is asked again after this.
+const BREATH: Duration = Duration::from_millis(50);
+
+/// Lets clients in until `stop`, and waits until they are gone.
+pub(super) async fn serve(listener: TcpListener, router: Router, mut stop: watch::Receiver<bool>) {
+    let doors = Doors::default();
+    loop {
+        let accepted = tokio::select! {
+            () = ended(&mut stop) => break,
+            accepted = listener.accept() => accepted,
+        };
+        let Ok((stream, _)) = accepted else {
+            sleep(BREATH).await;
+            continue;
+        };
+        // One that has no place is closed.
+        if let Some(seat) = doors.enter() {
+            // A frame does not wait until the one before was acknowledged. Where this cannot be set, it is only later.
+            let _ = stream.set_nodelay(true);
+            tokio::spawn(connection(stream, router.clone(), seat, stop.clone()));
+        }
+    }
+    while !doors.seats().taken.is_empty() {
+        sleep(BREATH).await;
+    }
+}
+
+/// Serves a connection; one that becomes a socket goes on without this.
+async fn connection(
+    stream: TcpStream,
+    router: Router,
+    seat: Arc<Seat>,
+    mut stop: watch::Receiver<bool>,
+) {
+    let handle = Arc::clone(&seat);
+    let service = service_fn(move |mut request: Request<Incoming>| {
+        request.extensions_mut().insert(Arc::clone(&handle));
+        router.clone().call(request)
+    });
+    let mut server = http1::Builder::new();
+    server.timer(TokioTimer::new()).header_read_timeout(HEAD);
+    let serving = server.serve_connection(TokioIo::new(stream), service);
+    let mut serving = std::pin::pin!(serving.with_upgrades());
+    tokio::select! {
+        // A client that goes is no fault of this program.
+        _ = &mut serving => {}
+        () = seat.lost() => {}
+        () = ended(&mut stop) => {
+            serving.as_mut().graceful_shutdown();
+            let _ = serving.await;
+        }
+    }
+}
+
+/// Who is there.
+#[derive(Debug, Default)]
+struct Doors(Arc<Mutex<Seats>>);
+
+#[derive(Debug, Default)]
+struct Seats {
+    /// Number, whether something was heard, and who is told that the place is lost; the oldest first.
+    taken: VecDeque<(u64, bool, Arc<Notify>)>,
+    next: u64,
+}
+
+impl Doors {
+    fn seats(&self) -> MutexGuard<'_, Seats> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A place for a newcomer; none where all are taken by those who were heard.
+    fn enter(&self) -> Option<Arc<Seat>> {
+        let mut seats = self.seats();
+        if seats.taken.len() >= MOST {
+            let silent = seats.taken.iter().position(|(_, is_heard, _)| !is_heard)?;
+            let (_, _, lost) = seats.taken.remove(silent)?;
+            lost.notify_one();
+        }
+        let (number, lost) = (seats.next, Arc::new(Notify::new()));
+        seats.next += 1;
+        seats.taken.push_back((number, false, Arc::clone(&lost)));
+        Some(Arc::new(Seat {
+            seats: Arc::clone(&self.0),
+            number,
+            lost,
+        }))
+    }
+}
+
+/// A place, until it is dropped.
+#[derive(Debug)]
+pub(super) struct Seat {
+    seats: Arc<Mutex<Seats>>,
+    number: u64,
+    lost: Arc<Notify>,
+}
+
+impl Seat {
+    /// A client of the socket says something, or answers a ping: it keeps its place.
+    pub(super) fn hear(&self) {
+        let mut seats = self.seats.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = seats.taken.iter_mut().find(|seat| seat.0 == self.number);
+        if let Some((_, is_heard, _)) = own {
+            *is_heard = true;
+        }
+    }
+
+    /// A newcomer has the place now.
+    pub(super) async fn lost(&self) {
+        self.lost.notified().await;
+    }
+}
+
+impl Drop for Seat {
+    fn drop(&mut self) {
+        let mut seats = self.seats.lock().unwrap_or_else(PoisonError::into_inner);
+        seats.taken.retain(|seat| seat.0 != self.number);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::future::Future;
+    use std::task::{Context, Waker};
+
+    fn is_lost(seat: &Seat) -> bool {
+        let mut lost = std::pin::pin!(seat.lost());
+        let mut context = Context::from_waker(Waker::noop());
+        lost.as_mut().poll(&mut context).is_ready()
+    }
+
+    #[test]
+    fn a_newcomer_gets_the_place_of_the_oldest_that_was_not_heard() {
+        let doors = Doors::default();
+        let seats: Vec<Arc<Seat>> = (0..MOST).filter_map(|_| doors.enter()).collect();
+        assert_eq!(seats.len(), MOST);
+        seats[0].hear();
+        let late = doors.enter().expect("a place");
+        assert!(!is_lost(&seats[0]) && is_lost(&seats[1]) && !is_lost(&seats[2]));
+        seats[2..].iter().for_each(|seat| seat.hear());
+        late.hear();
+        assert!(doors.enter().is_none(), "all are heard");
+        drop(late);
+        assert!(doors.enter().is_some());
+    }
+}

@@ -1,0 +1,111 @@
+//! The folder of recordings: a new one gets a name that is free, and the newest one is found again when the program starts.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::io;
+use std::path::PathBuf;
+use std::time::SystemTime;
+
+use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
+
+use crate::record::Run;
+use crate::recording::{Head, LiveWriter, is_being_written};
+
+/// The longest part of a name that is of the scene, in characters.
+const TITLE: usize = 60;
+
+/// The folder of recordings.
+#[derive(Clone, Debug)]
+pub(super) struct Shelf(PathBuf);
+
+impl Shelf {
+    /// The folder that was given, or that of this program where the system keeps data of programs; without such a place, where the
+    /// program was started.
+    pub(super) fn new(given: Option<PathBuf>) -> Self {
+        let folder = given.unwrap_or_else(|| match choose_native_strategy() {
+            Ok(place) => place.data_dir().join("stiction").join("recordings"),
+            Err(_) => PathBuf::from("."),
+        });
+        Self(std::path::absolute(&folder).unwrap_or(folder))
+    }
+
+    /// Begins a recording of a scene under a name that is free.
+    ///
+    /// # Errors
+    /// The folder cannot be written to.
+    pub(super) fn begin(&self, head: &Head, run: &Run) -> Result<LiveWriter, String> {
+        let refused = |error: &io::Error| {
+            format!(
+                "{}: cannot be written: {error}, allowed: a folder for recordings, --recordings FOLDER",
+                self.0.display()
+            )
+        };
+        fs::create_dir_all(&self.0).map_err(|error| refused(&error))?;
+        let title = named(&run.title);
+        let mut names = (1_u32..).map(|n| self.0.join(format!("{title}-{n}.jsonl")));
+        let tried = names.find_map(|place| match LiveWriter::live(&place, head, run) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => None,
+            begun => Some(begun),
+        });
+        let begun = tried.ok_or_else(|| refused(&io::ErrorKind::AlreadyExists.into()))?;
+        begun.map_err(|error| refused(&error))
+    }
+
+    /// The recording that was written last, but for those that are being written.
+    pub(super) fn newest(&self) -> Option<PathBuf> {
+        let files = fs::read_dir(&self.0).ok()?.flatten();
+        let files = files.filter_map(|entry| {
+            let place = entry.path();
+            let is_recording = place.extension() == Some(OsStr::new("jsonl"));
+            let written = entry.metadata().and_then(|file| file.modified());
+            is_recording.then(|| (written.unwrap_or(SystemTime::UNIX_EPOCH), place))
+        });
+        let free = files.filter(|(_, place)| !is_being_written(place));
+        free.max().map(|(_, place)| place)
+    }
+}
+
+/// A title as a part of a file's name.
+fn named(title: &str) -> String {
+    let plain = |c: char| {
+        if c.is_alphanumeric() || c == '-' || c == '_' {
+            c
+        } else {
+            '-'
+        }
+    };
+    title.chars().take(TITLE).map(plain).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    use crate::number::Number;
+    use crate::scenes;
+    use crate::settings::Settings;
+    use stiction_core::Evolution;
+    use stiction_scene::SceneFile;
+
+    #[test]
+    fn nothing_is_written_over_and_the_newest_is_found() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let shelf = Shelf::new(Some(folder.path().join("new").join("folder")));
+        assert_eq!(shelf.newest(), None);
+        let source = scenes::find(Path::new("box-flat")).expect("a scene");
+        let scene = SceneFile::parse(source, Number::F32.limit()).expect("a scene");
+        let run = Run::of(&scene, Number::F32, Evolution::Path);
+        let head = Head::new(&scene, &Settings::default());
+        let begin = || shelf.begin(&head, &run).expect("a recording");
+        let (first, second) = (begin(), begin());
+        let [a, b] = [&first, &second].map(|recording| recording.place().to_owned());
+        assert_eq!(b.file_name(), Some(OsStr::new("box-flat-2.jsonl")));
+        assert_eq!(shelf.newest(), None, "both are being written");
+        first.finish_live().expect("written");
+        assert_eq!(shelf.newest(), Some(a));
+        drop(second);
+        assert_eq!(shelf.newest(), Some(b));
+        assert_eq!(named("../a b\u{e4}"), "---a-b\u{e4}");
+    }
+}
