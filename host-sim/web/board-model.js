@@ -144,8 +144,8 @@ export class BoardModel {
   state() {
     return {
       type: "state", scene: this.scene, parameters: this.parameters, number: NUMBERS[this.info.number],
-      evolution: this.info.evolution === 0 ? "path" : "frame", paused: false, speed: 1, recording: null, recorded: null,
-      replay: null, hand: { by: "page", client: 1 }, clients: 1,
+      evolution: this.info.evolution === 0 ? "path" : "frame", paused: false, speed: 1, recording: null,
+      recording_file: null, recorded: null, replay: null, hand: { by: "page", client: 1 }, clients: 1,
     };
   }
 

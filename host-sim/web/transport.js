@@ -4,7 +4,7 @@
 import { byId, fixed, setText, whole } from "./dom.js";
 
 /** The files of a recording. */
-const FILES = ["trace.jsonl", "scene.toml", "hand.csv"];
+const FILES = ["recording.jsonl", "trace.jsonl", "scene.toml", "hand.csv"];
 /** Places on the scrubber. */
 const PLACES = 1000;
 /** So many frames after the answer to a place, they are surely of that place. */
@@ -26,6 +26,8 @@ export class Transport {
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
+    /** Why the last recording is not whole. @type {string | null} */
+    this.problem = null;
     /** The scrubber is being moved, to this place. */
     this.scrubbing = false;
     this.target = 0;
@@ -130,8 +132,18 @@ export class Transport {
       if (recorded === null) link.removeAttribute("href");
       else link.href = `recording/${name}`;
     }
+    const made = recorded?.earlier ? "of before: " : "";
     setText(byId("recorded"), recorded === null
-      ? "nothing recorded yet" : `${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+      ? "nothing recorded yet" : `${made}${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+    const file = recording === null ? recorded?.file : state.recording_file;
+    setText(byId("recording-file"), file ?? "");
+    this.tellProblem(recorded?.problem ?? null);
+  }
+
+  /** Tells once why a recording is not whole. @param {string | null} problem */
+  tellProblem(problem) {
+    if (problem !== null && problem !== this.problem) this.tell(`The recording has ended. ${problem}.`);
+    this.problem = problem;
   }
 
   /** A frame came. */

@@ -181,7 +181,8 @@ interface StateMessage {
   paused: boolean;
   speed: number;
   recording: number | null;
-  recorded: { seconds: number; frames: number } | null;
+  recording_file: string | null;
+  recorded: { seconds: number; frames: number; file: string; earlier: boolean; problem: string | null } | null;
   replay: { what: string; seconds: number } | null;
   hand: { by: string | null; client: number | null };
   clients: number;

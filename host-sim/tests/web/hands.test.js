@@ -221,6 +221,30 @@ liveTest("a sample that waits is not later than a reset", async (bench) => {
   assert.deepEqual(types, ["hand", "hand", "reset"]);
 });
 
+liveTest("a brisk grab holds where the press was: the body goes as far as the pointer", async (bench) => {
+  const live = await bench.open();
+  const { page } = live;
+  await page.focus("#stage");
+  await page.keyboard.press("Space");
+  await live.until(() => window.stiction.frame?.holding === null);
+  await live.steady();
+  const before = (await live.frame()).frame.pose;
+  const pixel = await live.metresPerPixel();
+  const at = await live.pixel(before[0], before[1]);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  const way = 150;
+  for (let x = 30; x <= way; x += 30) {
+    await page.mouse.move(at.x + x, at.y);
+    await new Promise((done) => setTimeout(done, 10));
+  }
+  await live.until((x) => Math.abs((window.stiction.frame?.frame.hand[0] ?? NaN) - x) < 1e-6, before[0] + way * pixel);
+  await live.fresh();
+  const { pose } = (await live.frame()).frame;
+  await page.mouse.up();
+  assert.ok(Math.abs(pose[0] - before[0] - way * pixel) < 0.1 * pixel, `${pose[0] - before[0]} m of ${way * pixel} m`);
+});
+
 liveTest("one finger drags, a second one turns, two zoom", async (bench) => {
   const live = await bench.open({
     viewport: { width: 412, height: 800 },

@@ -73,7 +73,8 @@ export function startBrowser() {
 export class Program {
   /** @param {string[]} args @param {number} port */
   constructor(args, port) {
-    this.child = spawn(programFile, ["view", "--listen", `127.0.0.1:${port}`, ...args], {
+    const own = ["--listen", `127.0.0.1:${port}`, "--recordings", "recordings"];
+    this.child = spawn(programFile, ["view", ...own, ...args], {
       cwd: newFolder(),
       stdio: ["ignore", "pipe", "pipe"],
     });
@@ -119,7 +120,10 @@ export class Program {
   }
 }
 
-/** A client of the socket that asks for all frames and reads none. @param {Program} program */
+/**
+ * A client of the socket that asks for all frames, over and over, and reads none: one that says nothing has to go.
+ * @param {Program} program
+ */
 export async function stalled(program) {
   const socket = connect(program.port, "127.0.0.1");
   const key = randomBytes(16).toString("base64");
@@ -131,10 +135,15 @@ export async function stalled(program) {
   assert.match(head, /^HTTP\/1\.1 101/);
   socket.pause();
   const text = Buffer.from('{"type":"rate","value":1000}');
-  const mask = randomBytes(4);
-  socket.write(
-    Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]),
-  );
+  const ask = () => {
+    const mask = randomBytes(4);
+    socket.write(
+      Buffer.concat([Buffer.from([0x81, 0x80 | text.length]), mask, text.map((byte, i) => byte ^ mask[i % 4])]),
+    );
+  };
+  ask();
+  const again = setInterval(ask, 5000);
+  socket.once("close", () => clearInterval(again));
   return socket;
 }
 
