@@ -234,7 +234,10 @@ fn offer(shelf: &Shelf, orders: &mpsc::Sender<Order>) {
     match Recording::read(&place) {
         // Where the program ends meanwhile, nobody has to know.
         Ok(recording) => drop(orders.blocking_send(Order::Earlier(Box::new(recording)))),
-        Err(problem) => eprintln!("{} cannot be used: {problem}", place.display()),
+        Err(problem) => report::tell(format_args!(
+            "{} cannot be used: {problem}",
+            place.display()
+        )),
     }
 }
 

@@ -5,6 +5,7 @@ use std::net::{SocketAddr, TcpListener, UdpSocket};
 
 use super::outward::{self, Format};
 use super::{ViewArgs, ViewError};
+use crate::report;
 
 /// Ports that are tried after one that is taken.
 const PORTS: u16 = 100;
@@ -19,17 +20,17 @@ pub(super) fn listen(address: SocketAddr) -> Result<TcpListener, ViewError> {
         match TcpListener::bind(tried) {
             Ok(listener) => {
                 if tried != address {
-                    eprintln!(
+                    report::tell(format_args!(
                         "port {} is taken, the next free one is {}",
                         address.port(),
                         tried.port()
-                    );
+                    ));
                 }
                 if !address.ip().is_loopback() {
-                    eprintln!(
+                    report::tell(format_args!(
                         "warning: everyone who reaches {} can hold the hand",
                         address.ip()
-                    );
+                    ));
                 }
                 listener.set_nonblocking(true)?;
                 return Ok(listener);
