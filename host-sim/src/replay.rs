@@ -21,7 +21,7 @@ use crate::trace::{Format, Record};
 /// The arguments of `stiction replay`.
 #[derive(Args, Clone, Debug)]
 pub struct ReplayArgs {
-    /// Recording, of `run --record` or `board --verify --record`
+    /// Recording, of `view`, `run --record` or `board --verify --record`
     recording: PathBuf,
     /// Trace to write: TRACE.jsonl or TRACE.csv, as the solver answers now
     #[arg(long, value_name = "TRACE", value_parser = trace_parser())]

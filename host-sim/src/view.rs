@@ -1,15 +1,15 @@
 //! `stiction view`: the solver in real time, with a page, a socket and UDP around it, as `host-sim/VIEW.md` says.
 //!
 //! ```text
-//! page, programs ═ server ─ client ─ hear ──┐ orders                    ┌─ say ─ client ═ page, programs
-//! trackers ═ outward ───────────────────────┴─ engine ─ pair ─ feed ────┴─ outward ═ renderers
-//!                                               │        └ body: the solver; the f64 path reference
-//!                                               ├─ guide, holder: the hand
-//!                                               ├─ remote, answers, mirror: a board instead of the solver
-//!                                               └─ recording, shelf, resume, replay
+//! page, programs ═ doors ─ server ─ client ─ hear ─┐ orders                 ┌─ say ─ client ═ page, programs
+//! trackers ═ outward ──────────────────────────────┴─ engine ─ pair ─ feed ─┴─ outward ═ renderers
+//!                                                      │        └ body: the solver; the f64 path reference
+//!                                                      ├─ guide, holder: the hand
+//!                                                      ├─ remote, answers, mirror: a board instead of the solver
+//!                                                      └─ recording, shelf, resume, replay
 //! ```
 //!
-//! The engine has a thread of its own and waits for nobody.
+//! The engine has a thread of its own and waits for nobody. While it records, every tick is in the file before anybody sees it.
 
 mod answers;
 mod change;
@@ -79,6 +79,8 @@ const SCENE: &str = "box-flat";
 const ORDERS: usize = 1024;
 /// Lines that wait for the terminal: whoever records more often than it shows is not told of each.
 const NOTES: usize = 64;
+/// Recordings of before that are looked at until one can be used.
+const TRIED: usize = 4;
 /// Ctrl-C is looked for so often.
 const BREATH: Duration = Duration::from_millis(50);
 /// Connections may end by themselves for so long.
@@ -228,16 +230,20 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     result.and(ended.map_err(ViewError::Solver))
 }
 
-/// Finds what was recorded before this program was started, however that ended.
+/// Finds what was recorded before this program was started, however that ended: the newest that can be used.
 fn offer(shelf: &Shelf, orders: &mpsc::Sender<Order>) {
-    let Some(place) = shelf.newest() else { return };
-    match Recording::read(&place) {
-        // Where the program ends meanwhile, nobody has to know.
-        Ok(recording) => drop(orders.blocking_send(Order::Earlier(Box::new(recording)))),
-        Err(problem) => report::tell(format_args!(
-            "{} cannot be used: {problem}",
-            place.display()
-        )),
+    for place in shelf.newest_first().into_iter().take(TRIED) {
+        match Recording::read(&place) {
+            Ok(recording) => {
+                // Where the program ends meanwhile, nobody has to know.
+                let _ = orders.blocking_send(Order::Earlier(Box::new(recording)));
+                return;
+            }
+            Err(problem) => report::tell(format_args!(
+                "{} cannot be replayed: {problem}",
+                place.display()
+            )),
+        }
     }
 }
 

@@ -1,5 +1,4 @@
-// Recording and replay: record, download, replay the scene's path, the recording or an uploaded one, and go to a place
-// in it.
+// Recording and replay: record, download, replay a path, and go to a place in it.
 
 import { byId, fixed, setText, whole } from "./dom.js";
 
@@ -7,9 +6,9 @@ import { byId, fixed, setText, whole } from "./dom.js";
 const FILES = ["recording.jsonl", "trace.jsonl", "scene.toml", "hand.csv"];
 /** Places on the scrubber. */
 const PLACES = 1000;
-/** So many frames after the answer to a place, they are surely of that place. */
+/** So many frames after the answer to a place are surely of it. */
 const LATER = 2;
-/** Time between two places that are asked for while the scrubber is moved (ms). */
+/** Time between two places asked for while the scrubber moves (ms). */
 const PAUSE = 60;
 
 export class Transport {
@@ -26,12 +25,10 @@ export class Transport {
     this.scrubber = byId("scrubber", HTMLInputElement);
     this.place = byId("place");
     this.file = byId("file", HTMLInputElement);
-    /** Why the last recording is not whole. @type {string | null} */
-    this.problem = null;
     /** The scrubber is being moved, to this place. */
     this.scrubbing = false;
     this.target = 0;
-    /** How many answers about a place are still to come, and the frames since the last one. */
+    /** Answers about a place that are to come, and frames since the last one. */
     this.seeking = 0;
     this.since = LATER;
     this.seekAt = 0;
@@ -40,7 +37,7 @@ export class Transport {
     this.listen();
   }
 
-  /** What every control does. */
+  /** What controls do. */
   listen() {
     this.recordButton.addEventListener("click", () => this.record());
     this.replay.addEventListener("change", () => this.choose());
@@ -63,7 +60,7 @@ export class Transport {
     }
   }
 
-  /** Begins or ends a recording. */
+  /** Begins or ends it. */
   record() {
     this.ask({ type: "record", value: this.state?.recording === null });
   }
@@ -74,7 +71,7 @@ export class Transport {
     this.ask({ type: "replay", what });
   }
 
-  /** Uploads a recorded path of the hand and replays it. @param {File} file */
+  /** Uploads a path and replays it. @param {File} file */
   async upload(file) {
     try {
       const response = await fetch(`upload?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
@@ -88,10 +85,7 @@ export class Transport {
     }
   }
 
-  /**
-   * Goes to the place that was last chosen, not too often; until it is there, the scrubber stays where the reader put
-   * it.
-   */
+  /** Goes to the place last chosen, not too often; until it is there, the scrubber stays where it was put. */
   seek() {
     if (this.seekTimer) return;
     const wait = Math.max(0, this.seekAt + PAUSE - performance.now());
@@ -132,18 +126,9 @@ export class Transport {
       if (recorded === null) link.removeAttribute("href");
       else link.href = `recording/${name}`;
     }
-    const made = recorded?.earlier ? "of before: " : "";
-    setText(byId("recorded"), recorded === null
-      ? "nothing recorded yet" : `${made}${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
-    const file = recording === null ? recorded?.file : state.recording_file;
-    setText(byId("recording-file"), file ?? "");
-    this.tellProblem(recorded?.problem ?? null);
-  }
-
-  /** Tells once why a recording is not whole. @param {string | null} problem */
-  tellProblem(problem) {
-    if (problem !== null && problem !== this.problem) this.tell(`The recording has ended. ${problem}.`);
-    this.problem = problem;
+    setText(byId("recorded"), recorded === null ? "nothing recorded yet"
+      : `${recorded.earlier ? "of before: " : ""}${fixed(recorded.seconds, 1)} s, ${whole(recorded.frames)} records`);
+    setText(byId("recording-file"), state.recording_file ?? recorded?.problem ?? recorded?.file ?? "");
   }
 
   /** A frame came. */
@@ -151,7 +136,7 @@ export class Transport {
     if (this.since < LATER) this.since++;
   }
 
-  /** Shows the place in the replay, or how long the recording is. @param {FrameMessage} message */
+  /** Shows where it is, or how long. @param {FrameMessage} message */
   take({ position, frame }) {
     const { state } = this;
     if (!state) return;
@@ -161,10 +146,8 @@ export class Transport {
       const text = `${fixed(position, 1)} of ${fixed(state.replay.seconds, 1)} s`;
       setText(this.place, text);
       this.scrubber.setAttribute("aria-valuetext", text);
-    } else if (state.recording !== null) {
-      setText(this.place, `recording, ${fixed(frame.t, 1)} s`);
     } else {
-      setText(this.place, `live, ${fixed(frame.t, 1)} s`);
+      setText(this.place, `${state.recording === null ? "live" : "recording"}, ${fixed(frame.t, 1)} s`);
     }
   }
 }

@@ -1,5 +1,6 @@
 //! The solver in real time: a tick every millisecond at absolute times, orders in between, what is new to the feed. Where a
-//! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and for nothing else.
+//! board has the solver, it gets the hand, and what it answers is shown. The engine waits for the clock and, while it records, until the
+//! system has taken a line of the file; for nothing else.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -51,17 +51,20 @@ impl Shelf {
         begun.map_err(|error| refused(&error))
     }
 
-    /// The recording that was written last, but for those that are being written.
-    pub(super) fn newest(&self) -> Option<PathBuf> {
-        let files = fs::read_dir(&self.0).ok()?.flatten();
+    /// The recordings, the one that was written last before all others; without those that are being written.
+    pub(super) fn newest_first(&self) -> Vec<PathBuf> {
+        let files = fs::read_dir(&self.0).into_iter().flatten().flatten();
         let files = files.filter_map(|entry| {
             let place = entry.path();
             let is_recording = place.extension() == Some(OsStr::new("jsonl"));
             let written = entry.metadata().and_then(|file| file.modified());
             is_recording.then(|| (written.unwrap_or(SystemTime::UNIX_EPOCH), place))
         });
-        let free = files.filter(|(_, place)| !is_being_written(place));
-        free.max().map(|(_, place)| place)
+        let mut free: Vec<_> = files
+            .filter(|(_, place)| !is_being_written(place))
+            .collect();
+        free.sort_by(|a, b| b.cmp(a));
+        free.into_iter().map(|(_, place)| place).collect()
     }
 }
 
@@ -81,6 +84,7 @@ fn named(title: &str) -> String {
 mod tests {
     use super::*;
     use std::path::Path;
+    use std::time::Duration;
 
     use crate::number::Number;
     use crate::scenes;
@@ -92,7 +96,7 @@ mod tests {
     fn nothing_is_written_over_and_the_newest_is_found() {
         let folder = tempfile::tempdir().expect("a folder");
         let shelf = Shelf::new(Some(folder.path().join("new").join("folder")));
-        assert_eq!(shelf.newest(), None);
+        assert!(shelf.newest_first().is_empty());
         let source = scenes::find(Path::new("box-flat")).expect("a scene");
         let scene = SceneFile::parse(source, Number::F32.limit()).expect("a scene");
         let run = Run::of(&scene, Number::F32, Evolution::Path);
@@ -101,11 +105,15 @@ mod tests {
         let (first, second) = (begin(), begin());
         let [a, b] = [&first, &second].map(|recording| recording.place().to_owned());
         assert_eq!(b.file_name(), Some(OsStr::new("box-flat-2.jsonl")));
-        assert_eq!(shelf.newest(), None, "both are being written");
+        assert!(shelf.newest_first().is_empty(), "both are being written");
         first.finish_live().expect("written");
-        assert_eq!(shelf.newest(), Some(a));
+        assert_eq!(shelf.newest_first(), [a.as_path()]);
         drop(second);
-        assert_eq!(shelf.newest(), Some(b));
+        let later = SystemTime::now() + Duration::from_secs(1);
+        let file = fs::File::options().append(true).open(&b).expect("there");
+        file.set_modified(later).expect("a time");
+        drop(file);
+        assert_eq!(shelf.newest_first(), [b, a]);
         assert_eq!(named("../a b\u{e4}"), "---a-b\u{e4}");
     }
 }
