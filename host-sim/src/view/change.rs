@@ -164,6 +164,9 @@ impl Engine {
         (self.pair, self.replay, self.guide) = (pair, replay, guide);
         self.recording = recording;
         self.begin_run(home);
+        if self.recording.is_some() {
+            self.wait_for_hold();
+        }
         Ok(())
     }
 

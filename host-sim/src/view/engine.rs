@@ -274,6 +274,11 @@ impl Engine {
         }
     }
 
+    /// A board is to take hold with the first hand of a run, before that goes on.
+    pub(super) const fn wait_for_hold(&mut self) {
+        self.switched = self.tick + 1;
+    }
+
     /// A board has not yet answered the hand that closed or opened: it takes the newest sample, and must not miss this one.
     fn is_grasping(&self) -> bool {
         let answered = self.pair.frame.t * 1000.0;
