@@ -210,6 +210,14 @@ impl<R: Real> Trammel<R> {
         self.sense.signs
     }
 
+    /// Neither reaction pulls, by more than their rounding.
+    pub(crate) fn presses_both(&self) -> bool {
+        let found: Quantities<R> = self.quantities(&self.sense.curve.at(R::ZERO), R::ONE);
+        let sign = self.sense.resistance.sign();
+        let mut pressing = found.normals.into_iter().map(|n| n * sign);
+        pressing.all(|n| n >= -R::of_searches(self.sense.rounding))
+    }
+
     /// The moment about contact 1 presses contact 2, whose reaction is on the edge of its dynamic cone.
     pub(crate) fn moment_presses(&self) -> bool {
         let [_, second] = self.sense.reactions;

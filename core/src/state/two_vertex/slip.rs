@@ -247,9 +247,9 @@ impl<R: Real> TwoVertex<R> {
     }
 
     /// What a slip leaves behind that goes no farther.
-    fn end_slip(
+    fn end_slip<W: World<R>>(
         &mut self,
-        scene: &impl World<R>,
+        scene: &W,
         grip: &Grip<R>,
         slip: &Slip<R>,
         (trigger, unbalanced): (Trigger<R>, bool),
@@ -275,6 +275,13 @@ impl<R: Real> TwoVertex<R> {
                 self.pivot = begin;
                 moved.trigger = Trigger::Undriven;
             }
+        }
+        if W::CORNERS && !moved.unbalanced {
+            // One that began with a contact that did not press may come to (E6) with one.
+            let contacts = (&self.pivot, self.other);
+            let slid = Trammel::in_sense(scene, contacts, grip, slip.sense.number());
+            moved.unbalanced = !slid.presses_both();
+            moved.work = moved.work.saturating_add(DRIVEN);
         }
         if !moved.unbalanced {
             self.rests(scene, (slip, &begin));
