@@ -117,6 +117,10 @@ struct SurfaceEntry {
     memory: Option<Spanned<f64>>,
 }
 
+/// So many vertices, surfaces and corners a scene may have: they are looked at in pairs, a million of them. It is sixteen times what the
+/// solver takes.
+const MOST: usize = 1024;
+
 /// The text of a scene, for messages with its lines.
 struct Text<'a> {
     file: &'a Path,
@@ -131,6 +135,23 @@ impl Text<'_> {
         let before = self.text.get(..place.start).unwrap_or(self.text);
         let line = 1 + before.matches('\n').count() as u64;
         InputError::in_line(self.file, line, problem)
+    }
+
+    fn check_counts(&self, document: &Document) -> Result<(), InputError> {
+        let vertices = document.body.vertices.as_ref();
+        let corners = document.obstacle.iter().map(|o| o.get_ref().corners());
+        let counts = [
+            ("vertices", vertices.map_or(0, |list| list.get_ref().len())),
+            ("surfaces", document.surface.len()),
+            ("corners of obstacles", corners.sum()),
+        ];
+        match counts.into_iter().find(|(_, count)| *count > MOST) {
+            Some((what, count)) => {
+                let problem = format!("there are {count} {what}, allowed: at most {MOST}");
+                Err(self.error(None, &problem))
+            }
+            None => Ok(()),
+        }
     }
 
     fn number(&self, key: &str, given: &Spanned<f64>, least: f64) -> Result<f64, InputError> {
@@ -271,6 +292,7 @@ impl Scene {
         let source = Text { file, text };
         let document: Document = toml::from_str(text)
             .map_err(|error| source.error(error.span(), error.message().trim_end()))?;
+        source.check_counts(&document)?;
         let Document { body, spring, .. } = &document;
         let weight = body.weight.as_ref();
         let surfaces = document.surface.iter().enumerate();

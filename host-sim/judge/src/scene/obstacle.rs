@@ -33,6 +33,12 @@ pub(super) struct Entry {
     memory: Option<Spanned<f64>>,
 }
 
+impl Entry {
+    pub(super) fn corners(&self) -> usize {
+        self.vertices.get_ref().len()
+    }
+}
+
 impl Text<'_> {
     pub(super) fn obstacle(
         &self,
