@@ -7,6 +7,8 @@
 # Needs: cargo install cargo-fuzz --locked; a C++ compiler
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+# What fails is told with the names of functions.
+export CARGO_PROFILE_RELEASE_STRIP=none
 options=(--fuzz-dir tests/fuzz --target-dir target/fuzz --features libfuzzer --sanitizer none)
 [ "$1" != build ] || exec cargo fuzz build "${options[@]}"
 target=$1 seconds=$2 found=target/fuzz/found/$1 corpus=target/fuzz/$1.corpus words=tests/fuzz/$1.dict

@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use crate::image::{built, cargo_build};
 use crate::process::EmulatorError;
-use crate::workspace;
+use crate::{BOARDS, workspace};
 
 /// QEMU for both boards.
 const QEMU: &str = "qemu-system-arm";
@@ -40,7 +40,7 @@ impl Board {
 
     /// The folder of its package.
     pub fn folder(self) -> PathBuf {
-        workspace().join("firmware/boards").join(self.name)
+        workspace().join(BOARDS).join(self.name)
     }
 
     /// Builds its image without a log, with features of its package (as cargo takes them, or ""), with a scene file compiled in or

@@ -10,9 +10,23 @@ pub mod process;
 pub mod readme;
 pub mod table;
 
-use std::path::Path;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
-/// The folder of the workspace: there lies what images are built from.
+/// The folder of the workspace: there lies what images are built from. It is looked for when the program runs, so that a program that
+/// is given away holds no path of whoever built it: around the package that cargo runs, around the program, around the current
+/// folder. Where it is nowhere, that is the current folder, and what is built from it says what is missing.
 pub fn workspace() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let package = env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+        let begin = [package, env::current_exe().ok(), env::current_dir().ok()];
+        let mut around = begin.iter().flatten().flat_map(|place| place.ancestors());
+        let found = around.find(|folder| folder.join(BOARDS).is_dir());
+        found.unwrap_or(Path::new(".")).to_owned()
+    })
 }
+
+/// The folder with the packages of boards, by which the workspace is known.
+const BOARDS: &str = "firmware/boards";

@@ -112,13 +112,36 @@ pub fn require_qemu_arm() -> Result<(), EmulatorError> {
     match major_version(&said) {
         Some(major) if major < OLDEST_QEMU => Err(EmulatorError::Missing {
             what: format!("{program} {OLDEST_QEMU} or newer (here is {major})"),
-            install: format!(
-                "{}, on Debian 12 with -t bookworm-backports",
-                install(program)
-            ),
+            install: install(program),
         }),
         _ => Ok(()),
     }
+}
+
+/// The name of the system's release, as the sources of its packages have it.
+fn codename() -> Option<String> {
+    let about = std::fs::read_to_string("/etc/os-release").ok()?;
+    let mut lines = about.lines();
+    let name = lines.find_map(|line| line.strip_prefix("VERSION_CODENAME="))?;
+    Some(name.trim_matches('"').to_owned())
+}
+
+/// The commands that install a package with QEMU. That of Debian 12 is too old; a newer one is among its backports, which lie where its
+/// other packages come from.
+fn install_qemu(package: &str, codename: Option<&str>) -> String {
+    let install =
+        |suite: &str| format!("apt-get install -y --no-install-recommends {suite}{package}");
+    let Some(codename @ "bookworm") = codename else {
+        return install("");
+    };
+    let suite = format!("{codename}-backports");
+    let mirror = format!(
+        "$(apt-get indextargets --format '$(SITE)' 'Created-By: Packages' 'Release: {codename}' | head -n 1)"
+    );
+    let install = install(&format!("-t {suite} "));
+    format!(
+        "as root\n  apt-get update\n  echo \"deb {mirror} {suite} main\" >/etc/apt/sources.list.d/{suite}.list\n  apt-get update\n  {install}"
+    )
 }
 
 /// The first number in what QEMU says of its version.
@@ -156,14 +179,14 @@ fn failure(program: String, status: ExitStatus, message: &str) -> EmulatorError 
 
 /// The command that installs a program.
 fn install(program: &str) -> String {
-    let package = match program {
-        "qemu-system-arm" => "qemu-system-arm",
-        "qemu-system-riscv32" => "qemu-system-misc",
-        "node" => "nodejs",
-        "flip-link" | "defmt-print" => return format!("cargo install {program}"),
-        _ => return format!("see the documentation of {program}"),
-    };
-    format!("apt-get install -y --no-install-recommends {package}")
+    let qemu = |package| install_qemu(package, codename().as_deref());
+    match program {
+        "qemu-system-arm" => qemu("qemu-system-arm"),
+        "qemu-system-riscv32" => qemu("qemu-system-misc"),
+        "node" => "apt-get install -y --no-install-recommends nodejs".to_owned(),
+        "flip-link" | "defmt-print" => format!("cargo install {program}"),
+        _ => format!("see the documentation of {program}"),
+    }
 }
 
 /// For tests: nothing where something is not installed, which standard error is told.
@@ -236,6 +259,31 @@ mod tests {
         let said = "QEMU emulator version 10.0.2 (Debian 1:10.0.2+ds-2)\nCopyright";
         assert_eq!(major_version(said), Some(10));
         assert_eq!(major_version("something else"), None);
+    }
+
+    #[test]
+    fn a_newer_qemu_comes_from_the_backports_of_the_systems_own_mirror() {
+        let commands = install_qemu("qemu-system-arm", Some("bookworm"));
+        let lines: Vec<&str> = commands.lines().collect();
+        assert_eq!(lines[..2], ["as root", "  apt-get update"]);
+        assert!(lines[2].ends_with(
+            "bookworm-backports main\" >/etc/apt/sources.list.d/bookworm-backports.list"
+        ));
+        // No host is named.
+        assert!(!commands.contains("://"), "{commands}");
+        assert_eq!(
+            lines[3..],
+            [
+                "  apt-get update",
+                "  apt-get install -y --no-install-recommends -t bookworm-backports qemu-system-arm"
+            ]
+        );
+        for other in [Some("trixie"), None] {
+            assert_eq!(
+                install_qemu("qemu-system-arm", other),
+                "apt-get install -y --no-install-recommends qemu-system-arm"
+            );
+        }
     }
 
     #[test]
