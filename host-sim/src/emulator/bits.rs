@@ -64,16 +64,17 @@ impl Machine {
     /// # Errors
     /// A program is missing, the image cannot be built, or its run ends with an error.
     pub fn bits(self, number: NumberType, place: Place, frames: u32) -> Result<u64, EmulatorError> {
-        let name = match place {
-            Place::ByWalls => number.name().to_owned(),
-            Place::AmongObstacles => format!("among_{}", number.name()),
+        // For so many instructions as the other programs have, this one has not the flash on the smallest chip.
+        let (name, profile) = match place {
+            Place::ByWalls => (number.name().to_owned(), Profile::Device),
+            Place::AmongObstacles => (format!("among_{}", number.name()), Profile::DeviceSmall),
         };
         let (name, frames) = (name.as_str(), frames.to_string());
         let text = match self {
             Self::Debug => on_this_computer(Profile::Dev, [name, &frames])?,
             Self::Release => on_this_computer(Profile::Release, [name, &frames])?,
             Self::Board(board) => {
-                let image = Image::of_board(board, &format!("bits_{name}"), Profile::Device)?;
+                let image = Image::of_board(board, &format!("bits_{name}"), profile)?;
                 // It has no files.
                 board.run(&image, (Path::new("."), &["bits", &frames]), false)?
             }
