@@ -103,7 +103,7 @@ const BUDGETS: [(&str, [[u64; 2]; 2]); 23] = [
     ("block set down tilted", [[204, 4050], [202, 2430]]),
     (
         "block slid flush against a slanted wall",
-        [[718, 2760], [718, 2720]],
+        [[716, 2760], [717, 2730]],
     ),
     ("strut buckles", [[245, 2150], [245, 2180]]),
     ("strut buckles in a groove", [[537, 14_500], [538, 14_400]]),
