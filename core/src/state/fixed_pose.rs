@@ -4,9 +4,9 @@
 
 mod twist;
 
-use super::trammel::Demand;
-use core::cell::OnceCell;
+use core::cell::Cell;
 
+use super::trammel::Demand;
 use crate::contact::{Pair, Pairs, Reactions};
 use crate::grip::Grip;
 use crate::list::gather;
@@ -226,33 +226,38 @@ impl<R: Real> FixedPose<R> {
         tried: usize,
     ) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
-        let known = OnceCell::new();
-        let ahead = || known.get_or_init(ahead);
+        // Found once, where it is asked for.
+        let known = Cell::new(None);
+        let ahead = || {
+            let found = known.get().unwrap_or_else(ahead);
+            known.set(Some(found));
+            found
+        };
         let mut motions = self.motions(scene, (grip, &ahead), &load);
         motions.nth(tried).unwrap_or(Trigger::Undriven)
     }
 
     /// The motions that a load can begin, ranked: that of the facet that yields, then all others that are consistent, those with
     /// fewest openings first. Each is looked for when it is asked for.
-    fn motions<'a, W: World<R>>(
+    fn motions<W: World<R>>(
         &self,
         scene: &W,
-        (grip, ahead): (&Grip<R>, &dyn Fn() -> &'a Grip<R>),
+        (grip, ahead): (&Grip<R>, &dyn Fn() -> Grip<R>),
         load: &Load<R>,
-    ) -> impl Iterator<Item = Trigger<R>>
-    where
-        R: 'a,
-    {
+    ) -> impl Iterator<Item = Trigger<R>> {
         let is_consistent = move |mode: &Mode<R>| {
             // Where a contact is about to open the moment is zero; its direction shows ahead.
-            let grip = if mode.1.is_none() { ahead() } else { grip };
-            self.is_consistent(scene, grip, mode)
+            if mode.1.is_none() {
+                self.is_consistent(scene, &ahead(), mode)
+            } else {
+                self.is_consistent(scene, grip, mode)
+            }
         };
         let of_facet = move || {
             let yields = self.cone.yields(load.wrench(), load.rounding(), &|yields| {
                 // At the bound itself the drive is zero.
                 let mode = self.mode_of(yields);
-                is_consistent(&mode) || self.is_consistent(scene, ahead(), &mode)
+                is_consistent(&mode) || self.is_consistent(scene, &ahead(), &mode)
             });
             yields.map(|yields| keep(self.mode_of(&yields)))
         };
