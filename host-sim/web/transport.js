@@ -6,9 +6,9 @@ import { byId, fixed, setText, whole } from "./dom.js";
 const FILES = ["recording.jsonl", "trace.jsonl", "scene.toml", "hand.csv"];
 /** Places on the scrubber. */
 const PLACES = 1000;
-/** So many frames after the answer to a place are surely of it. */
+/** Frames from the answer to a place to that place. */
 const LATER = 2;
-/** Time between two places asked for while the scrubber moves (ms). */
+/** Between two seeks (ms). */
 const PAUSE = 60;
 
 export class Transport {
