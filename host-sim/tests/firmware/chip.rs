@@ -21,6 +21,8 @@ pub(crate) struct Chip {
     is_small: bool,
     /// An instruction takes 2^N ns: between half of what it takes on the chip and twice that.
     pub(crate) shift: u32,
+    /// Bytes that its line brings in a second: a tenth of the baud.
+    pub(crate) line_rate: u32,
 }
 
 pub(crate) const F405: Chip = Chip {
@@ -28,6 +30,7 @@ pub(crate) const F405: Chip = Chip {
     features: "",
     is_small: false,
     shift: 3,
+    line_rate: 92_160,
 };
 
 /// With a device of its own.
@@ -41,6 +44,7 @@ pub(crate) const MICROBIT: Chip = Chip {
     features: "",
     is_small: false,
     shift: 6,
+    line_rate: 11_520,
 };
 
 /// For little flash.
