@@ -49,6 +49,15 @@ pub mod law {
     pub const HOLD: &str = "grasp and release are told";
     /// A contact is where it came to, as long as nothing happens.
     pub const STICKS: &str = "a contact that sticks stays";
+    /// Contacts come and go with the events that say so, and with no other one but at an end of a side.
+    pub const COME_AND_GO: &str = "contacts come and go as is told";
+    /// `slips` and `events` tell of the same slips.
+    pub const SLIPS: &str = "slips are as many as are told";
+    /// A body to which something has happened is not where it was.
+    pub const MOVES: &str = "what happens moves the body";
+    /// The angle of a body that turns about a contact, or about the hand, goes on along its branch but for a `snap`, which is told where
+    /// the branch folds.
+    pub const SNAPS: &str = "a balance snaps where it folds";
     /// A slip begins where the contacts at their old places can bear the load no longer.
     pub const SLIP_BEGINS: &str = "a slip begins where static friction gives way";
     /// There, at their new places, |T| = mu_d N against the motion.

@@ -1,5 +1,6 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
+use crate::events;
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
@@ -84,6 +85,14 @@ impl Judge {
         findings.push(told);
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
+        if let Some(last) = &self.last {
+            findings.extend(events::findings(
+                &self.model,
+                &self.bounds,
+                self.evolution,
+                (last, &frame),
+            ));
+        }
         findings.extend(self.keeps(&frame));
         if let (Some(last), Some(grip)) = (&self.last, &grip) {
             let step = Step {
@@ -98,6 +107,7 @@ impl Judge {
             if !self.unbalanced {
                 findings.extend(slip::findings(&step));
             }
+            findings.extend(events::snaps(&step).map(|holds| Finding::whether(law::SNAPS, holds)));
             findings.extend(slide::findings(&step));
             findings.extend(hold::findings(&step));
             findings.extend(passage::findings(&step));

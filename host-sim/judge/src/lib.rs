@@ -98,6 +98,7 @@ mod bearing;
 mod body;
 mod brace;
 mod error;
+mod events;
 mod finding;
 mod frame;
 mod hold;

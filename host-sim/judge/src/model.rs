@@ -165,7 +165,7 @@ impl Model {
     }
 
     /// The same, and how far a vertex goes when the body turns by its whole angle.
-    fn reach(&self, frame: &Frame) -> f64 {
+    pub(crate) fn reach(&self, frame: &Frame) -> f64 {
         self.extent(frame).max(self.size * frame.pose[2].abs())
     }
 

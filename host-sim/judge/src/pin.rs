@@ -45,6 +45,8 @@ pub(crate) struct Pin<'a> {
     foot: Foot<'a>,
     spot: Spot,
     hand: [f64; 3],
+    /// Of a contact that slides along its face: mu_d, negative against the tangent.
+    slide: Option<f64>,
 }
 
 impl<'a> Foot<'a> {
@@ -53,6 +55,17 @@ impl<'a> Foot<'a> {
             foot: self,
             spot,
             hand,
+            slide: None,
+        }
+    }
+
+    /// Sliding with the hand along the face through a spot, which stays in the world (E10).
+    pub(crate) const fn sliding(self, spot: Spot, hand: [f64; 3], friction: f64) -> Pin<'a> {
+        Pin {
+            foot: self,
+            spot,
+            hand,
+            slide: Some(friction),
         }
     }
 }
@@ -65,8 +78,36 @@ impl Pin<'_> {
         (lever(self.foot.grip.point), lever(model.centroid()))
     }
 
-    /// The moment about the foot (N·m), the left side of (E1), and how it falls with theta: what it costs to turn.
+    /// The moment (N·m), the left side of (E1) about the foot or of (E10) about the holding point, and how it falls with theta: what
+    /// it costs to turn.
     fn moment(&self, theta: f64) -> (f64, f64) {
+        match self.slide {
+            None => self.moment_pinned(theta),
+            Some(friction) => self.moment_sliding(theta, friction),
+        }
+    }
+
+    fn moment_sliding(&self, theta: f64, friction: f64) -> (f64, f64) {
+        let (scene, weight) = (&self.foot.model.scene, self.foot.model.weight());
+        let (lever, heavy) = self.levers(theta);
+        let beside = sub(heavy, lever);
+        let normal = self.foot.facing.at(theta);
+        let [n_x, n_y] = normal;
+        let along = sub(normal, scaled([n_y, -n_x], friction));
+        let k = scene.stiffness_translation;
+        let ahead = sub(sub([self.hand[0], self.hand[1]], self.spot.at), lever);
+        let pressed = -dot(normal, add(scaled(ahead, k), weight));
+        // With a turn: how N grows, how its moment does.
+        let grows = k * cross(lever, normal);
+        let couple = scene.stiffness_rotation * (self.hand[2] - self.foot.grip.offset - theta);
+        (
+            couple - pressed * cross(lever, along) + cross(beside, weight),
+            scene.stiffness_rotation + grows * cross(lever, along) - pressed * dot(lever, along)
+                + dot(beside, weight),
+        )
+    }
+
+    fn moment_pinned(&self, theta: f64) -> (f64, f64) {
         let (scene, weight) = (&self.foot.model.scene, self.foot.model.weight());
         let (lever, heavy) = self.levers(theta);
         let pull = scaled(

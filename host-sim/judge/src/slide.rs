@@ -6,7 +6,7 @@
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::model::{Grip, Model};
-use crate::slip::{EVENTS, Step, drive};
+use crate::slip::{EVENTS, Step, drive, static_excess};
 use crate::vector::{Vec3, cross, cross3, dot3, length3, sub};
 
 /// Where the normals of the contacts leave one motion of the body, the largest sine between two of them is at least this; where
@@ -115,7 +115,9 @@ fn told(step: &Step<'_>) -> Option<bool> {
     let begun_and_gone = next.events.last() == Some(&Event::Slide) && !after;
     let ended_and_there = next.events.last() == Some(&Event::Stop) && after && one_surface;
     let ended_unbegun = next.events.first() == Some(&Event::Stop) && !before;
-    if begun_and_gone || ended_and_there || ended_unbegun {
+    let begun_with_stiction =
+        next.events.first() == Some(&Event::Slide) && !before && has_stiction(step);
+    if begun_and_gone || ended_and_there || ended_unbegun || begun_with_stiction {
         return Some(false);
     }
     let explains = |event: &Event| !matches!(event, Event::Slide | Event::Stop);
@@ -127,6 +129,18 @@ fn told(step: &Step<'_>) -> Option<bool> {
     let begins = (!before && after) || turns;
     let ends = (before && !after) || turns;
     Some((!begins || has(Event::Slide)) && (!ends || has(Event::Stop)))
+}
+
+/// A contact that bore more than mu_d N has stiction, and slips before it slides.
+fn has_stiction(step: &Step<'_>) -> bool {
+    let last = step.last;
+    let Some(face) = step.one_friction(last) else {
+        return false;
+    };
+    let sum = |of: fn(&Contact) -> f64| last.contacts.iter().map(of).sum::<f64>();
+    let reaction = (sum(|c| c.normal), sum(|c| c.friction));
+    matches!(last.state, State::SingleVertex | State::Edge)
+        && static_excess(reaction, face.friction_dynamic) > step.allowed(false)
 }
 
 /// The force on a contact is nothing but rounding: the vertex swings along its surface as the body turns out of the way.

@@ -19,6 +19,7 @@ use crate::touch::{Face, Touch};
 use crate::vector::{between, dot, sub};
 use vertex::Slide;
 
+mod chain;
 mod pair;
 mod vertex;
 
@@ -47,7 +48,8 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     if step.goes_on() {
         return step.single(|finding| finding.law == law::SLIP_BEGINS);
     }
-    step.last_of_several().into_iter().collect()
+    let counted = step.counted().map(|holds| Finding::whether(law::SLIPS, holds));
+    step.last_of_several().into_iter().chain(counted).collect()
 }
 
 impl<'a> Step<'a> {
@@ -68,9 +70,25 @@ impl<'a> Step<'a> {
 
     /// A slip of contacts that stuck before and are there still.
     fn slips_once(&self, last: &Frame) -> bool {
+        self.next.slips == 1 && self.slips_alone(last)
+    }
+
+    /// Slips and nothing else are as many as lead from the old places to the new ones.
+    fn counted(&self) -> Option<bool> {
         let next = self.next;
-        next.slips == 1
-            && next.status == Status::Ok
+        let is_one = matches!(next.state, State::SingleVertex | State::Edge);
+        if !is_one || next.events != [Event::Slip] || next.slides() || !self.slips_alone(self.last) {
+            return None;
+        }
+        // Without stiction slips begin elsewhere.
+        let count = chain::count(self, next.contacts.first()?)?;
+        Some(count == next.slips)
+    }
+
+    /// Contacts that stuck before and are there still.
+    fn slips_alone(&self, last: &Frame) -> bool {
+        let next = self.next;
+        matches!(next.status, Status::Ok | Status::Twist)
             && next.complete
             && last.held
             && next.held

@@ -1,0 +1,250 @@
+//! Events from frame to frame: contacts come and go as is told, what is told to move the body moves it, slips are counted, and a
+//! balance snaps where its branch folds and nowhere else.
+//!
+//! **Contacts.** `touch`, `land` and `jam` bring contacts, `lift` and `tip` take some; among half-planes nothing else does. Each leads
+//! from some states to some states, and a run of equal events is told once: so all that are told lead from the state of the frame
+//! before to that of this one, or they are not what happened. Among obstacles a slip or slide passes contacts on without a word.
+
+use std::cmp::Ordering;
+
+use crate::finding::{Bounds, Finding, law};
+use crate::frame::{Contact, Event, Evolution, Frame, State};
+use crate::model::Model;
+use crate::obstacles::placed;
+use crate::pairs::Facing;
+use crate::pin::{Foot, Pin, Spot, follow};
+use crate::slip::{EVENTS, Step};
+use crate::touch::Touch;
+use crate::vector::{between, distance, length, sub};
+
+/// Roundings of the farthest coordinate by which places may differ that are the same.
+pub(crate) const SAME: f64 = 8.0;
+
+/// What a frame and the one before tell of events; without a hand that held in both, of contacts and slips alone.
+pub(crate) fn findings(
+    model: &Model,
+    bounds: &Bounds,
+    evolution: Evolution,
+    (last, next): (&Frame, &Frame),
+) -> Vec<Finding> {
+    let whether = |law: &'static str, holds: Option<bool>| {
+        holds.map(|holds| Finding::whether(law, holds))
+    };
+    let all = [
+        whether(law::COME_AND_GO, is_accounted(model, evolution, (last, next))),
+        whether(law::SLIPS, are_counted(next)),
+        whether(law::MOVES, moves(model, bounds, last, next)),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// A contact comes by it.
+const fn brings(event: Event) -> bool {
+    matches!(event, Event::Touch | Event::Land | Event::Jam)
+}
+
+/// A contact goes by it.
+const fn takes(event: Event) -> bool {
+    matches!(event, Event::Lift | Event::Tip)
+}
+
+/// A contact may be passed on at an end of its side without a word.
+fn passes_on(model: &Model, last: &Frame, next: &Frame) -> bool {
+    let glides = |event: &Event| matches!(event, Event::Slip | Event::Slide | Event::Stop);
+    let moves = last.slides() || next.slides() || next.events.iter().any(glides);
+    !model.scene.obstacles.is_empty() && moves
+}
+
+/// Contacts come and go as is told. `None` where a list ends before the frame did.
+fn is_accounted(
+    model: &Model,
+    evolution: Evolution,
+    (last, next): (&Frame, &Frame),
+) -> Option<bool> {
+    if !last.complete || !next.complete || next.events.len() >= EVENTS {
+        return None;
+    }
+    let brings = next.events.iter().any(|&event| brings(event));
+    let takes = next.events.iter().any(|&event| takes(event));
+    let told = (next.contacts.len().cmp(&last.contacts.len()), brings, takes);
+    let sets = if passes_on(model, last, next) {
+        match told {
+            (Ordering::Equal, false, false) | (Ordering::Greater, true, false) => true,
+            (Ordering::Less, false, true) | (_, true, true) => true,
+            // What one contact has left another one may take over.
+            (Ordering::Equal, false, true) => next.events.len() > 1,
+            _ => false,
+        }
+    } else {
+        let comes = !next.contacts.iter().all(|c| last.contact(c.touch).is_some());
+        let goes = !last.contacts.iter().all(|c| next.contact(c.touch).is_some());
+        (comes, goes) == (brings, takes) || (brings && takes)
+    };
+    Some(sets && leads(model, evolution, last, next))
+}
+
+/// A state, and whether its contacts slide, as far as that is told.
+type Stage = (State, bool);
+
+/// The events lead from one frame to another.
+fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> bool {
+    let among_obstacles = !model.scene.obstacles.is_empty();
+    let mut stages = vec![(last.state, last.slides())];
+    for (i, &event) in next.events.iter().enumerate() {
+        // What slides slips where the hand jumps, as it does after the first event of a frame, or at an end of a side.
+        let jumps = among_obstacles || (evolution == Evolution::Frame && i > 0);
+        let passes = among_obstacles && next.events.len() > 1;
+        let mut reached: Vec<Stage> = Vec::new();
+        let mut ahead = stages;
+        // A run of equal events is told once.
+        while let Some(stage) = ahead.pop() {
+            for next in after(stage, event, [passes, jumps]) {
+                if !reached.contains(&next) {
+                    reached.push(next);
+                    ahead.push(next);
+                }
+            }
+        }
+        stages = reached;
+    }
+    stages.contains(&(next.state, next.slides()))
+}
+
+/// The stages to which an event leads from one. What comes or goes may begin a slide or end it.
+fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
+    use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
+    let glides = matches!(state, SingleVertex | Edge | TwoVertex);
+    let all: &[State] = match (event, state) {
+        (Event::Touch, NonContact) => &[SingleVertex, TwoVertex, Corner],
+        (Event::Touch, SingleVertex) => &[TwoVertex, Corner],
+        (Event::Land, NonContact | SingleVertex) => &[Edge],
+        (Event::Jam, _) => &[Locked],
+        (Event::Tip, Edge | Locked) => &[SingleVertex],
+        (Event::Lift, SingleVertex | Edge) => &[NonContact],
+        // What one of two contacts has left another one may take over at an end of a side.
+        (Event::Lift, TwoVertex) if passes => &[NonContact, SingleVertex, TwoVertex],
+        (Event::Lift, TwoVertex | Corner) => &[NonContact, SingleVertex],
+        (Event::Lift, Locked) => &[NonContact, Edge, TwoVertex, Corner],
+        (Event::Slide, _) if glides && !slides => return vec![(state, true)],
+        (Event::Stop, _) if slides => return vec![(state, false)],
+        (Event::Slip, _) if glides && (!slides || jumps) => return vec![(state, slides)],
+        (Event::Snap, _) => return vec![(state, false), (state, true)],
+        (Event::Grasp | Event::Release, _) => return vec![(state, slides)],
+        _ => &[],
+    };
+    let both = |&state: &State| [(state, false), (state, true)];
+    all.iter().flat_map(both).collect()
+}
+
+/// `slips` is not less than what `events` tells of, and none without the other.
+fn are_counted(next: &Frame) -> Option<bool> {
+    let runs = next.events.iter().filter(|&&event| event == Event::Slip).count();
+    if next.events.len() >= EVENTS {
+        return None;
+    }
+    Some((runs == 0) == (next.slips == 0) && next.slips as usize >= runs)
+}
+
+/// The body is where it was to a few roundings, in places and angle.
+pub(crate) fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool {
+    let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
+    let ways = placed(model, last.pose).into_iter().zip(placed(model, next.pose));
+    ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max) <= same
+        && model.size * (next.pose[2] - last.pose[2]).abs() <= same
+}
+
+/// What is told to have moved the body has, and a slip its contacts.
+fn moves(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> Option<bool> {
+    let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
+    let told: Vec<Event> = (next.events.iter().copied())
+        .filter(|event| !is_taken(event))
+        .collect();
+    if told.is_empty() || !next.has_contacts_of(last) {
+        return None;
+    }
+    let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
+    let stays = |contact: &Contact| {
+        let before = last.contact(contact.touch);
+        let way = before.map(|before| sub(model.mark(next.pose, contact), model.mark(last.pose, before)));
+        way.is_some_and(|way| length(way) <= same)
+    };
+    let slips_alone = told.iter().all(|event| matches!(event, Event::Slip | Event::Snap));
+    if slips_alone && told.contains(&Event::Slip) && next.contacts.iter().all(stays) {
+        return Some(false);
+    }
+    // That a slide began or ended may be told of a body that is about to move.
+    let is_about_to = matches!(told[..], [Event::Slide | Event::Stop]);
+    Some(is_about_to || !is_still(model, bounds, last, next))
+}
+
+/// A balance snaps where its branch folds, and only there.
+pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
+    let (last, next) = (step.last, step.next);
+    let told = match next.events.as_slice() {
+        [] => false,
+        [Event::Snap] => true,
+        _ => return None,
+    };
+    let is_usable = |frame: &Frame| frame.held && frame.complete;
+    if !next.has_contacts_of(last) || last.state != next.state || ![last, next].into_iter().all(is_usable) {
+        return None;
+    }
+    let contact = match next.state {
+        State::Edge | State::Locked => return Some(!told),
+        // Two that slide may come to a fold of their own.
+        State::TwoVertex => return (!last.slides() && !next.slides()).then_some(!told),
+        State::NonContact => None,
+        State::SingleVertex | State::Corner => Some(next.contacts.first()?),
+    };
+    let slide = match contact.and_then(|contact| contact.sliding) {
+        None | Some(0) if !last.slides() => None,
+        Some(sign) if sign != 0 && last.contacts[0].sliding == Some(sign) => Some(f64::from(sign)),
+        _ => return None,
+    };
+    let touch = contact.map(|contact| contact.touch);
+    let turns = matches!(touch, Some(Touch::Corner { .. }));
+    if slide.is_some() && (turns || step.model.scene.stiffness_rotation == 0.0) {
+        return None;
+    }
+    let pin = |part| pinned(step, (touch, slide), part);
+    let Some(turn) = follow(pin, last.pose[2], 1.0) else {
+        return Some(told);
+    };
+    let is_followed = pin(1.0).on_one_branch(turn, next.pose[2]);
+    Some(told != is_followed)
+}
+
+/// The body turning about the contact that it had, or with one that slides, or about the hand.
+fn pinned<'a>(step: &Step<'a>, (touch, slide): (Option<Touch>, Option<f64>), part: f64) -> Pin<'a> {
+    let (model, last) = (step.model, step.last);
+    let hand = between(last.hand, step.next.hand, part);
+    let (facing, spot) = match touch {
+        Some(touch) => (
+            model.facing(touch),
+            Spot {
+                held: model.held(last.pose, touch),
+                at: model.foot(last.pose, touch),
+            },
+        ),
+        None => (
+            Facing::World([0.0, 1.0]),
+            Spot {
+                held: step.grip.point,
+                at: [hand[0], hand[1]],
+            },
+        ),
+    };
+    let foot = Foot {
+        model,
+        grip: step.grip,
+        facing,
+        shortest: model.carried(step.next, step.bounds),
+    };
+    match (touch, slide) {
+        (Some(touch), Some(sign)) => {
+            let face = model.face(last.pose, touch);
+            foot.sliding(spot, hand, sign * face.friction_dynamic)
+        }
+        _ => foot.pinned(spot, hand),
+    }
+}

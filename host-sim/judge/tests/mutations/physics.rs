@@ -1,0 +1,95 @@
+//! Frames that are moved, with all that follows for springs and reactions, so that nothing but the place is wrong.
+
+use stiction_judge::{Contact, Frame, State, Touch, centroid};
+
+use crate::truth::Truth;
+
+type Vec2 = [f64; 2];
+
+fn cross(a: Vec2, b: Vec2) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn dot(a: Vec2, b: Vec2) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
+    let (sin, cos) = theta.sin_cos();
+    [cos * x - sin * y, sin * x + cos * y]
+}
+
+/// n of a contact of a vertex.
+pub(crate) fn normal(truth: &Truth, contact: &Contact) -> Vec2 {
+    match contact.touch {
+        Touch::Surface { surface, .. } => truth.scene.surfaces[surface].normal,
+        _ => contact.direction.expect("among obstacles it is told"),
+    }
+}
+
+/// t
+pub(crate) fn tangent(truth: &Truth, contact: &Contact) -> Vec2 {
+    let [x, y] = normal(truth, contact);
+    [y, -x]
+}
+
+/// The hand of a frame on a body that is where it was.
+pub(crate) fn frozen(last: &Frame, next: &Frame) -> Frame {
+    Frame {
+        pose: last.pose,
+        state: last.state,
+        contacts: last.contacts.clone(),
+        wrench: last.wrench,
+        ..next.clone()
+    }
+}
+
+/// A frame whose body is farther along the tangent of its first contact (m), with its reactions.
+pub(crate) fn moved(truth: &Truth, frame: &Frame, by: f64) -> Frame {
+    let way = tangent(truth, &frame.contacts[0]).map(|x| by * x);
+    let mut frame = frame.clone();
+    for k in 0..2 {
+        frame.pose[k] += way[k];
+        frame.contacts.iter_mut().for_each(|c| c.point[k] += way[k]);
+    }
+    loaded(truth, &frame)
+}
+
+/// A frame with the wrench of the springs as it should be, and reactions that bear it, of a vertex or an edge.
+pub(crate) fn loaded(truth: &Truth, frame: &Frame) -> Frame {
+    let scene = &truth.scene;
+    let Some(grip) = scene.holding_point else {
+        return frame.clone();
+    };
+    let mut frame = frame.clone();
+    let arm = turned(grip, frame.pose[2]);
+    let holding = [frame.pose[0] + arm[0], frame.pose[1] + arm[1]];
+    let k = scene.stiffness_translation;
+    let force = [0, 1].map(|i| k * (frame.hand[i] - holding[i]));
+    let moment = scene.stiffness_rotation * (frame.hand[2] - frame.pose[2]);
+    frame.wrench = [force[0], force[1], moment];
+    let load = [force[0], force[1] - scene.weight];
+    let heavy = turned(centroid(&scene.vertices), frame.pose[2]);
+    let lever = [heavy[0] - arm[0], heavy[1] - arm[1]];
+    let moment = moment + cross(lever, [0.0, -scene.weight]);
+    let Some(first) = frame.contacts.first().copied() else {
+        return frame;
+    };
+    let (n, t) = (normal(truth, &first), tangent(truth, &first));
+    let (all, along) = (-dot(n, load), -dot(t, load));
+    match (frame.state, frame.contacts.as_mut_slice()) {
+        (State::SingleVertex, [one]) => (one.normal, one.friction) = (all, along),
+        (State::Edge, [a, b]) => {
+            let to = |point: Vec2| [point[0] - holding[0], point[1] - holding[1]];
+            let about = moment - cross(to(a.point), load);
+            let apart = [b.point[0] - a.point[0], b.point[1] - a.point[1]];
+            b.normal = -about / cross(apart, n);
+            a.normal = all - b.normal;
+            for contact in [a, b] {
+                contact.friction = along * contact.normal / all;
+            }
+        }
+        _ => {}
+    }
+    frame
+}
