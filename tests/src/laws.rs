@@ -145,6 +145,7 @@ pub fn judged(i: usize, frame: &Frame) -> stiction_judge::Frame {
             .map(|event| named(stiction_judge::Event::named, event.name()))
             .collect(),
         status: named(stiction_judge::Status::named, frame.status.name()),
+        behind: None,
     }
 }
 

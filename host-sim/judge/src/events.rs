@@ -52,7 +52,9 @@ const fn takes(event: Event) -> bool {
 fn passes_on(model: &Model, last: &Frame, next: &Frame) -> bool {
     let glides = |event: &Event| matches!(event, Event::Slip | Event::Slide | Event::Stop);
     let moves = last.slides() || next.slides() || next.events.iter().any(glides);
-    !model.scene.obstacles.is_empty() && moves
+    // Flat on a side a contact ends elsewhere as another one comes or goes.
+    let is_locked = [last, next].iter().any(|frame| frame.state == State::Locked);
+    !model.scene.obstacles.is_empty() && (moves || (is_locked && !next.events.is_empty()))
 }
 
 /// Contacts come and go as is told. `None` where a list ends before the frame did.
@@ -159,7 +161,7 @@ fn moves(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> Option<b
     let told: Vec<Event> = (next.events.iter().copied())
         .filter(|event| !is_taken(event))
         .collect();
-    if told.is_empty() || !next.has_contacts_of(last) {
+    if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
         return None;
     }
     let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));

@@ -51,6 +51,9 @@ pub mod law {
     pub const STICKS: &str = "a contact that sticks stays";
     /// Contacts come and go with the events that say so, and with no other one but at an end of a side.
     pub const COME_AND_GO: &str = "contacts come and go as is told";
+    /// What a status excuses is there to be seen: a frame that repeats the one before, so many events, a part of the way that is left, a
+    /// load that no reactions bear and no motion follows.
+    pub const STATUS: &str = "a status is borne out by its frame";
     /// `slips` and `events` tell of the same slips.
     pub const SLIPS: &str = "slips are as many as are told";
     /// A body to which something has happened is not where it was.

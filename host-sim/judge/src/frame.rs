@@ -103,6 +103,16 @@ named! {
     }
 }
 
+impl Status {
+    /// The body has followed the hand that is told, and is in balance with it: every law applies.
+    pub(crate) const fn is_followed(self) -> bool {
+        matches!(
+            self,
+            Self::Ok | Self::Twist | Self::EventLimit | Self::IterationLimit
+        )
+    }
+}
+
 /// A contact of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
@@ -155,6 +165,8 @@ pub struct Frame {
     pub events: Vec<Event>,
     /// What limited the answer.
     pub status: Status,
+    /// The part of the hand's displacement that the body has not yet followed, where the trace tells it.
+    pub behind: Option<f64>,
 }
 
 impl Frame {

@@ -18,6 +18,9 @@ use crate::vector::{cross, distance, dot, length, sub};
 const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
+/// Reactions that no jam asks for, in units of the limit: such a load is not borne at all, and the body moves.
+const NEVER: f64 = 64.0;
+
 /// A load this large (k_h L) asks for large reactions anyway, and some number types refuse it.
 const LOAD: f64 = 16.0;
 
@@ -41,10 +44,7 @@ fn is_fixed(frame: &Frame) -> bool {
 /// The body went elsewhere although its contacts bear the load all along the hand's way.
 fn let_go(step: &Step<'_>) -> Option<bool> {
     let (last, next) = (step.last, step.next);
-    let follows = matches!(
-        last.status,
-        Status::Ok | Status::EventLimit | Status::IterationLimit
-    );
+    let follows = last.status.is_followed();
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
     if !follows || !is_fixed(last) || !next.held || next.events.iter().any(is_taken) {
         return None;
@@ -73,7 +73,7 @@ fn bears_all_along(step: &Step<'_>) -> bool {
         (hands.iter()).all(|hand| contacts.bears(*hand, step.bounds.slip, 2.0 * limit))
     };
     let has_stiction = !last.tells_slides()
-        || (last.status == Status::Ok && of_dynamic.least(last.hand) > BEYOND * limit);
+        || (last.status.is_followed() && of_dynamic.least(last.hand) > BEYOND * limit);
     bears(if has_stiction {
         &of_static
     } else {
@@ -123,11 +123,15 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
         let of_dynamic = bearing(|face| face.friction_dynamic);
         let needless =
             is_fixed(next) && of_dynamic.bears(next.hand, step.bounds.slip, WITHIN * limit);
-        return Some(keeps && !needless);
+        // In a corner the body turns on, and one of one line bears no more than its load.
+        let several = matches!(next.state, State::TwoVertex | State::Locked | State::Corner);
+        let of_static = bearing(|face| face.friction_static);
+        let hopeless = is_fixed(next) && of_static.least(next.hand) > NEVER * limit;
+        return Some(keeps && several && !needless && !hopeless);
     }
     let load = step.model.load(next.pose, next.hand, step.grip);
     let is_large = length(load.force) > LOAD * step.model.unit_force();
-    if next.status != Status::Ok || !next.tells_slides() || !is_fixed(next) || is_large {
+    if !next.status.is_followed() || !next.tells_slides() || !is_fixed(next) || is_large {
         return None;
     }
     let of_static = bearing(|face| face.friction_static);

@@ -10,6 +10,7 @@ use crate::passage;
 use crate::scene::Scene;
 use crate::slide;
 use crate::slip::{self, Step};
+use crate::status;
 use crate::still;
 use crate::touch::Touch;
 use crate::vector::{Vec2, distance, dot, length, sub};
@@ -85,6 +86,8 @@ impl Judge {
         findings.push(told);
         findings.extend(self.rests(&frame));
         findings.extend(self.last.as_ref().map(|last| later(last, &frame)));
+        let told = status::told(self.last.as_ref(), &frame);
+        findings.push(Finding::whether(law::STATUS, told));
         if let Some(last) = &self.last {
             findings.extend(events::findings(
                 &self.model,
@@ -107,6 +110,7 @@ impl Judge {
             if !self.unbalanced {
                 findings.extend(slip::findings(&step));
             }
+            findings.extend(status::of_balance(&step).map(|holds| Finding::whether(law::STATUS, holds)));
             findings.extend(events::snaps(&step).map(|holds| Finding::whether(law::SNAPS, holds)));
             findings.extend(slide::findings(&step));
             findings.extend(hold::findings(&step));
@@ -234,8 +238,7 @@ impl Judge {
     /// Contacts stay where they came to, as long as nothing happens that could move them; and those that slide go on.
     fn keeps(&mut self, frame: &Frame) -> Vec<Finding> {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
-        let is_quiet = !frame.events.iter().any(moves)
-            && !matches!(frame.status, Status::EventLimit | Status::IterationLimit);
+        let is_quiet = !frame.events.iter().any(moves);
         let scale = self.model.length_scale(frame, &self.bounds);
         let [mut strayed, mut receded]: [Option<f64>; 2] = [None; 2];
         let mut anchors = Vec::with_capacity(frame.contacts.len());

@@ -114,11 +114,13 @@ mod shape;
 mod sides;
 mod slide;
 mod slip;
+mod status;
 mod still;
 mod survey;
 mod touch;
 mod trace;
 mod vector;
+mod yielding;
 
 pub use body::{centroid, size};
 pub use error::InputError;

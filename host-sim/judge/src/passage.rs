@@ -27,7 +27,7 @@ const HALVINGS: u32 = 40;
 
 /// What a frame and the one before tell of obstacles.
 pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
-    let usable = |frame: &Frame| frame.held && frame.complete && frame.status == Status::Ok;
+    let usable = |frame: &Frame| frame.held && frame.complete && frame.status.is_followed();
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
     let taken = step.next.events.iter().any(is_taken);
     if step.model.scene.obstacles.is_empty() || !usable(step.last) || !usable(step.next) || taken {

@@ -102,7 +102,7 @@ fn told(step: &Step<'_>) -> Option<bool> {
         };
         frame.held
             && frame.complete
-            && frame.status == Status::Ok
+            && frame.status.is_followed()
             && frame.contacts.iter().all(grips)
     };
     let tells = [last, next].map(|frame| frame.contacts.is_empty() || frame.tells_slides());
@@ -166,7 +166,7 @@ fn stops(step: &Step<'_>) -> Option<Finding> {
     if !is_one || !goes_on || step.evolution == Evolution::Frame || !face.jumps() {
         return None;
     }
-    if [last, next].map(|frame| frame.status) != [Status::Ok; 2] {
+    if ![last, next].iter().all(|frame| frame.status.is_followed()) {
         return None;
     }
     let threshold = step.model.threshold(&face)?;

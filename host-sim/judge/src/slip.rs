@@ -76,11 +76,15 @@ impl<'a> Step<'a> {
     /// Slips and nothing else are as many as lead from the old places to the new ones.
     fn counted(&self) -> Option<bool> {
         let next = self.next;
-        let is_one = matches!(next.state, State::SingleVertex | State::Edge);
-        if !is_one || next.events != [Event::Slip] || next.slides() || !self.slips_alone(self.last) {
+        if next.events != [Event::Slip] || next.slides() || !self.slips_alone(self.last) {
             return None;
         }
-        // Without stiction slips begin elsewhere.
+        if !matches!(next.state, State::SingleVertex | State::Edge) {
+            // What one slip explains are not several.
+            let one = self.single(|_| true);
+            let is_one = !one.is_empty() && one.iter().all(Finding::holds);
+            return (self.evolution == Evolution::Path && is_one).then_some(next.slips == 1);
+        }
         let count = chain::count(self, next.contacts.first()?)?;
         Some(count == next.slips)
     }
@@ -88,7 +92,7 @@ impl<'a> Step<'a> {
     /// Contacts that stuck before and are there still.
     fn slips_alone(&self, last: &Frame) -> bool {
         let next = self.next;
-        matches!(next.status, Status::Ok | Status::Twist)
+        next.status.is_followed()
             && next.complete
             && last.held
             && next.held
@@ -286,7 +290,7 @@ impl<'a> Step<'a> {
         if !is_last || next.events.iter().any(opens) {
             return None;
         }
-        if next.status != Status::Ok || !next.held || next.slides() || !face.jumps() {
+        if !next.status.is_followed() || !next.held || next.slides() || !face.jumps() {
             return None;
         }
         if !matches!(next.state, State::SingleVertex | State::Edge) {

@@ -68,6 +68,7 @@ pub fn frame(i: usize, frame: &Frame) -> stiction_judge::Frame {
             .map(|event| Event::named(event.name()).expect("an event"))
             .collect(),
         status: Status::named(frame.status.name()).expect("a status"),
+        behind: None,
     }
 }
 

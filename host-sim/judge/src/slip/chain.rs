@@ -30,7 +30,7 @@ struct Link {
     turn: f64,
 }
 
-/// How many slips it takes; `None` where they do not lead there, or one is due that a rounding decides about.
+/// How many slips it takes; `None` where they do not lead there.
 pub(super) fn count(step: &Step<'_>, contact: &Contact) -> Option<u32> {
     let before = step.last.contact(contact.touch)?;
     let chain = Chain {
@@ -74,7 +74,7 @@ impl Chain<'_> {
         Some((pin(1.0).reaction(turn), turn))
     }
 
-    /// Where the next slip begins, if there is one. `None` where a rounding decides.
+    /// Where the next slip begins, if there is one.
     fn begins(&self, link: Link, jumps: bool) -> Option<Option<Link>> {
         let part = |u: f64| link.part + (1.0 - link.part) * u;
         let excess = |u: f64| {
@@ -86,8 +86,12 @@ impl Chain<'_> {
         if excess.reaches(-allowed, first).is_err() {
             return Some(None);
         }
-        excess.reaches(allowed, first).ok()?;
-        let part = part(excess.reaches(0.0, first).ok()?);
+        // A slip that hardly begins has, where the contact has not yet come to its new place, and has not where it has.
+        if link.place >= 1.0 && excess.reaches(allowed, first).is_err() {
+            return Some(None);
+        }
+        let found = excess.reaches(0.0, first).or_else(|_| excess.reaches(-allowed, first));
+        let part = part(found.ok()?);
         let (_, turn) = self.reaction(link, link.place, part)?;
         Some(Some(Link { part, turn, ..link }))
     }

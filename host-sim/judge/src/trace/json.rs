@@ -28,6 +28,7 @@ struct Object<'a> {
     events: Vec<Cow<'a, str>>,
     #[serde(borrow)]
     status: Cow<'a, str>,
+    behind: Option<f64>,
 }
 
 #[derive(Deserialize)]
@@ -118,6 +119,7 @@ fn frame(text: &[u8], names: &Names) -> Result<Frame, String> {
         slips: object.slips,
         events: events.collect::<Result<_, String>>()?,
         status: status(&object.status)?,
+        behind: object.behind,
     })
 }
 

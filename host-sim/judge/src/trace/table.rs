@@ -21,6 +21,7 @@ type Column = Option<usize>;
 struct Columns {
     scalars: HashMap<&'static str, usize>,
     depth: Column,
+    behind: Column,
     count: Column,
     contacts: [Option<Places>; CONTACTS],
 }
@@ -104,6 +105,7 @@ impl Rows {
         let mut columns = Columns {
             scalars: HashMap::new(),
             depth: find("depth"),
+            behind: find("behind"),
             count: find("contacts"),
             contacts: [const { None }; CONTACTS],
         };
@@ -209,6 +211,10 @@ impl Columns {
                 .map(event)
                 .collect::<Result<_, _>>()?,
             status: status(text("status"))?,
+            behind: (self.behind.and_then(|i| row.get(i)))
+                .filter(|field| !field.is_empty())
+                .map(|field| number("behind", field))
+                .transpose()?,
         })
     }
 }

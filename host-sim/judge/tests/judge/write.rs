@@ -35,6 +35,7 @@ pub(crate) fn frame(t: f64, hand: [f64; 3], pose: [f64; 3]) -> Frame {
         slips: 0,
         events: Vec::new(),
         status: Status::Ok,
+        behind: None,
     }
 }
 

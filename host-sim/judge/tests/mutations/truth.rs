@@ -137,6 +137,7 @@ fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
         slips: output.slips,
         events: output.events().iter().map(event).collect(),
         status: Status::named(output.status.name()).expect("a status"),
+        behind: None,
     }
 }
 

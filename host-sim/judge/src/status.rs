@@ -1,0 +1,68 @@
+//! What a status excuses, and whether its frame bears it out.
+//!
+//! * `held-last` and `saturated`: the hand's sample was not used, so the record is that of the frame before but for its time.
+//! * `event-limit`: there are as many events as that. The frame is in balance, and judged as any other.
+//! * `behind`: the part of the hand's way that is left is told.
+//! * `jammed` and `ambiguous`: see [`of_balance`].
+//! * `iteration-limit` and `twist` excuse nothing.
+
+use crate::bearing::Bearing;
+use crate::finding::Bounds;
+use crate::frame::{Event, Frame, State, Status};
+use crate::model::{Grip, LIMIT, Model};
+use crate::slip::{EVENTS, Step};
+use crate::touch::Face;
+use crate::yielding::can_move;
+
+/// At least so many slips fit into a frame before `event-limit`.
+const SLIPS: u32 = 100;
+
+/// A status alone, and with the frame before.
+pub(crate) fn told(last: Option<&Frame>, next: &Frame) -> bool {
+    let left = next.behind.is_some_and(|part| part > 0.0 && part <= 1.0);
+    match next.status {
+        Status::HeldLast | Status::Saturated => last.is_none_or(|last| repeats(last, next)),
+        Status::EventLimit => next.slips >= SLIPS || next.events.len() >= EVENTS,
+        Status::Behind => left,
+        _ => true,
+    }
+}
+
+/// But for the time, and a hand that lets go.
+fn repeats(last: &Frame, next: &Frame) -> bool {
+    let lets_go = next.events == [Event::Release];
+    let same_forces = next.wrench == last.wrench && next.contacts == last.contacts;
+    next.hand == last.hand
+        && next.pose == last.pose
+        && next.has_contacts_of(last)
+        && (lets_go || (same_forces && next.events.is_empty() && next.slips == 0))
+}
+
+/// A body that is told to be out of balance could neither stay in balance nor move. `None` where nothing of the kind is told.
+pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
+    let next = step.next;
+    match next.status {
+        Status::Ambiguous => {}
+        _ => return None,
+    }
+    if !next.complete || !next.held {
+        return None;
+    }
+    Some(is_stuck(step.model, step.bounds, step.grip, next))
+}
+
+/// No reactions within friction bear the load of a body with several contacts, and no motion follows it; or motions have followed one
+/// another without an end.
+fn is_stuck(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> bool {
+    let several = matches!(frame.state, State::TwoVertex | State::Locked | State::Corner);
+    let mu: fn(&Face) -> f64 = if frame.tells_slides() {
+        |face| face.friction_dynamic
+    } else {
+        |face| face.friction_static
+    };
+    let contacts = Bearing::new(model, bounds, grip, frame, mu);
+    let limit = LIMIT * model.unit_force();
+    let goes_round = frame.events.len() >= EVENTS;
+    let stays = goes_round || (several && !can_move(model, grip, frame));
+    stays && !contacts.bears(frame.hand, bounds.slip, limit)
+}
