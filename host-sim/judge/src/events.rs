@@ -94,7 +94,8 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     let mut stages = vec![(last.state, last.slides())];
     for (i, &event) in next.events.iter().enumerate() {
         // What slides slips where the hand jumps, as it does after the first event of a frame, or at an end of a side.
-        let jumps = among_obstacles || (evolution == Evolution::Frame && i > 0);
+        let passed = among_obstacles && (i > 0 || !next.has_contacts_of(last));
+        let jumps = passed || (evolution == Evolution::Frame && i > 0);
         let passes = among_obstacles && next.events.len() > 1;
         let mut reached: Vec<Stage> = Vec::new();
         let mut ahead = stages;
@@ -112,7 +113,7 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     stages.contains(&(next.state, next.slides()))
 }
 
-/// The stages to which an event leads from one. What comes or goes may begin a slide or end it.
+/// The stages to which an event leads from one. What comes or goes may end a slide.
 fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
     use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
     let glides = matches!(state, SingleVertex | Edge | TwoVertex);
@@ -134,7 +135,7 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Grasp | Event::Release, _) => return vec![(state, slides)],
         _ => &[],
     };
-    let both = |&state: &State| [(state, false), (state, true)];
+    let both = |&state: &State| [(state, false), (state, slides)];
     all.iter().flat_map(both).collect()
 }
 

@@ -148,18 +148,18 @@ pub struct Bounds {
 impl Bounds {
     /// Of a trace of f64 values.
     pub const DOUBLE: Self = Self {
-        residual: 1e-6,
-        gap: 1e-6,
-        far: false,
-        slip: 1e-9,
+        residual: 1e-9,
+        gap: 1e-9,
+        far: true,
+        slip: 1e-11,
         rounding: f64::EPSILON / 2.0,
     };
     /// Of a trace of f32 values, from a solver in f32 or fixed point.
     pub const SINGLE: Self = Self {
-        residual: 2e-3,
-        gap: 2e-5,
+        residual: 5e-4,
+        gap: 4e-6,
         far: true,
-        slip: 1e-4,
+        slip: 2e-5,
         rounding: f32::EPSILON as f64 / 2.0,
     };
 }

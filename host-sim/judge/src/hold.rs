@@ -7,11 +7,11 @@
 
 use crate::bearing::Bearing;
 use crate::finding::{Finding, law};
-use crate::frame::{Event, Frame, State, Status};
+use crate::frame::{Contact, Event, Frame, State, Status};
 use crate::model::LIMIT;
 use crate::slip::Step;
 use crate::touch::Face;
-use crate::vector::{cross, distance, dot, length, sub};
+use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 
 /// Reactions that are certainly within the limit, whether N is meant or the whole, and those that are certainly beyond, in units
 /// of it.
@@ -112,6 +112,32 @@ fn opens(step: &Step<'_>) -> bool {
     from <= to
 }
 
+/// A vertex in a corner bears what its two cones bear together, whatever its turn: it is not jammed where reactions within a limit (N) do
+/// so, nor where none do.
+fn is_wedged(step: &Step<'_>, limit: f64) -> bool {
+    let next = step.next;
+    let force = step.model.load(next.pose, next.hand, step.grip).force;
+    let edges = |mu: fn(&Face) -> f64| -> Vec<Vec2> {
+        let of = |contact: &Contact| {
+            let face = step.model.face(next.pose, contact.touch);
+            let slant = scaled(face.tangent(), mu(&face));
+            [add(face.normal, slant), sub(face.normal, slant)]
+        };
+        next.contacts.iter().flat_map(of).collect()
+    };
+    let borne = |edges: &[Vec2], limit: f64| {
+        edges.iter().any(|&a| {
+            edges.iter().any(|&b| {
+                let volume = cross(a, b);
+                let parts = [cross(b, force), -cross(a, force)].map(|part| part / volume);
+                parts.iter().all(|part| (0.0..=limit).contains(part))
+            })
+        })
+    };
+    let is_jam = |edges: Vec<Vec2>| !borne(&edges, limit) && borne(&edges, f64::MAX);
+    is_jam(edges(|face| face.friction_dynamic)) || is_jam(edges(|face| face.friction_static))
+}
+
 /// A body that is told to be jammed keeps its contacts, and they bear the load with no reactions within the limit; one that
 /// is told to be well has such reactions.
 fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
@@ -127,7 +153,8 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
         let several = matches!(next.state, State::TwoVertex | State::Locked | State::Corner);
         let of_static = bearing(|face| face.friction_static);
         let hopeless = is_fixed(next) && of_static.least(next.hand) > NEVER * limit;
-        return Some(keeps && several && !needless && !hopeless);
+        let idle_corner = next.state == State::Corner && !is_wedged(step, WITHIN * limit);
+        return Some(keeps && several && !needless && !hopeless && !idle_corner);
     }
     let load = step.model.load(next.pose, next.hand, step.grip);
     let is_large = length(load.force) > LOAD * step.model.unit_force();

@@ -1,6 +1,6 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
-use crate::events;
+use crate::events::{self, SAME};
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
@@ -239,7 +239,7 @@ impl Judge {
     fn keeps(&mut self, frame: &Frame) -> Vec<Finding> {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
         let is_quiet = !frame.events.iter().any(moves);
-        let scale = self.model.length_scale(frame, &self.bounds);
+        let scale = self.model.reach(frame);
         let [mut strayed, mut receded]: [Option<f64>; 2] = [None; 2];
         let mut anchors = Vec::with_capacity(frame.contacts.len());
         for contact in &frame.contacts {
@@ -271,7 +271,7 @@ impl Judge {
             anchors.push(anchor);
         }
         self.anchors = anchors;
-        let allowed = 2.0 * self.bounds.gap;
+        let allowed = SAME * self.bounds.rounding;
         let finding = |law, way: f64| Finding::new(law, way / scale, allowed);
         (strayed.map(|way| finding(law::STICKS, way)).into_iter())
             .chain(receded.map(|way| finding(law::FORWARD, way)))

@@ -111,15 +111,16 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         pulling = pulling.max(-contact.normal);
     }
     let [fx, fy, told] = frame.wrench;
-    let wrench = (distance([fx, fy], springs.force) / scale.force)
-        .max((told - springs.moment).abs() / (scale.moment * model.size));
+    let exact = model.exactness(frame, grip, bounds.rounding);
+    let wrench = (distance([fx, fy], springs.force) / exact.force)
+        .max((told - springs.moment).abs() / exact.moment);
     // Two reactions and more share a load whose moment decides between them.
     let of_reaction = if frame.contacts.len() > 1 {
         scale.moment
     } else {
         scale.force
     };
-    let mut findings = vec![(law::WRENCH, wrench)];
+    let mut findings = Vec::new();
     if !frame.contacts.is_empty() {
         findings.push((law::CONE, outside / of_reaction));
         findings.push((law::PUSH, pulling / of_reaction));
@@ -129,7 +130,10 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         findings.push((law::MOMENTS, moment.abs() / (scale.moment * model.size)));
     }
     let finding = |(law, residual)| Finding::new(law, residual, bounds.residual);
-    findings.into_iter().map(finding).collect()
+    let of_springs = Finding::new(law::WRENCH, wrench, 1.0);
+    (findings.into_iter().map(finding))
+        .chain([of_springs])
+        .collect()
 }
 
 /// No hand, no wrench.

@@ -26,7 +26,7 @@ pub(crate) struct Mutant {
 }
 
 /// Frames that are looked at after a fault.
-const TAIL: usize = 40;
+const TAIL: usize = 60;
 /// Places of a trace at which a fault is made.
 const PLACES: usize = 2;
 
@@ -352,7 +352,7 @@ impl Maker<'_> {
 
     fn statuses(&mut self) {
         let busy = |frames: &[Frame], i: usize| {
-            let ahead = &frames[i..frames.len().min(i + TAIL)];
+            let ahead = &frames[i..frames.len().min(i + TAIL / 2)];
             is_quiet(frames, i)
                 && !frames[i].contacts.is_empty()
                 && ahead.iter().any(|frame| !frame.events.is_empty())
