@@ -1,15 +1,19 @@
-//! `stiction check`: whether a trace obeys every law, from nothing but the scene and the trace; the judge knows nothing of the
-//! solver.
+//! `stiction check`: whether a trace obeys every law, from nothing but the scene, the trace and the hand's path; the judge knows
+//! nothing of the solver.
 
+mod hand;
+
+use std::collections::BTreeMap;
+use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_judge::{Bounds, InputError, Judge, Scene, Survey, Trace};
+use stiction_judge::{Bounds, InputError, Judge, Scene, Status, Survey, Trace};
 
 use crate::number::Number;
-use crate::options::evolution_parser;
+use crate::options::{evolution_parser, parse_rate};
 use crate::report;
 use crate::scenes;
 
@@ -28,6 +32,12 @@ pub struct CheckArgs {
     /// its end
     #[arg(long, default_value = "path", value_parser = evolution_parser())]
     evolution: Evolution,
+    /// Hand path (csv, tum, txt) that the trace's hand has to be, instead of the one in the scene file; none: it is not compared
+    #[arg(long, value_name = "FILE")]
+    hand: Option<PathBuf>,
+    /// Hand frames per second, instead of the rate in the scene file
+    #[arg(long, value_name = "HZ", value_parser = parse_rate)]
+    rate: Option<f64>,
     /// So many of the worst frames are listed
     #[arg(long, value_name = "N", default_value_t = 10)]
     worst: usize,
@@ -36,28 +46,61 @@ pub struct CheckArgs {
     quiet: bool,
 }
 
+/// What a report says besides the laws.
+#[derive(Clone, Debug, Default)]
+pub struct Notes {
+    /// Frames without all contacts.
+    pub incomplete: u64,
+    /// Frames by what limited them, but for `ok`.
+    pub statuses: BTreeMap<Status, u64>,
+    /// About the hand's path.
+    pub hand: Option<String>,
+}
+
+impl Notes {
+    fn add(&mut self, frame: &stiction_judge::Frame) {
+        self.incomplete += u64::from(!frame.complete);
+        if frame.status != Status::Ok {
+            *self.statuses.entry(frame.status).or_default() += 1;
+        }
+    }
+}
+
 /// Judges a trace and prints a report; false where a frame breaks a law.
 ///
 /// # Errors
-/// Scene or trace cannot be used, or the trace is empty.
-pub fn check(args: &CheckArgs) -> Result<bool, InputError> {
+/// Scene, trace or the hand's path cannot be used, or the trace is empty.
+pub fn check(args: &CheckArgs) -> Result<bool, Box<dyn Error>> {
     let scene = open_scene(&args.scene)?;
     let frames = Trace::open(&args.trace, &scene)?;
+    let path = hand::given(&args.scene, args.number, (args.hand.as_ref(), args.rate))?;
+    let mut samples = path.as_ref().ok().map(|(path, rate)| path.frames(*rate));
     let mut judged = judge(scene, args.number, args.evolution);
     let mut survey = Survey::new(args.worst);
-    let mut incomplete = 0;
+    let mut notes = Notes::default();
     for frame in frames {
         let (line, frame) = frame?;
         let t = frame.t;
-        incomplete += u64::from(!frame.complete);
-        survey.add(line, t, &judged.next(frame));
+        notes.add(&frame);
+        let of_hand = (samples.as_mut())
+            .map(|samples| hand::finding(samples.next(), &frame, judged.bounds()));
+        let mut findings = judged.next(frame);
+        findings.extend(of_hand);
+        survey.add(line, t, &findings);
     }
     if survey.frames == 0 {
         let problem = "there is no record in it, allowed: at least one";
-        return Err(InputError::of_file(&args.trace, problem));
+        return Err(InputError::of_file(&args.trace, problem).into());
     }
+    notes.hand = match (&path, samples.map(|samples| samples.len())) {
+        (Err(why), _) => Some(format!("the hand was not compared with a path: {why}")),
+        (Ok(_), Some(left)) if left > 0 => Some(format!(
+            "the hand's path has {left} more samples than the trace"
+        )),
+        _ => None,
+    };
     if !args.quiet {
-        report::print(&verdict(&survey, incomplete));
+        report::print(&verdict(&survey, &notes));
     }
     Ok(survey.is_lawful())
 }
@@ -87,8 +130,8 @@ fn open_scene(name: &Path) -> Result<Scene, InputError> {
     }
 }
 
-/// The report: every law, then the worst frames.
-pub fn verdict(survey: &Survey, incomplete: u64) -> String {
+/// The report: every law, what limited frames, then the worst frames.
+pub fn verdict(survey: &Survey, notes: &Notes) -> String {
     let mut text = format!(
         "{} frames, {} unlawful\n\n  {:<45}{:>10}{:>10}{:>14}{:>10}\n",
         survey.frames, survey.unlawful, "law", "frames", "broken", "worst/allowed", "line"
@@ -102,6 +145,13 @@ pub fn verdict(survey: &Survey, incomplete: u64) -> String {
             "  {name:<45}{frames:>10}{broken:>10}{severity:>14.2e}{line:>10}"
         );
     }
+    for (status, frames) in &notes.statuses {
+        let _ = writeln!(text, "\n{frames} frames are {}", status.name());
+    }
+    if let Some(hand) = &notes.hand {
+        let _ = writeln!(text, "\n{hand}");
+    }
+    let incomplete = notes.incomplete;
     if incomplete > 0 {
         let _ = writeln!(
             text,

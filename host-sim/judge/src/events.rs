@@ -27,11 +27,13 @@ pub(crate) fn findings(
     evolution: Evolution,
     (last, next): (&Frame, &Frame),
 ) -> Vec<Finding> {
-    let whether = |law: &'static str, holds: Option<bool>| {
-        holds.map(|holds| Finding::whether(law, holds))
-    };
+    let whether =
+        |law: &'static str, holds: Option<bool>| holds.map(|holds| Finding::whether(law, holds));
     let all = [
-        whether(law::COME_AND_GO, is_accounted(model, evolution, (last, next))),
+        whether(
+            law::COME_AND_GO,
+            is_accounted(model, evolution, (last, next)),
+        ),
         whether(law::SLIPS, are_counted(next)),
         whether(law::MOVES, moves(model, bounds, last, next)),
     ];
@@ -53,7 +55,9 @@ fn passes_on(model: &Model, last: &Frame, next: &Frame) -> bool {
     let glides = |event: &Event| matches!(event, Event::Slip | Event::Slide | Event::Stop);
     let moves = last.slides() || next.slides() || next.events.iter().any(glides);
     // Flat on a side a contact ends elsewhere as another one comes or goes.
-    let is_locked = [last, next].iter().any(|frame| frame.state == State::Locked);
+    let is_locked = [last, next]
+        .iter()
+        .any(|frame| frame.state == State::Locked);
     !model.scene.obstacles.is_empty() && (moves || (is_locked && !next.events.is_empty()))
 }
 
@@ -78,8 +82,14 @@ fn is_accounted(
             _ => false,
         }
     } else {
-        let comes = !next.contacts.iter().all(|c| last.contact(c.touch).is_some());
-        let goes = !last.contacts.iter().all(|c| next.contact(c.touch).is_some());
+        let comes = !next
+            .contacts
+            .iter()
+            .all(|c| last.contact(c.touch).is_some());
+        let goes = !last
+            .contacts
+            .iter()
+            .all(|c| next.contact(c.touch).is_some());
         (comes, goes) == (brings, takes) || (brings && takes)
     };
     Some(sets && leads(model, evolution, last, next))
@@ -141,7 +151,11 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
 
 /// `slips` is not less than what `events` tells of, and none without the other.
 fn are_counted(next: &Frame) -> Option<bool> {
-    let runs = next.events.iter().filter(|&&event| event == Event::Slip).count();
+    let runs = next
+        .events
+        .iter()
+        .filter(|&&event| event == Event::Slip)
+        .count();
     if next.events.len() >= EVENTS {
         return None;
     }
@@ -151,7 +165,9 @@ fn are_counted(next: &Frame) -> Option<bool> {
 /// The body is where it was to a few roundings, in places and angle.
 pub(crate) fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool {
     let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
-    let ways = placed(model, last.pose).into_iter().zip(placed(model, next.pose));
+    let ways = placed(model, last.pose)
+        .into_iter()
+        .zip(placed(model, next.pose));
     ways.map(|(a, b)| distance(a, b)).fold(0.0, f64::max) <= same
         && model.size * (next.pose[2] - last.pose[2]).abs() <= same
 }
@@ -168,10 +184,17 @@ fn moves(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> Option<b
     let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
     let stays = |contact: &Contact| {
         let before = last.contact(contact.touch);
-        let way = before.map(|before| sub(model.mark(next.pose, contact), model.mark(last.pose, before)));
+        let way = before.map(|before| {
+            sub(
+                model.mark(next.pose, contact),
+                model.mark(last.pose, before),
+            )
+        });
         way.is_some_and(|way| length(way) <= same)
     };
-    let slips_alone = told.iter().all(|event| matches!(event, Event::Slip | Event::Snap));
+    let slips_alone = told
+        .iter()
+        .all(|event| matches!(event, Event::Slip | Event::Snap));
     if slips_alone && told.contains(&Event::Slip) && next.contacts.iter().all(stays) {
         return Some(false);
     }
@@ -189,7 +212,10 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
         _ => return None,
     };
     let is_usable = |frame: &Frame| frame.held && frame.complete;
-    if !next.has_contacts_of(last) || last.state != next.state || ![last, next].into_iter().all(is_usable) {
+    if !next.has_contacts_of(last)
+        || last.state != next.state
+        || ![last, next].into_iter().all(is_usable)
+    {
         return None;
     }
     let contact = match next.state {

@@ -49,6 +49,8 @@ pub mod law {
     pub const HOLD: &str = "grasp and release are told";
     /// A contact is where it came to, as long as nothing happens.
     pub const STICKS: &str = "a contact that sticks stays";
+    /// The hand is that of the path that it is said to have followed; of traces whose path is given.
+    pub const HAND: &str = "the hand is that of its path";
     /// Contacts come and go with the events that say so, and with no other one but at an end of a side.
     pub const COME_AND_GO: &str = "contacts come and go as is told";
     /// What a status excuses is there to be seen: a frame that repeats the one before, so many events, a part of the way that is left, a
@@ -132,7 +134,8 @@ pub struct Bounds {
     /// Forces and reactions, relative to the largest force in the frame, moments to that force × L; none finer than 64
     /// roundings of coordinate × stiffness, moments than these times the lever of the hand.
     pub residual: f64,
-    /// Gaps and places, relative to L; none finer than 64 roundings of the farthest coordinate.
+    /// Gaps and places, relative to L; none finer than 64 roundings of the farthest coordinate. Contacts that close together may be
+    /// apart by 1e-10 L, in single numbers by 2^-19 L (STATICS 7).
     pub gap: f64,
     /// They are relative to the farthest coordinate, or L × theta, where that is more than L.
     pub far: bool,

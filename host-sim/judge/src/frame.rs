@@ -12,6 +12,13 @@ macro_rules! named {
             /// All names in a trace.
             pub(crate) const NAMES: &[&str] = &[$($name),*];
 
+            /// Its name in a trace.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name),*
+                }
+            }
+
             /// By its name in a trace.
             pub fn named(name: &str) -> Option<Self> {
                 match name {

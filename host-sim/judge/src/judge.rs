@@ -61,6 +61,11 @@ impl Judge {
         }
     }
 
+    /// What is allowed.
+    pub const fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
     /// The laws of a frame alone, of a body that is held at the scene's holding point for the first time, or not at all.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
         if let Some(unknown) = still::unknown(&self.model, frame) {
@@ -110,7 +115,9 @@ impl Judge {
             if !self.unbalanced {
                 findings.extend(slip::findings(&step));
             }
-            findings.extend(status::of_balance(&step).map(|holds| Finding::whether(law::STATUS, holds)));
+            findings.extend(
+                status::of_balance(&step).map(|holds| Finding::whether(law::STATUS, holds)),
+            );
             findings.extend(events::snaps(&step).map(|holds| Finding::whether(law::SNAPS, holds)));
             findings.extend(slide::findings(&step));
             findings.extend(hold::findings(&step));

@@ -13,10 +13,31 @@
 //!
 //! [`law`] has the name and the statement of every law, [`Bounds`] what is allowed. STATICS is `core/STATICS.md`.
 //!
-//! What a frame that is not `ok` promises is what it is judged by: `event-limit` is in balance all the same; `ambiguous` is out of
-//! balance, and nothing moves; nor does it where a body is `jammed`, but that it may turn about a corner; `saturated` and `held-last` repeat the pose of the frame
-//! before; `twist` is in balance with the hand that is told; `behind` with one that is not. `iteration-limit` promises no
-//! balance, but is judged as if it did: what a search left undone is to be seen.
+//! # Events
+//!
+//! * Contacts come with `touch`, `land` and `jam` and go with `lift` and `tip`, with no other event, and not without. All events of a frame,
+//!   in their order, lead from the state of the frame before to that of this one. Among obstacles a slip or slide passes contacts
+//!   on without a word, and so does what comes to lie flat; their number stays.
+//! * `slips` and `events` tell of the same slips. Slips and nothing else, of a vertex or an edge, are as many as lead from the old place
+//!   to the new one, each from where static friction gives way to the first place where |T| = mu_d N.
+//! * A body to which something is told to have happened is not where it was, to 8 roundings; nor are the contacts of a slip.
+//! * The angle of a body that turns about a contact, that slides on one, or that hangs in the air goes on along its branch, and `snap` is
+//!   told where the branch folds and nowhere else.
+//! * A slide begins at mu_d N: what bore more slips first.
+//!
+//! # Statuses
+//!
+//! A status excuses what its frame bears out. `held-last` and `saturated` repeat the record before, but for the time; `event-limit` has
+//! 100 slips or a full list of events, and is judged as any other frame; `behind` tells what is left. `iteration-limit` and `twist`
+//! excuse nothing. `ambiguous` is a body of several contacts (or one whose motions follow one another until the list of events is full) that
+//! no reactions hold and that has no motion which the load drives and no contact hinders. `jammed` needs several contacts in more than
+//! one line, a load that reactions up to half the limit do not bear and some reactions do. Out of balance nothing moves, but that a
+//! jammed body may turn about a corner.
+//!
+//! # Sticking
+//!
+//! A contact that sticks stays to 8 roundings of the farthest coordinate where it came to, over all frames until something happens: a
+//! creep counts by its sum.
 //!
 //! # Slides
 //!
@@ -68,6 +89,14 @@
 //!
 //! # What is not judged
 //!
+//! * Events that undo each other within a frame, as `touch` and `lift` of one contact, and slips, slides and snaps beside other events of
+//!   their frame, and how many there were.
+//! * `snap` of two contacts that slide, or of one that slides on a corner; `snap` of a slide where nothing holds the angle.
+//! * What happens at the very frame, within the rounding: it may be told with this frame or with the next one. So may a slip that is
+//!   shorter than what forces are known to.
+//! * What the hand did, where its path is not given: a frame that repeats the one before with `held-last` and the hand with it.
+//! * Which one of two contacts came that are next to each other on an obstacle, where a third one was passed on in the same frame.
+//! * Of a frame whose list of events is full (16): what came after.
 //! * Where a frame goes between two balances: a wrong branch of the angle in balance passes, but for a single slip of a vertex,
 //!   which must continue the branch of the frame before.
 //! * Among obstacles, which way a body went in a frame with a touch, or with a slip or slide that may have led past the end of a side:

@@ -5,7 +5,7 @@
 //! what holds for gaps. That something touches is certain only where the gap is rounding, in two frames running.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame, Status};
+use crate::frame::{Contact, Event, Frame};
 use crate::model::Model;
 use crate::pairs::Lined;
 use crate::scene::Scene;

@@ -9,7 +9,7 @@
 //! smaller of how deep it gets and how far from the end it went in.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Frame, Status};
+use crate::frame::{Contact, Event, Frame};
 use crate::model::Model;
 use crate::obstacles::{OVERLAP, placed};
 use crate::onset::Way;

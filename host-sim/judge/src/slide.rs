@@ -4,7 +4,7 @@
 //! that sticks may move. Signs of velocities count where these are larger than what the trace's places leave open.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
+use crate::frame::{Contact, Event, Evolution, Frame, State};
 use crate::model::{Grip, Model};
 use crate::slip::{EVENTS, Step, drive, static_excess};
 use crate::vector::{Vec3, cross, cross3, dot3, length3, sub};

@@ -11,7 +11,7 @@
 //! that is a point; where it is met at a grazing angle, what is not known about tau is not held against the trace.
 
 use crate::finding::{Bounds, Finding, law};
-use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
+use crate::frame::{Contact, Event, Evolution, Frame, State};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
@@ -48,7 +48,9 @@ pub(crate) fn findings(step: &Step<'_>) -> Vec<Finding> {
     if step.goes_on() {
         return step.single(|finding| finding.law == law::SLIP_BEGINS);
     }
-    let counted = step.counted().map(|holds| Finding::whether(law::SLIPS, holds));
+    let counted = step
+        .counted()
+        .map(|holds| Finding::whether(law::SLIPS, holds));
     step.last_of_several().into_iter().chain(counted).collect()
 }
 

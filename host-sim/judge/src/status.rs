@@ -54,7 +54,10 @@ pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
 /// No reactions within friction bear the load of a body with several contacts, and no motion follows it; or motions have followed one
 /// another without an end.
 fn is_stuck(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> bool {
-    let several = matches!(frame.state, State::TwoVertex | State::Locked | State::Corner);
+    let several = matches!(
+        frame.state,
+        State::TwoVertex | State::Locked | State::Corner
+    );
     let mu: fn(&Face) -> f64 = if frame.tells_slides() {
         |face| face.friction_dynamic
     } else {

@@ -56,9 +56,15 @@ impl Body {
         let all = 0..self.contacts.len();
         let signs = [1.0, -1.0];
         self.opens(&[], self.load)
-            || all.clone().any(|i| self.turns(i) || signs.iter().any(|&sign| self.slides(i, sign)))
+            || all
+                .clone()
+                .any(|i| self.turns(i) || signs.iter().any(|&sign| self.slides(i, sign)))
             || all.clone().any(|i| {
-                (0..i).any(|j| signs.iter().any(|&a| signs.iter().any(|&b| self.both([(i, a), (j, b)]))))
+                (0..i).any(|j| {
+                    signs
+                        .iter()
+                        .any(|&a| signs.iter().any(|&b| self.both([(i, a), (j, b)])))
+                })
             })
     }
 
@@ -96,7 +102,11 @@ impl Body {
 
     /// The edge of the cone of a contact that slides along sign·t.
     fn edge(&self, i: usize, sign: f64) -> Vec3 {
-        let Contact { normal, tangent, friction } = &self.contacts[i];
+        let Contact {
+            normal,
+            tangent,
+            friction,
+        } = &self.contacts[i];
         std::array::from_fn(|k| normal[k] - sign * friction * tangent[k])
     }
 
@@ -113,7 +123,11 @@ impl Body {
 
     /// About a contact that sticks.
     fn turns(&self, i: usize) -> bool {
-        let Contact { normal, tangent, friction } = &self.contacts[i];
+        let Contact {
+            normal,
+            tangent,
+            friction,
+        } = &self.contacts[i];
         let Some([force, rub]) = self.closing([(*normal, *normal), (*tangent, *tangent)]) else {
             return false;
         };

@@ -90,7 +90,9 @@ impl Chain<'_> {
         if link.place >= 1.0 && excess.reaches(allowed, first).is_err() {
             return Some(None);
         }
-        let found = excess.reaches(0.0, first).or_else(|_| excess.reaches(-allowed, first));
+        let found = excess
+            .reaches(0.0, first)
+            .or_else(|_| excess.reaches(-allowed, first));
         let part = part(found.ok()?);
         let (_, turn) = self.reaction(link, link.place, part)?;
         Some(Some(Link { part, turn, ..link }))
@@ -101,7 +103,14 @@ impl Chain<'_> {
         let along = |from: Link, place: f64| {
             let (reaction, turn) = self.reaction(from, place, begin.part)?;
             let driven = drive(reaction, self.face.friction_dynamic, self.sign);
-            Some((driven, Link { place, turn, ..begin }))
+            Some((
+                driven,
+                Link {
+                    place,
+                    turn,
+                    ..begin
+                },
+            ))
         };
         let allowed = self.step.allowed(false);
         let mut last = begin;

@@ -116,9 +116,14 @@ impl Maker<'_> {
         }
         for at in self.places(|frames, i| frames[i].slips > 1) {
             for by in [-1_i32, 1] {
-                self.add(Of::Events, &format!("{by:+} slips of several"), at, |tail| {
-                    tail[0].slips = tail[0].slips.saturating_add_signed(by);
-                });
+                self.add(
+                    Of::Events,
+                    &format!("{by:+} slips of several"),
+                    at,
+                    |tail| {
+                        tail[0].slips = tail[0].slips.saturating_add_signed(by);
+                    },
+                );
             }
         }
     }
@@ -137,13 +142,23 @@ impl Maker<'_> {
                 },
             );
         }
-        self.add(Of::Events, &format!("a slip counted in {how}{state:?}"), at, |tail| {
-            tail[0].slips = 1;
-        });
-        self.add(Of::Events, &format!("a contact gone in {how}{state:?}"), at, |tail| {
-            tail[0].contacts.pop();
-            tail[0].state = by_count(&tail[0]);
-        });
+        self.add(
+            Of::Events,
+            &format!("a slip counted in {how}{state:?}"),
+            at,
+            |tail| {
+                tail[0].slips = 1;
+            },
+        );
+        self.add(
+            Of::Events,
+            &format!("a contact gone in {how}{state:?}"),
+            at,
+            |tail| {
+                tail[0].contacts.pop();
+                tail[0].state = by_count(&tail[0]);
+            },
+        );
     }
 
     /// What is told of an event differs.
@@ -155,11 +170,16 @@ impl Maker<'_> {
                 tail[0].slips = 0;
             }
         });
-        self.add(Of::Events, &format!("frame of {name} repeated 1 ns later"), at, |tail| {
-            let mut again = tail[0].clone();
-            again.t += 1e-9;
-            tail.insert(1, again);
-        });
+        self.add(
+            Of::Events,
+            &format!("frame of {name} repeated 1 ns later"),
+            at,
+            |tail| {
+                let mut again = tail[0].clone();
+                again.t += 1e-9;
+                tail.insert(1, again);
+            },
+        );
         let other = match event {
             Event::Touch => Event::Land,
             Event::Land => Event::Touch,
@@ -171,35 +191,57 @@ impl Maker<'_> {
             Event::Snap => Event::Tip,
             _ => return,
         };
-        self.add(Of::Events, &format!("{name} called {other:?}"), at, |tail| {
-            for told in tail[0].events.iter_mut().filter(|told| **told == event) {
-                *told = other;
-            }
-        });
+        self.add(
+            Of::Events,
+            &format!("{name} called {other:?}"),
+            at,
+            |tail| {
+                for told in tail[0].events.iter_mut().filter(|told| **told == event) {
+                    *told = other;
+                }
+            },
+        );
         if event == Event::Slip {
-            self.add(Of::Events, "slips not counted", at, |tail| tail[0].slips = 0);
+            self.add(Of::Events, "slips not counted", at, |tail| {
+                tail[0].slips = 0
+            });
         }
     }
 
     /// The one event of a frame is told at another time, or differently counted.
     fn moved_event(&mut self, at: usize, event: Event) {
-        self.add(Of::Events, &format!("{event:?} told a frame late"), at, |tail| {
-            let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
-            tail[0].slips = 0;
-            tail[1].events.splice(0..0, events);
-            tail[1].slips += slips;
-        });
-        self.add(Of::Events, &format!("{event:?} told a frame early"), at - 1, |tail| {
-            let (events, slips) = (std::mem::take(&mut tail[1].events), tail[1].slips);
-            tail[1].slips = 0;
-            tail[0].events.extend(events);
-            tail[0].slips += slips;
-        });
+        self.add(
+            Of::Events,
+            &format!("{event:?} told a frame late"),
+            at,
+            |tail| {
+                let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
+                tail[0].slips = 0;
+                tail[1].events.splice(0..0, events);
+                tail[1].slips += slips;
+            },
+        );
+        self.add(
+            Of::Events,
+            &format!("{event:?} told a frame early"),
+            at - 1,
+            |tail| {
+                let (events, slips) = (std::mem::take(&mut tail[1].events), tail[1].slips);
+                tail[1].slips = 0;
+                tail[0].events.extend(events);
+                tail[0].slips += slips;
+            },
+        );
         if event == Event::Slip && self.truth.frames[at].slips == 1 {
             for count in [2, 3] {
-                self.add(Of::Events, &format!("1 slip counted as {count}"), at, |tail| {
-                    tail[0].slips = count;
-                });
+                self.add(
+                    Of::Events,
+                    &format!("1 slip counted as {count}"),
+                    at,
+                    |tail| {
+                        tail[0].slips = count;
+                    },
+                );
             }
             self.add(Of::Events, "slip called a slide", at, |tail| {
                 (tail[0].slips, tail[0].events) = (0, vec![Event::Slide, Event::Stop]);
@@ -245,14 +287,27 @@ impl Maker<'_> {
             ("forces + 0.1 %", &|frame| all(frame, 1.001)),
             ("forces - 0.1 %", &|frame| all(frame, 0.999)),
             ("N + 1 %", &|frame| frame.contacts[0].normal *= 1.01),
-            ("a wrench + 0.5 %", &|frame| frame.wrench.iter_mut().for_each(|x| *x *= 1.005)),
-            ("inside by 10⁻⁴ L", &|frame| frame.pose[1] -= 1e-4 * size),
-            ("beside by 10⁻⁴ L", &|frame| frame.pose[0] += 1e-4 * size),
+            ("a wrench + 0.5 %", &|frame| {
+                frame.wrench.iter_mut().for_each(|x| *x *= 1.005)
+            }),
+            ("inside by 10⁻⁴ L", &|frame| {
+                frame.pose[1] -= 1e-4 * size
+            }),
+            ("beside by 10⁻⁴ L", &|frame| {
+                frame.pose[0] += 1e-4 * size
+            }),
             ("turned by 10⁻⁴", &|frame| frame.pose[2] += 1e-4),
-            ("a point off by 10⁻⁵ L", &|frame| frame.contacts[0].point[0] += 1e-5 * size),
-            ("the hand off by 10⁻³ L", &|frame| frame.hand[0] += 1e-3 * size),
+            ("a point off by 10⁻⁵ L", &|frame| {
+                frame.contacts[0].point[0] += 1e-5 * size
+            }),
+            ("the hand off by 10⁻³ L", &|frame| {
+                frame.hand[0] += 1e-3 * size
+            }),
             ("a direction of friction turned", &|frame| {
-                frame.contacts.iter_mut().for_each(|c| c.friction = -c.friction);
+                frame
+                    .contacts
+                    .iter_mut()
+                    .for_each(|c| c.friction = -c.friction);
             }),
             ("a name", &|frame| {
                 frame.state = match frame.state {
@@ -268,7 +323,9 @@ impl Maker<'_> {
             }),
             ("slides told", &|frame| {
                 for contact in &mut frame.contacts {
-                    contact.sliding = contact.sliding.map(|sign| if sign == 0 { 1 } else { -sign });
+                    contact.sliding = contact
+                        .sliding
+                        .map(|sign| if sign == 0 { 1 } else { -sign });
                 }
             }),
             ("a number missing", &|frame| frame.wrench[1] = f64::NAN),
@@ -279,7 +336,9 @@ impl Maker<'_> {
         self.add(Of::Laws, "all forces + 0.1 %", at, |tail| {
             tail.iter_mut().for_each(|frame| all(frame, 1.001));
         });
-        self.add(Of::Laws, "two frames changed places", at, |tail| tail.swap(0, 1));
+        self.add(Of::Laws, "two frames changed places", at, |tail| {
+            tail.swap(0, 1)
+        });
     }
 
     /// A contact that sticks goes with the hand, by some roundings in a frame, and its springs are wound no more than before.
@@ -296,7 +355,10 @@ impl Maker<'_> {
         ] {
             let truth = self.truth;
             self.add(Of::Laws, name, at, |tail| {
-                let quiet = tail.iter().take_while(|frame| frame.events.is_empty()).count();
+                let quiet = tail
+                    .iter()
+                    .take_while(|frame| frame.events.is_empty())
+                    .count();
                 tail.truncate(quiet.max(1));
                 for (i, frame) in tail.iter_mut().enumerate() {
                     let by = step * size * (i + 1) as f64;
@@ -310,7 +372,11 @@ impl Maker<'_> {
         let truth = self.truth;
         let (last, next) = (&truth.frames[at - 1], &truth.frames[at]);
         let length = slipped(truth, last, next);
-        for (name, part) in [("0.1 % short", -1e-3), ("0.1 % long", 1e-3), ("1 % short", -1e-2)] {
+        for (name, part) in [
+            ("0.1 % short", -1e-3),
+            ("0.1 % long", 1e-3),
+            ("1 % short", -1e-2),
+        ] {
             // What cannot be told from rounding is none.
             let told = match truth.number {
                 Number::Double => 1e-9,
@@ -323,13 +389,21 @@ impl Maker<'_> {
                 tail[0] = moved(truth, &tail[0], part * length);
                 tail.truncate(1);
             });
-            self.add(Of::Laws, &format!("a slip {name}, and all after it"), at, |tail| {
-                let quiet = tail[1..].iter().take_while(|frame| frame.events.is_empty()).count();
-                tail.truncate(1 + quiet);
-                for frame in tail.iter_mut() {
-                    *frame = moved(truth, frame, part * length);
-                }
-            });
+            self.add(
+                Of::Laws,
+                &format!("a slip {name}, and all after it"),
+                at,
+                |tail| {
+                    let quiet = tail[1..]
+                        .iter()
+                        .take_while(|frame| frame.events.is_empty())
+                        .count();
+                    tail.truncate(1 + quiet);
+                    for frame in tail.iter_mut() {
+                        *frame = moved(truth, frame, part * length);
+                    }
+                },
+            );
         }
         let is_next_quiet = truth.frames[at + 1].events.is_empty();
         if is_next_quiet {
@@ -374,10 +448,15 @@ impl Maker<'_> {
                 self.excused(at, status);
             }
             for at in self.places(|frames, i| !frames[i].events.is_empty() && frames[i].held) {
-                self.add(Of::Statuses, &format!("{status:?}: nothing told"), at, |tail| {
-                    tail[0].status = status;
-                    (tail[0].events, tail[0].slips) = (Vec::new(), 0);
-                });
+                self.add(
+                    Of::Statuses,
+                    &format!("{status:?}: nothing told"),
+                    at,
+                    |tail| {
+                        tail[0].status = status;
+                        (tail[0].events, tail[0].slips) = (Vec::new(), 0);
+                    },
+                );
             }
         }
     }
@@ -392,23 +471,39 @@ impl Maker<'_> {
         let stays = |tail: &mut Vec<Frame>, springs: bool| {
             for frame in tail.iter_mut() {
                 let still = frozen(last, frame);
-                *frame = if springs { loaded(truth, &still) } else { still };
+                *frame = if springs {
+                    loaded(truth, &still)
+                } else {
+                    still
+                };
                 (frame.status, frame.events, frame.slips) = (status, Vec::new(), 0);
             }
         };
         let moves = distance(&truth.frames[at..truth.frames.len().min(at + TAIL)]);
         if moves > 1e-3 * size(&truth.scene) {
-            self.add(Of::Statuses, &format!("{status:?}: frozen"), at, |tail| stays(tail, false));
-            self.add(Of::Statuses, &format!("{status:?}: frozen, with springs"), at, |tail| {
-                stays(tail, true);
+            self.add(Of::Statuses, &format!("{status:?}: frozen"), at, |tail| {
+                stays(tail, false)
             });
+            self.add(
+                Of::Statuses,
+                &format!("{status:?}: frozen, with springs"),
+                at,
+                |tail| {
+                    stays(tail, true);
+                },
+            );
         }
         if !truth.frames[at].contacts.is_empty() {
-            self.add(Of::Statuses, &format!("{status:?}: out of balance"), at, |tail| {
-                tail[0].status = status;
-                let unit = size(&truth.scene) * truth.scene.stiffness_translation;
-                tail[0].contacts[0].normal += 0.01 * unit;
-            });
+            self.add(
+                Of::Statuses,
+                &format!("{status:?}: out of balance"),
+                at,
+                |tail| {
+                    tail[0].status = status;
+                    let unit = size(&truth.scene) * truth.scene.stiffness_translation;
+                    tail[0].contacts[0].normal += 0.01 * unit;
+                },
+            );
         }
     }
 }
@@ -416,14 +511,18 @@ impl Maker<'_> {
 /// How far the hand gets from where it is first (m).
 fn distance(frames: &[Frame]) -> f64 {
     let first = frames[0].hand;
-    let ways = frames.iter().map(|f| (f.hand[0] - first[0]).hypot(f.hand[1] - first[1]));
+    let ways = frames
+        .iter()
+        .map(|f| (f.hand[0] - first[0]).hypot(f.hand[1] - first[1]));
     ways.fold(0.0, f64::max)
 }
 
 /// Nothing happens, as before and after.
 fn is_quiet(frames: &[Frame], i: usize) -> bool {
     let quiet = |frame: &Frame| frame.events.is_empty() && frame.held && frame.status == Status::Ok;
-    quiet(&frames[i - 1]) && quiet(&frames[i]) && quiet(&frames[i + 1])
+    quiet(&frames[i - 1])
+        && quiet(&frames[i])
+        && quiet(&frames[i + 1])
         && is_still_there(&frames[i - 1], &frames[i])
 }
 

@@ -17,7 +17,10 @@ pub(crate) fn verdicts(truth: &Truth) -> Vec<(Mutant, Vec<&'static str>)> {
             judged += 1;
         }
         let mut judge = judge.clone();
-        let findings = mutant.frames.iter().flat_map(|frame| judge.next(frame.clone()));
+        let findings = mutant
+            .frames
+            .iter()
+            .flat_map(|frame| judge.next(frame.clone()));
         let mut broken: Vec<_> = findings.filter(|f| !f.holds()).map(|f| f.law).collect();
         broken.sort_unstable();
         broken.dedup();

@@ -13,9 +13,16 @@ pub(crate) fn bundled() -> Vec<(String, String)> {
     let files = fs::read_dir(folder).expect("the scenes");
     let files = files.map(|entry| entry.expect("a file").path());
     let mut scenes: Vec<_> = files
-        .filter(|file| file.extension().is_some_and(|extension| extension == "toml"))
+        .filter(|file| {
+            file.extension()
+                .is_some_and(|extension| extension == "toml")
+        })
         .map(|file| {
-            let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
+            let name = file
+                .file_stem()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned();
             (name, fs::read_to_string(&file).expect("a scene"))
         })
         .collect();

@@ -89,7 +89,11 @@ fn of_model<R: Real<Si: SiFloat + Display>, M: HostModel>(
                 output
             }
         };
-        told::<R, M>(sample.t, (&solver, state.as_ref().expect("one"), &output), indices.as_ref())
+        told::<R, M>(
+            sample.t,
+            (&solver, state.as_ref().expect("one"), &output),
+            indices.as_ref(),
+        )
     };
     path.frames(file.hand.rate).map(frame).collect()
 }
@@ -131,7 +135,9 @@ fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
         pose: placed(output.position, output.angle.radians()),
         depth: printed(output.depth),
         state: stiction_judge::State::named(output.state.name()).expect("a state"),
-        contacts: (solver.contacts(state).iter().enumerate()).map(contact).collect(),
+        contacts: (solver.contacts(state).iter().enumerate())
+            .map(contact)
+            .collect(),
         complete: true,
         wrench: placed(wrench.force, wrench.moment),
         slips: output.slips,
