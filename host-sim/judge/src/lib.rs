@@ -97,8 +97,8 @@
 //! * What the hand did, where its path is not given: a frame that repeats the one before with `held-last` and the hand with it.
 //! * Which one of two contacts came that are next to each other on an obstacle, where a third one was passed on in the same frame.
 //! * Of a frame whose list of events is full (16): what came after.
-//! * Where a frame goes between two balances: a wrong branch of the angle in balance passes, but for a single slip of a vertex,
-//!   which must continue the branch of the frame before.
+//! * Where a frame with events goes between two balances: a wrong branch of the angle in balance passes, but for a single slip of a
+//!   vertex, which must continue the branch of the frame before.
 //! * Among obstacles, which way a body went in a frame with a touch, or with a slip or slide that may have led past the end of a side:
 //!   it may be on the other side of a wall. Nor where a body that slides or is held by two contacts went. What is passed through and
 //!   back within a 64th of a way. Between the pose at the start and the first record.
