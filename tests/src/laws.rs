@@ -80,6 +80,7 @@ pub fn judge_of<R: Number>(setup: &Setup, evolution: Evolution) -> Judge {
         gap: R::GAP,
         far: true,
         slip: R::RESIDUAL,
+        exact: 2.0 * R::GAP,
         rounding: R::ROUNDING,
     };
     judge_within::<R>(setup, evolution, bounds)

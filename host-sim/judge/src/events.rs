@@ -18,7 +18,7 @@ use crate::touch::Touch;
 use crate::vector::{between, distance, length, sub};
 
 /// Roundings of the farthest coordinate by which places may differ that are the same.
-pub(crate) const SAME: f64 = 8.0;
+const SAME: f64 = 8.0;
 
 /// What a frame and the one before tell of events; without a hand that held in both, of contacts and slips alone.
 pub(crate) fn findings(

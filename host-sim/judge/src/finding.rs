@@ -63,6 +63,8 @@ pub mod law {
     /// The angle of a body that turns about a contact, or about the hand, goes on along its branch but for a `snap`, which is told where
     /// the branch folds.
     pub const SNAPS: &str = "a balance snaps where it folds";
+    /// The laws that ask for all events in their order.
+    pub const OF_EVENTS: &[&str] = &[COME_AND_GO, SLIPS, MOVES, SNAPS, STATUS, SLIDE_TOLD];
     /// A slip begins where the contacts at their old places can bear the load no longer.
     pub const SLIP_BEGINS: &str = "a slip begins where static friction gives way";
     /// There, at their new places, |T| = mu_d N against the motion.
@@ -144,6 +146,9 @@ pub struct Bounds {
     /// leaves only that part of (mu_s - mu_d) N. Over the scenes of `stiction trade` slips of the
     /// solver that are lawful stay below a tenth of it, or below the 64 roundings.
     pub slip: f64,
+    /// Places of contacts that stick, relative to the farthest coordinate, and half of what springs may be off, relative to coordinate ×
+    /// stiffness: a few roundings of the printed numbers.
+    pub exact: f64,
     /// Half the spacing of the trace's numbers near 1: the error of one rounding.
     pub rounding: f64,
 }
@@ -155,6 +160,7 @@ impl Bounds {
         gap: 1e-9,
         far: true,
         slip: 1e-11,
+        exact: 4.0 * f64::EPSILON,
         rounding: f64::EPSILON / 2.0,
     };
     /// Of a trace of f32 values, from a solver in f32 or fixed point.
@@ -163,6 +169,7 @@ impl Bounds {
         gap: 4e-6,
         far: true,
         slip: 2e-5,
+        exact: 4.0 * f32::EPSILON as f64,
         rounding: f32::EPSILON as f64 / 2.0,
     };
 }

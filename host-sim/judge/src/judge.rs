@@ -1,6 +1,6 @@
 //! Frame after frame: what is remembered of those before, and the laws that follow from it.
 
-use crate::events::{self, SAME};
+use crate::events;
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State, Status};
 use crate::hold;
@@ -278,7 +278,7 @@ impl Judge {
             anchors.push(anchor);
         }
         self.anchors = anchors;
-        let allowed = SAME * self.bounds.rounding;
+        let allowed = self.bounds.exact;
         let finding = |law, way: f64| Finding::new(law, way / scale, allowed);
         (strayed.map(|way| finding(law::STICKS, way)).into_iter())
             .chain(receded.map(|way| finding(law::FORWARD, way)))

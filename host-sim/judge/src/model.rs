@@ -65,9 +65,6 @@ pub(crate) struct Exactness {
     pub(crate) moment: f64,
 }
 
-/// Roundings of coordinates, angles and forces in the springs.
-const SPRINGS: f64 = 16.0;
-
 /// The memory length of a surface that gives none, and the shortest one, which 0 stands for, in units of L.
 const MEMORY: f64 = 1.0 / 4096.0;
 const SHORTEST: f64 = 1.0 / 524_288.0;
@@ -192,14 +189,14 @@ impl Model {
     }
 
     /// How exactly force (N) and moment (N·m) of the springs follow from the printed numbers.
-    pub(crate) fn exactness(&self, frame: &Frame, grip: &Grip, rounding: f64) -> Exactness {
+    pub(crate) fn exactness(&self, frame: &Frame, grip: &Grip, bounds: &Bounds) -> Exactness {
         let springs = self.springs(frame.pose, frame.hand, grip);
         let [x, y, phi] = frame.hand;
         let extent = self.reach(frame).max(x.abs()).max(y.abs());
         let turns = frame.pose[2].abs().max(phi.abs()).max(1.0);
         let force = length(springs.force) + self.scene.stiffness_translation * extent;
         let moment = springs.moment.abs() + self.scene.stiffness_rotation * turns;
-        let few = SPRINGS * rounding;
+        let few = 2.0 * bounds.exact;
         Exactness {
             force: few * force,
             moment: few * (moment + force * self.size),

@@ -111,7 +111,7 @@ pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame
         pulling = pulling.max(-contact.normal);
     }
     let [fx, fy, told] = frame.wrench;
-    let exact = model.exactness(frame, grip, bounds.rounding);
+    let exact = model.exactness(frame, grip, bounds);
     let wrench = (distance([fx, fy], springs.force) / exact.force)
         .max((told - springs.moment).abs() / exact.moment);
     // Two reactions and more share a load whose moment decides between them.

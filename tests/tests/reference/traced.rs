@@ -57,6 +57,7 @@ pub(crate) fn frame(
         } else {
             Status::Ok
         },
+        behind: None,
     };
     if let Some(last) = last {
         frame.events = events(last, &frame, body.events());
