@@ -99,17 +99,15 @@ fn places_that_are_not_those_of_the_pose_are_found() {
 
 #[test]
 fn wrong_label_and_doubled_contact_are_found() {
-    assert_eq!(
-        after(STICKS, |frame| frame.state = State::TwoVertex),
-        only(law::NAME)
-    );
+    let label = after(STICKS, |frame| frame.state = State::TwoVertex);
+    assert_eq!(label, BTreeSet::from([law::NAME, law::COME_AND_GO]));
     let twice = after(STICKS, |frame| {
         let mut second = frame.contacts[0];
         (second.normal, second.friction) = (0.0, 0.0);
         frame.contacts.push(second);
         frame.state = State::Locked;
     });
-    assert_eq!(twice, only(law::ONCE));
+    assert_eq!(twice, BTreeSet::from([law::ONCE, law::COME_AND_GO]));
 }
 
 #[test]
@@ -261,7 +259,7 @@ fn body_that_moves_by_itself_is_found() {
     };
     let released = after(RELEASED + 1, away);
     assert!(released.contains(law::RESTS), "{released:?}");
-    for status in [Status::HeldLast, Status::Saturated, Status::Ambiguous] {
+    for status in [Status::HeldLast, Status::Saturated] {
         // The frame before again: a hand that is not used, a body that nothing can balance.
         let again = |moves: bool| {
             let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
@@ -276,13 +274,13 @@ fn body_that_moves_by_itself_is_found() {
         assert_eq!(again(false), BTreeSet::new());
         assert!(again(true).contains(law::RESTS), "{status:?}");
     }
-    // Out of balance is what `ambiguous` says; nothing else may say so.
+    // Out of balance is what `ambiguous` says, but not of a body that could stay or move.
     let unbalanced = |status| {
         after(STICKS, |frame| {
             (frame.status, frame.contacts[0].normal) = (status, 0.1);
         })
     };
-    assert_eq!(unbalanced(Status::Ambiguous), BTreeSet::new());
+    assert!(unbalanced(Status::Ambiguous).contains(law::STATUS));
     assert!(unbalanced(Status::EventLimit).contains(law::FORCES));
     // As long as the hand is not used nothing changes about that.
     let mut frames = drag(LAWFUL)[..=STICKS].to_vec();
@@ -294,7 +292,7 @@ fn body_that_moves_by_itself_is_found() {
     }
     assert_eq!(
         broken(&drag_scene(), Evolution::Path, &frames),
-        BTreeSet::new()
+        only(law::STATUS)
     );
 }
 
