@@ -19,7 +19,7 @@ const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
 /// Reactions that no jam asks for, in units of the limit: such a load is not borne at all, and the body moves.
-const NEVER: f64 = 64.0;
+const NEVER: f64 = 8.0;
 
 /// A load this large (k_h L) asks for large reactions anyway, and some number types refuse it.
 const LOAD: f64 = 16.0;
