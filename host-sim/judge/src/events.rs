@@ -120,10 +120,14 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
         }
         stages = reached;
     }
-    stages.contains(&(next.state, next.slides()))
+    // Where nothing is told, slides are the concern of their own laws.
+    let is_next = |&(state, slides): &Stage| {
+        state == next.state && (next.events.is_empty() || slides == next.slides())
+    };
+    stages.iter().any(is_next)
 }
 
-/// The stages to which an event leads from one. What comes or goes may end a slide.
+/// The stages to which an event leads from one. What comes or goes may begin a slide or end it.
 fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
     use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
     let glides = matches!(state, SingleVertex | Edge | TwoVertex);
@@ -145,7 +149,7 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Grasp | Event::Release, _) => return vec![(state, slides)],
         _ => &[],
     };
-    let both = |&state: &State| [(state, false), (state, slides)];
+    let both = |&state: &State| [(state, false), (state, true)];
     all.iter().flat_map(both).collect()
 }
 

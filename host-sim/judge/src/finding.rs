@@ -159,7 +159,7 @@ impl Bounds {
         residual: 1e-9,
         gap: 1e-9,
         far: true,
-        slip: 1e-11,
+        slip: 1e-9,
         exact: 4.0 * f64::EPSILON,
         rounding: f64::EPSILON / 2.0,
     };
