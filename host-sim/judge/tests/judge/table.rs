@@ -169,7 +169,7 @@ fn names_of_two_contacts_in_one_line() {
     for frame in [BEFORE, BEYOND] {
         let mut frames = pushed();
         frames[frame].state = State::TwoVertex;
-        assert_eq!(laws(frames), BTreeSet::from([law::NAME]));
+        assert!(laws(frames).contains(law::NAME));
     }
 }
 
