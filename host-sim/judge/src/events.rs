@@ -1,8 +1,8 @@
-//! Events from frame to frame: contacts come and go as is told, what is told to move the body moves it, slips are counted, and a
+//! Events from frame to frame: contacts come and go as reported, what is reported to move the body moves it, slips are counted, and a
 //! balance snaps where its branch folds and nowhere else.
 //!
 //! **Contacts.** `touch`, `land` and `jam` bring contacts, `lift` and `tip` take some; among half-planes nothing else does. Each leads
-//! from some states to some states, and a run of equal events is told once: so all that are told lead from the state of the frame
+//! from some states to some states, and a run of equal events is reported once: so all that are reported lead from the state of the frame
 //! before to that of this one, or they are not what happened. Among obstacles a slip or slide passes contacts on without a word.
 
 use std::cmp::Ordering;
@@ -61,7 +61,7 @@ fn passes_on(model: &Model, last: &Frame, next: &Frame) -> bool {
     !model.scene.obstacles.is_empty() && (moves || (is_locked && !next.events.is_empty()))
 }
 
-/// Contacts come and go as is told. `None` where a list ends before the frame did.
+/// Contacts come and go as reported. `None` where a list ends before the frame did.
 fn is_accounted(
     model: &Model,
     evolution: Evolution,

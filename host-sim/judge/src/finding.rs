@@ -28,7 +28,7 @@ pub mod law {
     /// What touches an obstacle in two frames running is a contact.
     pub const REPORTED: &str = "what touches an obstacle is a contact";
     /// Without an event, contacts with obstacles stay, or a slide passes them on at an end of a side.
-    pub const PASSED_ON: &str = "contacts change as is told, or at an end";
+    pub const PASSED_ON: &str = "contacts change as reported, or at an end";
     /// A body whose way between two frames is known does not cross a side on it.
     pub const PASSES: &str = "nothing passes through an obstacle";
     /// Hand, weight and reactions add up to no force.
@@ -46,18 +46,18 @@ pub mod law {
     /// A body that is not held, whose hand is out of range or not finite, or that no motion can balance, is where it was.
     pub const RESTS: &str = "a body that nothing moves stays";
     /// `held` changes with the events `grasp` and `release`.
-    pub const HOLD: &str = "grasp and release are told";
+    pub const HOLD: &str = "grasp and release are reported";
     /// A contact is where it came to, as long as nothing happens.
     pub const STICKS: &str = "a contact that sticks stays";
     /// The hand is that of the path that it is said to have followed; of traces whose path is given.
     pub const HAND: &str = "the hand is that of its path";
     /// Contacts come and go with the events that say so, and with no other one but at an end of a side.
-    pub const COME_AND_GO: &str = "contacts come and go as is told";
+    pub const COME_AND_GO: &str = "contacts come and go as reported";
     /// What a status excuses is there to be seen: a frame that repeats the one before, so many events, a part of the way that is left, a
     /// load that no reactions bear and no motion follows.
     pub const STATUS: &str = "a status is borne out by its frame";
     /// `slips` and `events` tell of the same slips.
-    pub const SLIPS: &str = "slips are as many as are told";
+    pub const SLIPS: &str = "slips are as many as reported";
     /// A body to which something has happened is not where it was.
     pub const MOVES: &str = "what happens moves the body";
     /// The angle of a body that turns about a contact, or about the hand, goes on along its branch but for a `snap`, which is told where
@@ -78,7 +78,7 @@ pub mod law {
     /// A contact that slides along s t, as long as nothing else happens, does not go back.
     pub const FORWARD: &str = "a slide goes forward";
     /// A slide begins and ends with the events `slide` and `stop`, or with another one that explains it.
-    pub const SLIDE_TOLD: &str = "slide and stop are told";
+    pub const SLIDE_TOLD: &str = "slide and stop are reported";
     /// A slide sticks where N rises to N* = k_h D_c / (mu_s - mu_d).
     pub const SLIDE_STOPS: &str = "a slide stops where N reaches N*";
     /// A body whose contacts bear the load at both ends of the hand's way, and so all along it, stays where it is.

@@ -49,7 +49,7 @@
 //! * Contacts that slide together do so with the signs of one motion of the body: both vertices of an edge the same way, two on two
 //!   surfaces as the twist has it that keeps both there. A velocity that rounding may have turned fits any sign. A vertex in a
 //!   corner does not slide, nor do contacts that leave the body no motion.
-//! * `slide` and `stop` are told, or something else that explains why a slide began or ended. The last of them fits the end of the
+//! * `slide` and `stop` are reported, or something else that explains why a slide began or ended. The last of them fits the end of the
 //!   frame, and a `stop` that comes first the frame before.
 //! * On one surface a slide does not pass N* = k_h D_c / (mu_s - mu_d) from below: it sticks there (path evolution).
 //! * Contacts stick where they say so, with mu_s = mu_d, too; but for those without friction, or without force, whose body turns
@@ -85,7 +85,7 @@
 //!   farther than the body has gone.
 //! * Nothing goes through a side where its way is known: of a body in the air, with nothing told, it is that of the hand; of
 //!   one that sticks on a single contact, a turn about it. A single contact that dynamic friction holds all along the hand's way is
-//!   not left, whatever slips, slides and lifts are told.
+//!   not left, whatever slips, slides and lifts are reported.
 //!
 //! # What is not judged
 //!

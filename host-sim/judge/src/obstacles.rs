@@ -45,7 +45,7 @@ pub(crate) fn share_a_place(model: &Model, frame: &Frame) -> bool {
     })
 }
 
-/// Contacts with obstacles are on their sides, which face the body; directions that are told are the normals.
+/// Contacts with obstacles are on their sides, which face the body; directions that are reported are the normals.
 pub(crate) fn contacts(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Finding> {
     let size = model.length_scale(frame, bounds);
     let (mut beyond, mut hidden) = (0.0_f64, 0.0_f64);
