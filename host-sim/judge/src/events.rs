@@ -144,7 +144,9 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Lift, Locked) => &[NonContact, Edge, TwoVertex, Corner],
         (Event::Slide, _) if glides && !slides => return vec![(state, true)],
         (Event::Stop, _) if slides => return vec![(state, false)],
-        (Event::Slip, _) if glides && (!slides || jumps) => return vec![(state, slides)],
+        // Contacts may slide on from where a slip ended.
+        (Event::Slip, _) if glides && !slides => return vec![(state, false), (state, true)],
+        (Event::Slip, _) if glides && jumps => return vec![(state, true)],
         (Event::Snap, _) => return vec![(state, false), (state, true)],
         (Event::Grasp | Event::Release, _) => return vec![(state, slides)],
         _ => &[],
