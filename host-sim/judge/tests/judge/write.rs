@@ -158,13 +158,14 @@ fn object(scene: &Scene, frame: &Frame) -> String {
         )
     };
     let contacts: Vec<_> = frame.contacts.iter().map(contact).collect();
+    let behind = (frame.behind).map(|part| format!(r#","behind":{}"#, digits(part)));
     let events: Vec<_> = frame
         .events
         .iter()
         .map(|&e| format!("{:?}", event(e)))
         .collect();
     format!(
-        r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?},"more":1}}"#,
+        r#"{{"t":{},"hand":{},"held":{},"pose":{},"depth":{},"state":{:?},"contacts":[{}],"wrench":{},"slips":{},"events":[{}],"status":{:?}{},"more":1}}"#,
         digits(frame.t),
         list(&frame.hand),
         frame.held,
@@ -175,7 +176,8 @@ fn object(scene: &Scene, frame: &Frame) -> String {
         list(&frame.wrench),
         frame.slips,
         events.join(","),
-        status(frame.status)
+        status(frame.status),
+        behind.unwrap_or_default()
     )
 }
 
@@ -200,6 +202,8 @@ fn row(scene: &Scene, frame: &Frame, columns: &[&str]) -> String {
         events.join(" "),
         status(frame.status)
     );
+    let behind = frame.behind.map(digits).unwrap_or_default();
+    write!(row, ",{behind}").expect("a string");
     for k in 0..4 {
         for &column in columns {
             let field = |c: &Contact| field(scene, c, column);
@@ -236,7 +240,7 @@ fn field(scene: &Scene, c: &Contact, column: &str) -> String {
 
 fn header(columns: &[&str]) -> String {
     let mut header = "t,hand_x,hand_y,hand_phi,held,pose_x,pose_y,pose_theta,depth,state,wrench_x,wrench_y,wrench_moment,\
-                      slips,events,status"
+                      slips,events,status,behind"
         .to_owned();
     for k in 0..4 {
         for column in columns {
