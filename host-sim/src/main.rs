@@ -88,7 +88,7 @@ fn done(command: Command) -> ExitCode {
     let result: Result<bool, Box<dyn std::error::Error>> = match command {
         Command::Run(args) => run(&args).map(|()| true).map_err(Into::into),
         Command::Replay(args) => replay(&args).map_err(Into::into),
-        Command::Check(args) => check(&args).map_err(Into::into),
+        Command::Check(args) => check(&args),
         Command::Trade(args) => trade(&args).map(|()| true).map_err(Into::into),
         Command::Sweep(args) => sweep(&args).map_err(Into::into),
         Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
