@@ -59,6 +59,9 @@ struct Maker<'a> {
     made: Vec<Mutant>,
 }
 
+/// A change of a frame that breaks a law.
+type Fault<'a> = &'a dyn Fn(&mut Frame);
+
 impl Maker<'_> {
     /// Some frames for which something is true, spread over the trace.
     fn places(&self, is: impl Fn(&[Frame], usize) -> bool) -> Vec<usize> {
@@ -283,7 +286,7 @@ impl Maker<'_> {
                 contact.friction *= factor;
             }
         };
-        let faults: [(&str, &dyn Fn(&mut Frame)); 14] = [
+        let faults: [(&str, Fault<'_>); 14] = [
             ("forces + 0.1 %", &|frame| all(frame, 1.001)),
             ("forces - 0.1 %", &|frame| all(frame, 0.999)),
             ("N + 1 %", &|frame| frame.contacts[0].normal *= 1.01),

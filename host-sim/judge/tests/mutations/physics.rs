@@ -48,9 +48,9 @@ pub(crate) fn frozen(last: &Frame, next: &Frame) -> Frame {
 pub(crate) fn moved(truth: &Truth, frame: &Frame, by: f64) -> Frame {
     let way = tangent(truth, &frame.contacts[0]).map(|x| by * x);
     let mut frame = frame.clone();
-    for k in 0..2 {
-        frame.pose[k] += way[k];
-        frame.contacts.iter_mut().for_each(|c| c.point[k] += way[k]);
+    for (k, x) in way.into_iter().enumerate() {
+        frame.pose[k] += x;
+        frame.contacts.iter_mut().for_each(|c| c.point[k] += x);
     }
     loaded(truth, &frame)
 }
