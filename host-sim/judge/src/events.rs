@@ -148,7 +148,9 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Slip, _) if glides && !slides => return vec![(state, false), (state, true)],
         (Event::Slip, _) if glides && jumps => return vec![(state, true)],
         (Event::Snap, _) => return vec![(state, false), (state, true)],
-        (Event::Grasp | Event::Release, _) => return vec![(state, slides)],
+        (Event::Grasp, _) => return vec![(state, slides)],
+        // What is let go slides no more.
+        (Event::Release, _) => return vec![(state, slides), (state, false)],
         _ => &[],
     };
     let both = |&state: &State| [(state, false), (state, true)];
