@@ -122,22 +122,49 @@ impl<'a> Bearing<'a> {
     /// The largest N is at least this (N): infinite for a load that no reactions bear.
     pub(crate) fn least(&self, hand: [f64; 3]) -> f64 {
         let load = self.load(hand);
+        self.twists()
+            .map(|twist| self.bound(twist, load))
+            .fold(0.0, f64::max)
+    }
+
+    /// No reactions bear the load, however large: along some twist it does work that no contact takes up, whatever rounding made of
+    /// both.
+    pub(crate) fn never_bears(&self, hand: [f64; 3]) -> bool {
+        let load = self.load(hand);
+        let free = |twist: &Vec3| {
+            let taken = self.contacts.iter().map(|cone| Self::taken(cone, *twist));
+            taken.fold(f64::MIN, f64::max) <= self.unknown
+        };
+        let free: Vec<Vec3> = self.twists().filter(free).collect();
+        let opening = unit(free.iter().fold([0.0; 3], |sum, twist| plus(sum, *twist)));
+        // Of free motions all sums are free. The nearer to the one that opens all contacts, the more certainly; the farther, the more the
+        // load drives it.
+        let parts = [1.0, 0.5, 0.25, 0.125, 0.0625];
+        let sums = free
+            .iter()
+            .flat_map(|twist| parts.map(|part| unit(plus(*twist, opening.map(|x| part * x)))));
+        sums.into_iter().any(|twist| {
+            let opens = |cone: &Cone| Self::taken(cone, twist) <= -self.unknown * cone.slant;
+            dot3(twist, load) > self.blur && self.contacts.iter().all(opens)
+        })
+    }
+
+    /// Unit twists at which the work of the contacts changes its sign.
+    fn twists(&self) -> impl Iterator<Item = Vec3> {
         let lines: Vec<Vec3> = (self.contacts.iter())
             .flat_map(|cone| [cone.edges[0], cone.edges[1], cone.tangent])
             .collect();
-        let mut least = 0.0_f64;
-        for (i, a) in lines.iter().enumerate() {
-            for b in &lines[..i] {
-                let normal = cross3(*a, *b);
-                let size = length3(normal);
-                if size > 0.0 {
-                    for side in [1.0, -1.0] {
-                        least = least.max(self.bound(normal.map(|x| side * x / size), load));
-                    }
-                }
-            }
-        }
-        least
+        let pairs = (0..lines.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+        pairs
+            .map(move |(i, j)| cross3(lines[i], lines[j]))
+            .filter(|normal| length3(*normal) > 0.0)
+            .flat_map(|normal| [1.0, -1.0].map(|side| unit(normal.map(|x| side * x))))
+    }
+
+    /// The most work that a contact takes up along a unit twist, with N = 1.
+    fn taken(cone: &Cone, twist: Vec3) -> f64 {
+        let [a, b] = cone.edges.map(|edge| dot3(twist, edge));
+        -a.min(b)
     }
 
     /// What a unit twist says of the largest N.
@@ -146,10 +173,16 @@ impl<'a> Bearing<'a> {
         if work <= 0.0 {
             return 0.0;
         }
-        let slack = |cone: &Cone| {
-            let [a, b] = cone.edges.map(|edge| dot3(twist, edge));
-            (self.unknown * cone.slant - a.min(b)).max(0.0)
-        };
+        let slack = |cone: &Cone| (self.unknown * cone.slant + Self::taken(cone, twist)).max(0.0);
         work / self.contacts.iter().map(slack).sum::<f64>()
     }
+}
+
+fn plus(a: Vec3, b: Vec3) -> Vec3 {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+fn unit(a: Vec3) -> Vec3 {
+    let length = length3(a);
+    a.map(|x| x / length)
 }

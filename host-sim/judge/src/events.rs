@@ -9,10 +9,11 @@ use std::cmp::Ordering;
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State};
-use crate::model::Model;
+use crate::model::{Grip, Model};
 use crate::obstacles::placed;
 use crate::pairs::Facing;
 use crate::pin::{Foot, Pin, Spot, follow};
+use crate::slide::is_idle;
 use crate::slip::{EVENTS, Step};
 use crate::touch::Touch;
 use crate::vector::{between, distance, length, sub};
@@ -25,6 +26,7 @@ pub(crate) fn findings(
     model: &Model,
     bounds: &Bounds,
     evolution: Evolution,
+    grip: Option<&Grip>,
     (last, next): (&Frame, &Frame),
 ) -> Vec<Finding> {
     let whether =
@@ -35,7 +37,7 @@ pub(crate) fn findings(
             is_accounted(model, evolution, (last, next)),
         ),
         whether(law::SLIPS, are_counted(next)),
-        whether(law::MOVES, moves(model, bounds, last, next)),
+        whether(law::MOVES, moves(model, bounds, grip, (last, next))),
     ];
     all.into_iter().flatten().collect()
 }
@@ -180,13 +182,22 @@ pub(crate) fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Fram
         && model.size * (next.pose[2] - last.pose[2]).abs() <= same
 }
 
-/// What is told to have moved the body has, and a slip its contacts.
-fn moves(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> Option<bool> {
+/// What is told to have moved the body has, and a slip its contacts. A slip of contacts with no force but rounding is as short as that.
+fn moves(
+    model: &Model,
+    bounds: &Bounds,
+    grip: Option<&Grip>,
+    (last, next): (&Frame, &Frame),
+) -> Option<bool> {
     let is_taken = |event: &Event| matches!(event, Event::Grasp | Event::Release);
     let told: Vec<Event> = (next.events.iter().copied())
         .filter(|event| !is_taken(event))
         .collect();
     if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
+        return None;
+    }
+    let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
+    if told.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
         return None;
     }
     let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));

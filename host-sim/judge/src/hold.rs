@@ -18,9 +18,6 @@ use crate::vector::{Vec2, add, cross, distance, dot, length, scaled, sub};
 const WITHIN: f64 = 1.0 / 2.0;
 const BEYOND: f64 = 17.0 / 16.0;
 
-/// Reactions that no jam asks for, in units of the limit: such a load is not borne at all, and the body moves.
-const NEVER: f64 = 8.0;
-
 /// A load this large (k_h L) asks for large reactions anyway, and some number types refuse it.
 const LOAD: f64 = 16.0;
 
@@ -146,15 +143,17 @@ fn is_rightly_jammed(step: &Step<'_>) -> Option<bool> {
     let bearing = |mu: fn(&Face) -> f64| Bearing::new(step.model, step.bounds, step.grip, next, mu);
     if next.status == Status::Jammed {
         let keeps = !next.events.is_empty() || next.has_contacts_of(step.last);
-        let of_dynamic = bearing(|face| face.friction_dynamic);
-        let needless =
-            is_fixed(next) && of_dynamic.bears(next.hand, step.bounds.slip, WITHIN * limit);
         // In a corner the body turns on, and one of one line bears no more than its load.
         let several = matches!(next.state, State::TwoVertex | State::Locked | State::Corner);
-        let of_static = bearing(|face| face.friction_static);
-        let hopeless = is_fixed(next) && of_static.least(next.hand) > NEVER * limit;
+        let is_borne_or_moves = |contacts: &Bearing<'_>| {
+            contacts.bears(next.hand, step.bounds.slip, WITHIN * limit)
+                || contacts.never_bears(next.hand)
+        };
+        let frictions: [fn(&Face) -> f64; 2] =
+            [|face| face.friction_dynamic, |face| face.friction_static];
+        let idle = is_fixed(next) && frictions.iter().all(|mu| is_borne_or_moves(&bearing(*mu)));
         let idle_corner = next.state == State::Corner && !is_wedged(step, WITHIN * limit);
-        return Some(keeps && several && !needless && !hopeless && !idle_corner);
+        return Some(keeps && several && !idle && !idle_corner);
     }
     let load = step.model.load(next.pose, next.hand, step.grip);
     let is_large = length(load.force) > LOAD * step.model.unit_force();

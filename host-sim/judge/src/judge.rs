@@ -98,6 +98,7 @@ impl Judge {
                 &self.model,
                 &self.bounds,
                 self.evolution,
+                grip.as_ref(),
                 (last, &frame),
             ));
         }
