@@ -129,7 +129,7 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     stages.iter().any(is_next)
 }
 
-/// The stages to which an event leads from one. What comes or goes may begin a slide or end it.
+/// The stages to which an event leads from one. A slide begins and ends as reported, and ends without a word where nothing touches.
 fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
     use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
     let glides = matches!(state, SingleVertex | Edge | TwoVertex);
@@ -146,17 +146,20 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Lift, Locked) => &[NonContact, Edge, TwoVertex, Corner],
         (Event::Slide, _) if glides && !slides => return vec![(state, true)],
         (Event::Stop, _) if slides => return vec![(state, false)],
-        // Contacts may slide on from where a slip ended.
-        (Event::Slip, _) if glides && !slides => return vec![(state, false), (state, true)],
-        (Event::Slip, _) if glides && jumps => return vec![(state, true)],
-        (Event::Snap, _) => return vec![(state, false), (state, true)],
+        (Event::Slip, _) if glides && (!slides || jumps) => return vec![(state, slides)],
+        (Event::Snap, _) => return vec![(state, slides)],
         (Event::Grasp, _) => return vec![(state, slides)],
         // What is let go slides no more.
         (Event::Release, _) => return vec![(state, slides), (state, false)],
         _ => &[],
     };
-    let both = |&state: &State| [(state, false), (state, true)];
-    all.iter().flat_map(both).collect()
+    // What slides over the end of a side onto another one has not stopped for it.
+    let lasts = |&state: &State| match state {
+        NonContact if slides && passes => vec![(state, false), (state, true)],
+        NonContact => vec![(state, false)],
+        _ => vec![(state, slides)],
+    };
+    all.iter().flat_map(lasts).collect()
 }
 
 /// `slips` is not less than what `events` tells of, and none without the other.

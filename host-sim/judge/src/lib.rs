@@ -49,8 +49,8 @@
 //! * Contacts that slide together do so with the signs of one motion of the body: both vertices of an edge the same way, two on two
 //!   surfaces as the twist has it that keeps both there. A velocity that rounding may have turned fits any sign. A vertex in a
 //!   corner does not slide, nor do contacts that leave the body no motion.
-//! * `slide` and `stop` are reported, or something else that explains why a slide began or ended. The last of them fits the end of the
-//!   frame, and a `stop` that comes first the frame before.
+//! * `slide` and `stop` are reported, but where nothing touches any more. The last of them fits the end of the frame, and a `stop`
+//!   that comes first the frame before.
 //! * On one surface a slide does not pass N* = k_h D_c / (mu_s - mu_d) from below: it sticks there (path evolution).
 //! * Contacts stick where they say so, with mu_s = mu_d, too; but for those without friction, or without force, whose body turns
 //!   out of the way.
