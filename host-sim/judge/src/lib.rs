@@ -31,7 +31,7 @@
 //! 100 slips or a full list of events, and is judged as any other frame; `behind` tells what is left. `iteration-limit` and `twist`
 //! excuse nothing. `ambiguous` is a body of several contacts (or one whose motions follow one another until the list of events is full) that
 //! no reactions hold and that has no motion which the load drives and no contact hinders. `jammed` needs several contacts in more than
-//! one line, a load that reactions up to half the limit do not bear and some reactions do. Out of balance nothing moves, but that a
+//! one line, and reactions that bear the load and are beyond half the limit. Out of balance nothing moves, but that a
 //! jammed body may turn about a corner.
 //!
 //! # Sticking
@@ -65,8 +65,9 @@
 //! 64 roundings of these reactions and by the part of their size that the bound on slips allows. The friction is mu_s, but mu_d in a
 //! trace that tells slides, as there may be no stiction; and there is if no reactions within mu_d bear the load of the frame before.
 //!
-//! A body is `jammed` if the load asks for N beyond 64 k_h L: it is not if reactions of half of that within mu_d bear the load. In a
-//! trace that tells slides it is not `ok` if every sum within mu_s asks for more than 17/16 of it, which a twist proves.
+//! A body is `jammed` if the load asks for N beyond 64 k_h L. It is not where neither friction, mu_d nor mu_s, asks for that: reactions of
+//! half of it bear the load, or none do, however large, as the load drives a twist that opens all contacts. In a trace that tells
+//! slides it is not `ok` if every sum within mu_s asks for more than 17/16 of it, which a twist proves.
 //!
 //! # Obstacles (STATICS 12)
 //!
@@ -94,6 +95,7 @@
 //! * `snap` of two contacts that slide, or of one that slides on a corner; `snap` of a slide where nothing holds the angle.
 //! * What happens at the very frame, within the rounding: it may be told with this frame or with the next one. So may a slip that is
 //!   shorter than what forces are known to.
+//! * The length of a slip to better than the place where static friction gives way, which is uncertain where it does so gradually.
 //! * What the hand did, where its path is not given: a frame that repeats the one before with `held-last` and the hand with it.
 //! * Which one of two contacts came that are next to each other on an obstacle, where a third one was passed on in the same frame.
 //! * Of a frame whose list of events is full (16): what came after.

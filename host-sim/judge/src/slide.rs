@@ -132,7 +132,7 @@ fn told(step: &Step<'_>) -> Option<bool> {
 }
 
 /// A contact that bore more than mu_d N has stiction, and slips before it slides.
-fn has_stiction(step: &Step<'_>) -> bool {
+pub(crate) fn has_stiction(step: &Step<'_>) -> bool {
     let last = step.last;
     let Some(face) = step.one_friction(last) else {
         return false;

@@ -15,6 +15,7 @@ use crate::frame::{Contact, Event, Evolution, Frame, State};
 use crate::model::{Grip, Model, borne};
 use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
+use crate::slide::has_stiction;
 use crate::touch::{Face, Touch};
 use crate::vector::{between, dot, sub};
 use vertex::Slide;
@@ -152,7 +153,7 @@ impl<'a> Step<'a> {
             State::SingleVertex => !self.next.slides(),
             _ => false,
         };
-        if !may_lack || !self.last.tells_slides() || holds(&findings) {
+        if !may_lack || !self.last.tells_slides() || has_stiction(self) || holds(&findings) {
             return findings;
         }
         let without = from(|face| face.friction_dynamic);

@@ -9,16 +9,39 @@ mod truth;
 
 use std::collections::BTreeMap;
 
-use mutants::Of;
+use mutants::{BESIDE, Of};
 use stiction_judge::Judge;
 use truth::{EVOLUTIONS, Number, Truth, truth};
 
 /// Random scenes of each kind.
 const RANDOM: usize = 4;
 
-/// The part of the mutants that may pass: what happens beside other events of a frame, or within the rounding, is not decided by two
-/// frames (see the documentation of the crate).
-const UNDECIDED: f64 = 0.05;
+/// What two frames do not decide (see the documentation of the crate): kinds of mutants of which some may pass, and why.
+const UNDECIDED: [&str; 12] = [
+    // What happened beside it.
+    BESIDE,
+    // How many slips there were: of two contacts, and of one that slid in the same frame.
+    "slips of several",
+    "1 slip counted as",
+    // A fold of two contacts that slide, or of one at a corner.
+    "invented Snap in sliding",
+    // Whether there was stiction.
+    "slip called a slide",
+    // Whether reactions bear a load that is near to what they bear.
+    "Jammed: ",
+    // Where static friction gives way so gradually that its place, and so the end of the slip, is uncertain by as much.
+    "a slip 1 % short",
+    // What happens at the very frame, within the rounding.
+    "a slip a frame late",
+    "a slip a frame early",
+    // Where a slide began that has no friction.
+    "Slide not told",
+    ": nothing told",
+    // Which of two contacts opened that are at one place.
+    "Tip called Lift",
+];
+/// The part of all mutants that may pass.
+const PASSING: f64 = 0.02;
 
 /// Every scene once, with the number types and evolutions in turn.
 fn traces() -> impl Iterator<Item = Truth> {
@@ -82,6 +105,10 @@ fn mutants_are_refused() {
             );
         }
         assert!(made >= least);
-        assert!((passed as f64) <= UNDECIDED * made as f64, "{of:?}");
+        assert!((passed as f64) <= PASSING * made as f64, "{of:?}");
+        for (kind, _) in all().filter(|(_, found)| !found.passed.is_empty()) {
+            let may_pass = UNDECIDED.iter().any(|part| kind.1.contains(part));
+            assert!(may_pass, "{} passes", kind.1);
+        }
     }
 }

@@ -3,7 +3,7 @@
 use stiction_judge::{Contact, Event, Frame, Scene, State, Status};
 
 use crate::physics::{frozen, loaded, moved};
-use crate::truth::{Number, Truth};
+use crate::truth::Truth;
 
 /// What a fault is one of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,6 +24,9 @@ pub(crate) struct Mutant {
     /// The trace from there on, as far as it is looked at.
     pub(crate) frames: Vec<Frame>,
 }
+
+/// Of an event that is not the only one of its frame.
+pub(crate) const BESIDE: &str = " beside others";
 
 /// Frames that are looked at after a fault.
 const TAIL: usize = 60;
@@ -118,10 +121,12 @@ impl Maker<'_> {
             }
         }
         for at in self.places(|frames, i| frames[i].slips > 1) {
+            let alone = self.truth.frames[at].events.len() == 1;
+            let beside = if alone { "" } else { BESIDE };
             for by in [-1_i32, 1] {
                 self.add(
                     Of::Events,
-                    &format!("{by:+} slips of several"),
+                    &format!("{by:+} slips of several{beside}"),
                     at,
                     |tail| {
                         tail[0].slips = tail[0].slips.saturating_add_signed(by);
@@ -166,7 +171,9 @@ impl Maker<'_> {
 
     /// What is told of an event differs.
     fn changed(&mut self, at: usize, event: Event) {
-        let name = format!("{event:?}");
+        let alone = self.truth.frames[at].events.len() == 1;
+        let beside = if alone { "" } else { BESIDE };
+        let name = format!("{event:?}{beside}");
         self.add(Of::Events, &format!("{name} not told"), at, |tail| {
             tail[0].events.retain(|&told| told != event);
             if event == Event::Slip {
@@ -279,6 +286,7 @@ impl Maker<'_> {
     /// Numbers of one frame.
     fn numbers(&mut self, at: usize) {
         let size = size(&self.truth.scene);
+        let told = 2.0 * self.truth.number.bounds().residual * largest(&self.truth.frames[at]);
         let all = |frame: &mut Frame, factor: f64| {
             frame.wrench.iter_mut().for_each(|x| *x *= factor);
             for contact in &mut frame.contacts {
@@ -307,9 +315,11 @@ impl Maker<'_> {
                 frame.hand[0] += 1e-3 * size
             }),
             ("a direction of friction turned", &|frame| {
+                let rubs = |c: &&mut Contact| c.friction.abs() > told;
                 frame
                     .contacts
                     .iter_mut()
+                    .filter(rubs)
                     .for_each(|c| c.friction = -c.friction);
             }),
             ("a name", &|frame| {
@@ -325,7 +335,8 @@ impl Maker<'_> {
                 frame.state = by_count(frame);
             }),
             ("slides told", &|frame| {
-                for contact in &mut frame.contacts {
+                let rubs = |c: &&mut Contact| c.friction.abs() > told;
+                for contact in frame.contacts.iter_mut().filter(rubs) {
                     contact.sliding = contact
                         .sliding
                         .map(|sign| if sign == 0 { 1 } else { -sign });
@@ -375,17 +386,31 @@ impl Maker<'_> {
         let truth = self.truth;
         let (last, next) = (&truth.frames[at - 1], &truth.frames[at]);
         let length = slipped(truth, last, next);
+        let bounds = truth.number.bounds();
+        let stiffness = truth.scene.stiffness_translation;
+        let reach = size(&truth.scene) + next.hand[0].hypot(next.hand[1]);
+        let rounding = 64.0 * bounds.rounding * reach * stiffness;
+        // As the body turns, its contact gives way more than the springs alone.
+        let levers = next.contacts.iter().map(|c| {
+            let [x, y] = c.point;
+            (x - next.hand[0]).hypot(y - next.hand[1])
+        });
+        let lever = levers.fold(0.0, f64::max);
+        let turning = if next.state == State::SingleVertex && size(&truth.scene) > 0.0 {
+            stiffness * lever * lever / truth.scene.stiffness_rotation
+        } else {
+            0.0
+        };
+        let told =
+            2.0 * (1.0 + turning) * (bounds.slip * largest(last).max(largest(next))).max(rounding);
         for (name, part) in [
             ("0.1 % short", -1e-3),
             ("0.1 % long", 1e-3),
             ("1 % short", -1e-2),
         ] {
-            // What cannot be told from rounding is none.
-            let told = match truth.number {
-                Number::Double => 1e-9,
-                Number::Single | Number::Fixed => 64.0 * f64::from(f32::EPSILON),
-            };
-            if (part * length).abs() < told * size(&truth.scene) {
+            // What forces do not tell from rounding is none.
+            let force = part * length * truth.scene.stiffness_translation;
+            if force.abs() < told {
                 continue;
             }
             self.add(Of::Laws, &format!("a slip {name}"), at, |tail| {
@@ -482,7 +507,7 @@ impl Maker<'_> {
                 (frame.status, frame.events, frame.slips) = (status, Vec::new(), 0);
             }
         };
-        let moves = distance(&truth.frames[at..truth.frames.len().min(at + TAIL)]);
+        let moves = distance(last, &truth.frames[at..truth.frames.len().min(at + TAIL)]);
         if moves > 1e-3 * size(&truth.scene) {
             self.add(Of::Statuses, &format!("{status:?}: frozen"), at, |tail| {
                 stays(tail, false)
@@ -511,13 +536,18 @@ impl Maker<'_> {
     }
 }
 
-/// How far the hand gets from where it is first (m).
-fn distance(frames: &[Frame]) -> f64 {
-    let first = frames[0].hand;
+/// How far the body gets from where it was (m).
+fn distance(last: &Frame, frames: &[Frame]) -> f64 {
     let ways = frames
         .iter()
-        .map(|f| (f.hand[0] - first[0]).hypot(f.hand[1] - first[1]));
+        .map(|f| (f.pose[0] - last.pose[0]).hypot(f.pose[1] - last.pose[1]));
     ways.fold(0.0, f64::max)
+}
+
+/// The largest force of a frame (N).
+fn largest(frame: &Frame) -> f64 {
+    let forces = frame.contacts.iter().map(|c| c.normal.hypot(c.friction));
+    forces.fold(frame.wrench[0].hypot(frame.wrench[1]), f64::max)
 }
 
 /// Nothing happens, as before and after.
