@@ -145,8 +145,11 @@ pub fn verdict(survey: &Survey, notes: &Notes) -> String {
             "  {name:<45}{frames:>10}{broken:>10}{severity:>14.2e}{line:>10}"
         );
     }
+    if !notes.statuses.is_empty() {
+        text.push_str("\nframes with a status\n");
+    }
     for (status, frames) in &notes.statuses {
-        let _ = writeln!(text, "\n{frames} frames are {}", status.name());
+        let _ = writeln!(text, "  {:<45}{frames:>10}", status.name());
     }
     if let Some(hand) = &notes.hand {
         let _ = writeln!(text, "\n{hand}");

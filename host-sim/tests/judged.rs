@@ -156,6 +156,98 @@ fn faults_in_real_traces_are_found() {
     assert_eq!(broken(&report), ["every number is finite"], "{report}");
 }
 
+/// `stiction check` on a trace of a bundled scene in f64, with more options: its status and its report.
+fn checked(folder: &Folder, scene: &str, options: &[&str]) -> (Option<i32>, String) {
+    let dials = ["--scene", scene, "--number", "f64"];
+    let verdict = folder.stiction(&[&["check", "trace.jsonl"][..], &dials, options].concat());
+    (verdict.status.code(), text(&verdict.stdout))
+}
+
+const OF_HAND: &str = "the hand is that of its path";
+
+#[test]
+fn a_hand_that_is_not_that_of_its_path_is_found() {
+    let moved = |record: &mut Value| {
+        let x = record["hand"][0].as_f64().expect("a number");
+        record["hand"][0] = (x + 1e-9).into();
+    };
+    let (status, report) = report_after("vertex-stick-slip", slips, moved);
+    assert_eq!(status, Some(1));
+    assert!(broken(&report).contains(&OF_HAND), "{report}");
+}
+
+#[test]
+fn the_hand_is_compared_with_the_path_that_is_given() {
+    let folder = Folder::new();
+    let half = ["--rate", "500"];
+    let dials = ["run", "ladder", "--number", "f64", "--out", "trace.jsonl"];
+    assert!(
+        folder
+            .stiction(&[&dials[..], &half].concat())
+            .status
+            .success()
+    );
+    let (status, report) = checked(&folder, "ladder", &half);
+    assert_eq!(status, Some(0), "{report}");
+    assert!(report.contains(OF_HAND), "{report}");
+    // Of the scene's own rate it is not.
+    let (status, report) = checked(&folder, "ladder", &[]);
+    assert_eq!(status, Some(1));
+    assert!(broken(&report).contains(&OF_HAND), "{report}");
+    // Nor of another path.
+    folder.write("hand.csv", "t,x,y,phi,held\n0,0,0.5,0,1\n10,0,0.5,0,1\n");
+    let (status, report) = checked(&folder, "ladder", &["--hand", "hand.csv", "--rate", "500"]);
+    assert_eq!(status, Some(1));
+    assert!(broken(&report).contains(&OF_HAND), "{report}");
+}
+
+#[test]
+fn what_was_not_compared_is_reported() {
+    let folder = Folder::new();
+    run(&folder, "ladder", "f64", "path");
+    let (status, report) = checked(&folder, "ladder", &["--hand", "none"]);
+    assert_eq!(status, Some(0));
+    let none = "the hand was not compared with a path: --hand none";
+    assert!(
+        report.contains(none) && !report.contains(OF_HAND),
+        "{report}"
+    );
+    let whole = folder.read("trace.jsonl");
+    let count = whole.lines().count();
+    let begin: Vec<&str> = whole.lines().take(count - 7).collect();
+    folder.write("trace.jsonl", begin.join("\n"));
+    let (status, report) = checked(&folder, "ladder", &[]);
+    assert_eq!(status, Some(0));
+    let left = "the hand's path has 7 more samples than the trace";
+    assert!(report.contains(left), "{report}");
+}
+
+/// A body that stays where it was excuses nothing by a status, which is reported.
+#[test]
+fn statuses_are_counted_and_excuse_nothing() {
+    let folder = Folder::new();
+    run(&folder, "box-flat", "f64", "path");
+    let mut trace = records(&folder.read("trace.jsonl"));
+    let frozen = trace[9].clone();
+    for record in &mut trace[10..] {
+        for key in ["pose", "contacts", "state", "wrench"] {
+            record[key] = frozen[key].clone();
+        }
+        record["status"] = "ambiguous".into();
+        record["events"] = Value::Array(Vec::new());
+        record["slips"] = 0.into();
+    }
+    let count = trace.len() - 10;
+    let lines: Vec<String> = trace.iter().map(Value::to_string).collect();
+    folder.write("trace.jsonl", lines.join("\n"));
+    let (status, report) = checked(&folder, "box-flat", &[]);
+    assert_eq!(status, Some(1));
+    let counted = format!("{:<45}{count:>10}", "ambiguous");
+    assert!(report.contains(&counted), "{report}");
+    let borne = "a status is borne out by its frame";
+    assert!(report.contains(borne), "{report}");
+}
+
 /// Slips belong where static friction gives way, between frames as well: those of the same scene with a little more of it, which
 /// come later by a part of a frame, end at the wrong place.
 #[test]
