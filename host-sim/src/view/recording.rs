@@ -288,7 +288,7 @@ impl Recording {
     /// # Errors
     /// It is gone.
     pub(super) fn file(&self) -> Result<File, String> {
-        let problem = |error| format!("{}: {error}", self.place.display());
-        File::open(&self.place).map_err(problem)
+        let opened = stiction_text::open(&self.place, u64::MAX);
+        opened.map_err(|problem| format!("{}: {problem}", self.place.display()))
     }
 }

@@ -105,6 +105,7 @@ fn what_is_no_text_file_is_refused() {
             ("odd.csv", &["check", "odd.csv", "--scene", "scene.toml"]),
             ("odd.toml", &["check", "trace.jsonl", "--scene", "odd.toml"]),
             ("odd.csv", &["trade", "--hand", "odd.csv"]),
+            ("odd.jsonl", &["replay", "odd.jsonl"]),
         ] {
             let folder = Folder::new();
             folder.write("scene.toml", SCENE);

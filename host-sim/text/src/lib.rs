@@ -67,6 +67,7 @@ pub struct Lines<R> {
     limit: usize,
     number: usize,
     text: Vec<u8>,
+    is_whole: bool,
 }
 
 impl<R: BufRead> Lines<R> {
@@ -77,6 +78,7 @@ impl<R: BufRead> Lines<R> {
             limit,
             number: 0,
             text: Vec::new(),
+            is_whole: false,
         }
     }
 
@@ -94,6 +96,7 @@ impl<R: BufRead> Lines<R> {
         if count.map_err(|error| unread(&error))? == 0 {
             return Ok(None);
         }
+        self.is_whole = self.text.ends_with(b"\n");
         for end in [b'\n', b'\r'] {
             if self.text.last() == Some(&end) {
                 self.text.pop();
@@ -116,6 +119,11 @@ impl<R: BufRead> Lines<R> {
     /// The number of the line that was read last, counted from 1; at the end that of the one that would follow.
     pub const fn number(&self) -> usize {
         self.number
+    }
+
+    /// Whether the line that was read last has a break; the last one of a text may have none.
+    pub const fn is_whole(&self) -> bool {
+        self.is_whole
     }
 
     /// The line that was read last, or what a line that is too long begins with.
@@ -159,12 +167,14 @@ mod tests {
         assert_eq!(lines.advance(), Ok(Some(&b""[..])));
         lines.limit = 3;
         assert_eq!(lines.advance(), Ok(Some(&b"cd"[..])));
+        assert!(lines.is_whole());
         let refused = lines.advance().expect_err("too long");
         assert_eq!(
             refused,
             "is longer than 3 bytes, allowed: at most 3 in a line"
         );
         assert_eq!((lines.number(), lines.text()), (4, &b"abcd"[..]));
+        assert!(!lines.is_whole());
         assert_eq!(lines.advance(), Ok(None));
     }
 

@@ -289,6 +289,62 @@ fn traces_made_to_harm_are_refused() {
 }
 
 #[test]
+fn recordings_made_to_harm_are_refused() {
+    // A scene of at most 1 MiB, each byte of which JSON writes with at most six, and a piece.
+    let too_long = "is longer than 6356992 bytes, allowed: at most 6356992 in a line";
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    let run = [
+        "run",
+        "scene.toml",
+        "--record",
+        "recording.jsonl",
+        "--quiet",
+    ];
+    assert!(folder.stiction(&run).status.success());
+    let recording = folder.read("recording.jsonl");
+    let (head, first) = recording.split_once('\n').expect("a head");
+    let first = first.lines().next().expect("a sample");
+    let after = |line: String| format!("{head}\n{first}\n{line}\n");
+    let cases: &[(&str, String, &[&str])] = &[
+        (
+            "line of 20 MB",
+            after("1".repeat(20_000_000)),
+            &["line 3", too_long],
+        ),
+        (
+            "head of 20 MB",
+            "1".repeat(20_000_000),
+            &["line 1", too_long],
+        ),
+        (
+            "arrays in arrays",
+            after(format!("{{\"sample\":{}", "[".repeat(500_000))),
+            &["line 3"],
+        ),
+        (
+            "text without end",
+            format!("{{\"scene\":\"{}", "x".repeat(900_000)),
+            &["line 1"],
+        ),
+        ("line breaks", "\n".repeat(1_000_000), &["line 1"]),
+        (
+            "orders for the terminal",
+            after("{\"sample\":{\"\u{1b}[2J\":0}}".to_owned()),
+            &["line 3"],
+        ),
+    ];
+    for (name, recording, expected) in cases {
+        let folder = Folder::new();
+        folder.write("bad.jsonl", recording);
+        let replay = ["replay", "bad.jsonl", "--out", "trace.jsonl"];
+        let expected = [&["bad.jsonl"], *expected].concat();
+        assert_refused(name, &folder, &replay, &expected);
+        assert_eq!(folder.names(), ["bad.jsonl"], "{name}");
+    }
+}
+
+#[test]
 fn sweeps_made_to_harm_are_refused() {
     let axes = |count: usize| -> String {
         (0..count)

@@ -1,0 +1,246 @@
+//! A recording as it is read: its head, then line by line, with the line of what is wrong; one that was cut, as far as it is whole.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use stiction_scene::Sample;
+use stiction_text::{LONGEST_WHOLE, Lines};
+
+use super::line::{ChangeLine, End, LineIn};
+use super::{Change, Head, PIECE, VERSION};
+
+/// The longest line that is read (bytes): a head and a change have the text of a scene file, for each byte of which JSON takes at most
+/// six, and else less than a piece. A sample with its answer has some hundred bytes.
+const LONGEST_LINE: usize = 6 * LONGEST_WHOLE as usize + PIECE;
+
+/// Why a recording cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordingError {
+    /// It is no file on a disk, or the system does not give it.
+    #[error("{}: {problem}", file.display())]
+    File {
+        /// The recording.
+        file: PathBuf,
+        /// What is wrong, and what is allowed.
+        problem: String,
+    },
+    /// A line is not as it must be.
+    #[error("{}, line {line}: {problem}", file.display())]
+    Line {
+        /// The recording.
+        file: PathBuf,
+        /// Counted from 1.
+        line: usize,
+        /// What is wrong, and what is allowed.
+        problem: String,
+    },
+}
+
+/// What every version of the format has in its head, and what some had.
+#[derive(Clone, Debug, Deserialize)]
+struct Made {
+    recording: u32,
+    build: String,
+    tolerance: Option<IgnoredAny>,
+}
+
+impl Made {
+    /// It is of the version that this program reads, or else what it is.
+    fn check(&self) -> Result<(), String> {
+        let (found, program) = (self.recording, &self.build);
+        if found == VERSION {
+            return Ok(());
+        }
+        let gone = match self.tolerance {
+            Some(_) => " and with a `tolerance`, which the solver does not have any more",
+            None => "",
+        };
+        Err(format!(
+            "`recording` is {found} (made by {program}{gone}), allowed: {VERSION}, the version of the format that this program reads"
+        ))
+    }
+}
+
+/// A line below the head of a recording.
+#[derive(Clone, Debug)]
+pub(crate) enum Line {
+    /// A sample with the text of its answer.
+    Sample(Sample, Option<String>),
+    /// From here on the body is under another setting.
+    Change(Change),
+}
+
+/// A recording that is read line by line.
+#[derive(Debug)]
+pub(crate) struct Recording {
+    file: PathBuf,
+    line: usize,
+    samples: u64,
+    end: Ending,
+    lines: Lines<BufReader<File>>,
+    pub(crate) head: Head,
+}
+
+/// How a recording ended, as far as it is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// Without the count of its samples, or not yet.
+    None,
+    /// In the middle of a line, which is left out.
+    Torn,
+    /// With the count of its samples.
+    Counted,
+}
+
+impl Recording {
+    /// Opens a recording and reads its head.
+    ///
+    /// # Errors
+    /// It cannot be read, or is none.
+    pub(crate) fn open(file: &Path) -> Result<Self, RecordingError> {
+        // As long as it likes: it is read line by line.
+        let opened = stiction_text::open(file, u64::MAX);
+        let opened = opened.map_err(|problem| RecordingError::File {
+            file: file.to_owned(),
+            problem,
+        })?;
+        let error = |problem: String| RecordingError::Line {
+            file: file.to_owned(),
+            line: 1,
+            problem,
+        };
+        let mut lines = Lines::new(BufReader::new(opened), LONGEST_LINE);
+        let text = lines.advance().map_err(error)?.unwrap_or_default();
+        let unread = |e: serde_json::Error| match is_trace(text) {
+            true => error("this is a trace; use `stiction check`".to_owned()),
+            false => error(format!("{}, allowed: the head of a recording", plain(&e))),
+        };
+        let made: Made = serde_json::from_slice(text).map_err(unread)?;
+        made.check().map_err(error)?;
+        let head: Head = serde_json::from_slice(text).map_err(unread)?;
+        Ok(Self {
+            file: file.to_owned(),
+            line: 1,
+            samples: 0,
+            end: Ending::None,
+            lines,
+            head,
+        })
+    }
+
+    /// The next line; nothing at the end.
+    ///
+    /// # Errors
+    /// The file cannot be read, the line is neither a sample nor a change, or the last line counts others than there are.
+    pub(crate) fn next(&mut self) -> Result<Option<Line>, RecordingError> {
+        if !self.advance()? {
+            return Ok(None);
+        }
+        let text = self.lines.text();
+        if let Ok(end) = serde_json::from_slice::<End>(text) {
+            self.end(&end)?;
+            return Ok(None);
+        }
+        if let Ok(ChangeLine { change }) = serde_json::from_slice(text) {
+            return Ok(Some(Line::Change(change)));
+        }
+        let line: LineIn = match serde_json::from_slice(text) {
+            Ok(line) => line,
+            Err(_) if !self.lines.is_whole() => {
+                self.end = Ending::Torn;
+                return Ok(None);
+            }
+            Err(error) => {
+                let allowed = "a sample and its answer, or the count of the samples";
+                return Err(self.error(format!("{}, allowed: {allowed}", plain(&error))));
+            }
+        };
+        self.samples += 1;
+        let answer = line.answer.map(|answer| answer.get().to_owned());
+        Ok(Some(Line::Sample(line.sample.sample(), answer)))
+    }
+
+    /// Goes on to the next line; false at the end of the file.
+    fn advance(&mut self) -> Result<bool, RecordingError> {
+        let advanced = self.lines.advance().map(|line| line.is_some());
+        if advanced != Ok(false) {
+            self.line = self.lines.number();
+        }
+        advanced.map_err(|problem| self.error(problem))
+    }
+
+    /// Takes the last line.
+    fn end(&mut self, end: &End) -> Result<(), RecordingError> {
+        let (counted, there) = (end.samples, self.samples);
+        if counted != there {
+            let problem = format!(
+                "`samples` is {counted}, but {there} are there, allowed: all that were recorded"
+            );
+            return Err(self.error(problem));
+        }
+        self.end = Ending::Counted;
+        match self.advance()? {
+            true => {
+                Err(self.error("follows the count of the samples, allowed: nothing".to_owned()))
+            }
+            false => Ok(()),
+        }
+    }
+
+    /// What is missing where the recording ended without the count of its samples.
+    pub(crate) fn cut(&self) -> Option<String> {
+        let (file, line) = (self.file.display(), self.line);
+        let what = match self.end {
+            Ending::Counted => return None,
+            Ending::Torn => format!("ends in the middle of line {line}, which is left out"),
+            Ending::None => format!("ends after line {line} without the count of its samples"),
+        };
+        Some(format!(
+            "{file}: {what}: it was cut, or what wrote it was ended; allowed: a last line {{\"samples\":N}}"
+        ))
+    }
+
+    /// A problem in the line that was read last.
+    pub(crate) fn error(&self, problem: String) -> RecordingError {
+        RecordingError::Line {
+            file: self.file.clone(),
+            line: self.line,
+            problem,
+        }
+    }
+
+    /// The line that was read last.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The names of the file and of the scene in it.
+    pub(crate) fn scene_name(&self) -> PathBuf {
+        PathBuf::from(format!("{}, scene {}", self.file.display(), self.head.name))
+    }
+}
+
+/// Whether a first line is that of a trace: a record, or the names of the columns.
+fn is_trace(text: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    #[expect(dead_code, reason = "that they are there is what counts")]
+    struct Keys {
+        t: IgnoredAny,
+        hand: IgnoredAny,
+        pose: IgnoredAny,
+    }
+    text.starts_with(b"t,hand_x,") || serde_json::from_slice::<Keys>(text).is_ok()
+}
+
+/// What serde_json says, without its place in a text of a single line.
+fn plain(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    match text.strip_suffix(&place) {
+        Some(problem) => format!("{problem}, column {}", error.column()),
+        None => text,
+    }
+}
