@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use sha2::{Digest, Sha256};
 use stiction_tools::files;
 
-use super::output::{OutputError, write_error};
+use super::output::{OutputError, length_of, write_error};
 
 /// The line behind what the rows were made from.
 const ROWS: &str = "rows:\n";
@@ -65,6 +65,7 @@ impl Beside {
             }
             Err(error) => return Err(write_error(&place)(error)),
         };
+        length_of(&file).map_err(write_error(&place))?;
         let mut file = BufReader::new(file);
         let expected = format!("{inputs}{ROWS}");
         let begin = expected.len() as u64;

@@ -3,12 +3,16 @@
 //! they end.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, ErrorKind, Seek, Write};
+use std::io::{self, BufRead, BufReader, ErrorKind, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 use fs4::TryLockError;
 
 use super::beside::Beside;
+
+/// A line of a table that is read is shorter (bytes): its names and values stand in a sweep file or are those of a summary, which are
+/// fewer.
+const LONGEST_ROW: u64 = 2 * stiction_text::LONGEST_WHOLE;
 
 /// Why rows cannot be added.
 #[derive(Debug, thiserror::Error)]
@@ -111,12 +115,7 @@ impl Output {
             Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {}
             Err(TryLockError::Error(error)) => return Err(cannot_write(error)),
         }
-        let there = file.metadata().map_err(&cannot_write)?;
-        if !there.is_file() {
-            let error = io::Error::new(ErrorKind::InvalidInput, "it is not a file on a disk");
-            return Err(cannot_write(error));
-        }
-        let beside = match there.len() {
+        let beside = match length_of(&file).map_err(&cannot_write)? {
             0 => Beside::begin(place, inputs)?,
             _ => Beside::open(place, inputs)?,
         };
@@ -164,9 +163,9 @@ impl Output {
         let (mut line, mut whole, mut text) = (0, 0, Vec::new());
         loop {
             text.clear();
-            let length = reader.read_until(b'\n', &mut text);
-            let length = length.map_err(write_error(&place))?;
-            if !text.ends_with(b"\n") {
+            let length = (&mut reader).take(LONGEST_ROW).read_until(b'\n', &mut text);
+            let length = length.map_err(write_error(&place))? as u64;
+            if !text.ends_with(b"\n") && length < LONGEST_ROW {
                 return Ok(whole);
             }
             line += 1;
@@ -194,9 +193,24 @@ impl Output {
                     expected,
                 });
             }
-            whole += length as u64;
+            whole += length;
             self.rows += u64::from(!is_header);
         }
+    }
+}
+
+/// How long a file on a disk is (bytes).
+///
+/// # Errors
+/// It is something else, which need not have an end.
+pub(super) fn length_of(file: &File) -> io::Result<u64> {
+    let there = file.metadata()?;
+    match there.is_file() {
+        true => Ok(there.len()),
+        false => Err(io::Error::new(
+            ErrorKind::InvalidInput,
+            "it is not a file on a disk",
+        )),
     }
 }
 

@@ -66,6 +66,27 @@ fn assert_refused(folder: &Folder, expected: &[&str]) {
     assert_eq!((folder.names(), folder.read("out.csv")), (names, before));
 }
 
+/// Whoever writes to a pipe and reads from it waits for itself.
+#[cfg(unix)]
+#[test]
+fn a_pipe_beside_the_table_is_refused() {
+    let folder = folder(SWEEP);
+    table(&folder, "out.csv", &[]);
+    let beside = folder.file("out.csv.sweep");
+    fs::remove_file(&beside).expect("the digests");
+    nix::unistd::mkfifo(&beside, nix::sys::stat::Mode::S_IRWXU).expect("a pipe");
+    assert_refused(&folder, &["out.csv.sweep: ", "it is not a file on a disk"]);
+}
+
+#[test]
+fn a_row_without_end_is_refused() {
+    let folder = folder(SWEEP);
+    let mut rows = table(&folder, "out.csv", &[]);
+    rows.push_str(&"1".repeat(3 << 20));
+    folder.write("out.csv", rows);
+    assert_refused(&folder, &["out.csv, line 26: is not the row of index 24"]);
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same_bytes() {
     let folder = folder(SWEEP);
