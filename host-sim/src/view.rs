@@ -38,6 +38,7 @@ mod server;
 mod shelf;
 mod stage;
 mod step_times;
+mod upload;
 mod urgent;
 
 use std::io;
@@ -211,6 +212,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         board,
         stop,
         clients: AtomicU32::new(0),
+        uploads: upload::places(),
     });
     greet(args, place, hub.board.as_ref());
     let runtime = tokio::runtime::Builder::new_current_thread()

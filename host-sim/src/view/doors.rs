@@ -20,8 +20,8 @@ use super::client::ended;
 
 /// Connections at a time: pages have up to seven each. An eighth of the descriptors that a process has where least are allowed.
 const MOST: usize = 128;
-/// The head of a request comes within this: a browser sends it at once.
-const HEAD: Duration = Duration::from_secs(5);
+/// The head of a request comes within this, and so does a piece of its body after the one before: a browser sends both at once.
+pub(super) const PIECE: Duration = Duration::from_secs(5);
 /// Where the system gives no connection, it is asked again after this.
 const BREATH: Duration = Duration::from_millis(50);
 
@@ -62,7 +62,7 @@ async fn connection(
         router.clone().call(request)
     });
     let mut server = http1::Builder::new();
-    server.timer(TokioTimer::new()).header_read_timeout(HEAD);
+    server.timer(TokioTimer::new()).header_read_timeout(PIECE);
     let serving = server.serve_connection(TokioIo::new(stream), service);
     let mut serving = std::pin::pin!(serving.with_upgrades());
     tokio::select! {

@@ -1,22 +1,18 @@
-//! The server: the page, the socket, recordings and uploads. Only the page itself, and programs that are no browser, may ask.
+//! The server: the page, the socket, recordings and the way to uploads. Only the page itself, and programs that are no browser, may ask.
 
 use std::net::{Ipv4Addr, Ipv6Addr};
-use std::path::Path as FilePath;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use axum::Router;
-use axum::body::{Body, Bytes};
-use axum::extract::rejection::{BytesRejection, QueryRejection};
-use axum::extract::{DefaultBodyLimit, Extension, Path, Query, Request, State, WebSocketUpgrade};
+use axum::body::Body;
+use axum::extract::{Extension, Path, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
-use serde::Deserialize;
 use serde_json::json;
-use stiction_scene::{HandPath, InputError, Source};
-use tokio::sync::{mpsc, watch};
+use tokio::sync::{Semaphore, mpsc, watch};
 use tokio::task::spawn_blocking;
 use tokio_util::io::ReaderStream;
 
@@ -24,18 +20,14 @@ use super::doors::Seat;
 use super::feed::Feed;
 use super::orders::Order;
 use super::recording::Recording;
-use super::replay::Way;
+use super::upload::upload;
 use super::{client, page};
 use crate::board::Identity;
 
-/// The largest path that is uploaded (bytes).
-const LARGEST: usize = 16 << 20;
 /// A message that is longer than this ends the connection; one that is longer than is read is answered.
 const LONGEST_WIRE: usize = 64 << 10;
 /// What is read from a client at once (bytes).
 const AT_ONCE: usize = 4 << 10;
-/// The longest name of a path, in characters.
-const NAME: usize = 100;
 
 /// What every client needs.
 pub(super) struct Hub {
@@ -47,6 +39,8 @@ pub(super) struct Hub {
     /// True when the server ends.
     pub(super) stop: watch::Receiver<bool>,
     pub(super) clients: AtomicU32,
+    /// Places for paths that are uploaded.
+    pub(super) uploads: Arc<Semaphore>,
 }
 
 impl Hub {
@@ -61,8 +55,7 @@ pub(super) fn router(hub: Arc<Hub>, with_page: bool) -> Router {
     let router = Router::new()
         .route("/ws", get(socket))
         .route("/recording/{file}", get(recording))
-        .route("/upload", post(upload))
-        .layer(DefaultBodyLimit::max(LARGEST));
+        .route("/upload", post(upload));
     let router = match with_page {
         true => router.fallback(file),
         false => router,
@@ -216,66 +209,8 @@ fn of_text(text: String) -> (Body, u64) {
     (text.into(), length)
 }
 
-#[derive(Deserialize)]
-struct Name {
-    name: String,
-}
-
-async fn upload(
-    State(hub): State<Arc<Hub>>,
-    name: Result<Query<Name>, QueryRejection>,
-    body: Result<Bytes, BytesRejection>,
-) -> Response {
-    let bytes = match body {
-        Ok(bytes) => bytes,
-        Err(rejection) => return problem(rejection.status(), &rejection.body_text()),
-    };
-    let Ok(Query(Name { name })) = name else {
-        return problem(
-            StatusCode::BAD_REQUEST,
-            "`name` is missing, allowed: the name of the file",
-        );
-    };
-    // The name of a file, whatever stands before it.
-    let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let name: String = name.chars().take(NAME).collect();
-    let scene = hub
-        .feed
-        .read()
-        .latest
-        .as_ref()
-        .map(|latest| Arc::clone(&latest.scene));
-    let Some(scene) = scene else {
-        return problem(StatusCode::SERVICE_UNAVAILABLE, "there is no scene yet");
-    };
-    let called = name.clone();
-    let read = spawn_blocking(move || {
-        let source = Source::of_bytes(FilePath::new(&called), bytes.into())?;
-        let path = HandPath::parse(&source, &scene.hand.placement)?;
-        checked(path, &source)
-    });
-    let (path, answer) = match read.await {
-        Ok(Ok(read)) => read,
-        Ok(Err(error)) => return problem(StatusCode::BAD_REQUEST, &error.to_string()),
-        Err(_) => return problem(StatusCode::BAD_REQUEST, "it cannot be read"),
-    };
-    match hub.orders.send(Order::Upload(name, path)).await {
-        Ok(()) => ([(header::CONTENT_TYPE, "application/json")], answer).into_response(),
-        Err(_) => problem(StatusCode::SERVICE_UNAVAILABLE, "the program ends"),
-    }
-}
-
-/// A path that is not too long, with the answer to it.
-fn checked(path: HandPath, source: &Source) -> Result<(Arc<HandPath>, String), InputError> {
-    let (records, path) = (path.count(), Arc::new(path));
-    let way = Way::Path(Arc::clone(&path));
-    way.check()
-        .map_err(|problem| HandPath::error_at_end_of(source, &problem))?;
-    let answer = json!({"seconds": way.seconds(), "records": records});
-    Ok((path, answer.to_string()))
-}
-
-fn problem(status: StatusCode, text: &str) -> Response {
+/// An answer that says what is wrong.
+pub(super) fn problem(status: StatusCode, text: &str) -> Response {
     let body = json!({"message": text}).to_string();
     let kind = [(header::CONTENT_TYPE, "application/json")];
     (status, kind, body).into_response()

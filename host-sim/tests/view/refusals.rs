@@ -128,10 +128,60 @@ fn half_requests_and_silent_sockets_lock_nobody_out() {
     client.done(json!({"type": "reset"}));
 }
 
+/// The head of an upload of a path with so many bytes, and what it begins with.
+fn half_upload(view: &View, length: usize) -> String {
+    format!(
+        "POST /upload?name=a.csv HTTP/1.1\r\nHost: {}\r\nContent-Length: {length}\r\n\r\nt,x,y,phi\n",
+        view.place
+    )
+}
+
+/// What uploads that do not end hold in memory is bounded, however many there are, and an upload that is whole is taken soon.
+#[cfg(target_os = "linux")]
+#[test]
+fn half_uploads_take_little_memory_and_lock_nobody_out() {
+    const LARGEST: usize = 16 << 20;
+    let view = View::start(&["box-flat"]);
+    let half = half_upload(&view, LARGEST);
+    let rest = vec![b'#'; LARGEST / 2];
+    let connect = || {
+        let mut stream = TcpStream::connect(&view.place).expect("a connection");
+        // Those that wait are not read.
+        let time = std::time::Duration::from_millis(100);
+        stream.set_write_timeout(Some(time)).expect("a time-out");
+        let _ = stream.write_all(half.as_bytes());
+        let _ = stream.write_all(&rest);
+        stream
+    };
+    let held: Vec<TcpStream> = (0..60).map(|_| connect()).collect();
+    let status = std::fs::read_to_string(format!("/proc/{}/status", view.child.id()));
+    let status = status.expect("the program runs");
+    let most = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let most = most.and_then(|most| most.trim().strip_suffix(" kB"));
+    let most: usize = most.and_then(|kib| kib.parse().ok()).expect("a number");
+    // Two whole ones, and what the program has without.
+    assert!(most < 2 * (LARGEST >> 10) + 60_000, "{most} KiB");
+    let path = b"t,x,y,phi\n0,0,0,0\n1,0,0,0\n";
+    let begun = std::time::Instant::now();
+    while view.http("POST", "/upload?name=a.csv", "", path).status != 200 {
+        assert!(begun.elapsed() < PATIENCE, "no place for an upload");
+    }
+    drop(held);
+}
+
 #[test]
 fn a_request_that_does_not_come_to_its_end_is_closed() {
     let view = View::start(&["box-flat"]);
-    for text in ["", "GET / HTTP/1.1\r\nHost: 127"] {
+    let half_page = format!(
+        "POST / HTTP/1.1\r\nHost: {}\r\nContent-Length: 9\r\n\r\na",
+        view.place
+    );
+    for text in [
+        "",
+        "GET / HTTP/1.1\r\nHost: 127",
+        &half_upload(&view, 1000),
+        &half_page,
+    ] {
         let mut stream = TcpStream::connect(&view.place).expect("a connection");
         stream.write_all(text.as_bytes()).expect("taken");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time-out");

@@ -1,0 +1,133 @@
+//! A path that a client sends: taken piece by piece, each within a time and few paths at once, read, and given to the solver.
+
+use std::path::Path as FilePath;
+use std::sync::Arc;
+use std::time::Duration;
+
+use axum::body::Body;
+use axum::extract::rejection::QueryRejection;
+use axum::extract::{Query, State};
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use futures_util::StreamExt;
+use serde::Deserialize;
+use serde_json::json;
+use stiction_scene::{HandPath, InputError, Source};
+use tokio::sync::Semaphore;
+use tokio::task::spawn_blocking;
+use tokio::time::timeout;
+
+use super::doors::PIECE;
+use super::feed::Latest;
+use super::orders::Order;
+use super::replay::Way;
+use super::server::{Hub, problem};
+
+/// The largest path (bytes).
+const LARGEST: usize = 16 << 20;
+/// Paths that are taken and read at once; who comes later waits. One has up to 16 MiB of text, and as records six times that.
+const AT_ONCE: usize = 2;
+/// A whole path comes within this: the largest one at 2.3 Mbit/s.
+const WHOLE: Duration = Duration::from_secs(60);
+/// The longest name of a path, in characters.
+const NAME: usize = 100;
+
+/// What a client is told where its path is not taken.
+type Refusal = (StatusCode, String);
+
+/// The places for paths that are taken and read.
+pub(super) fn places() -> Arc<Semaphore> {
+    Arc::new(Semaphore::new(AT_ONCE))
+}
+
+#[derive(Deserialize)]
+pub(super) struct Name {
+    name: String,
+}
+
+/// Takes a path.
+pub(super) async fn upload(
+    State(hub): State<Arc<Hub>>,
+    name: Result<Query<Name>, QueryRejection>,
+    body: Body,
+) -> Response {
+    let Ok(Query(Name { name })) = name else {
+        return problem(
+            StatusCode::BAD_REQUEST,
+            "`name` is missing, allowed: the name of the file",
+        );
+    };
+    match taken(&hub, &name, body).await {
+        Ok(answer) => ([(header::CONTENT_TYPE, "application/json")], answer).into_response(),
+        Err((status, text)) => problem(status, &text),
+    }
+}
+
+async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
+    let busy = |text: &str| (StatusCode::SERVICE_UNAVAILABLE, text.to_owned());
+    let refused = |text: String| (StatusCode::BAD_REQUEST, text);
+    let free = timeout(PIECE, Arc::clone(&hub.uploads).acquire_owned());
+    let Ok(Ok(place)) = free.await else {
+        return Err(busy(
+            "other paths are being taken, allowed: to send it again",
+        ));
+    };
+    let whole = timeout(WHOLE, gathered(body));
+    let bytes = whole.await.unwrap_or_else(|_| Err(late()))?;
+    // The name of a file, whatever stands before it.
+    let name = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let name: String = name.chars().take(NAME).collect();
+    let latest = |latest: &Latest| Arc::clone(&latest.scene);
+    let scene = hub.feed.read().latest.as_ref().map(latest);
+    let scene = scene.ok_or_else(|| busy("there is no scene yet"))?;
+    let called = name.clone();
+    let read = spawn_blocking(move || {
+        // Whoever has gone meanwhile keeps the place until its path is read.
+        let _place = place;
+        let source = Source::of_bytes(FilePath::new(&called), bytes)?;
+        let path = HandPath::parse(&source, &scene.hand.placement)?;
+        checked(path, &source)
+    });
+    let read = read
+        .await
+        .map_err(|_| refused("it cannot be read".into()))?;
+    let (path, answer) = read.map_err(|error: InputError| refused(error.to_string()))?;
+    match hub.orders.send(Order::Upload(name, path)).await {
+        Ok(()) => Ok(answer),
+        Err(_) => Err(busy("the program ends")),
+    }
+}
+
+/// All pieces.
+async fn gathered(body: Body) -> Result<Vec<u8>, Refusal> {
+    let (mut bytes, mut pieces) = (Vec::new(), body.into_data_stream());
+    loop {
+        let piece = timeout(PIECE, pieces.next());
+        match piece.await.map_err(|_| late())? {
+            None => return Ok(bytes),
+            Some(Err(error)) => return Err((StatusCode::BAD_REQUEST, error.to_string())),
+            Some(Ok(piece)) if bytes.len() + piece.len() > LARGEST => {
+                let text = format!("it is longer than {LARGEST} bytes, allowed: at most so many");
+                return Err((StatusCode::PAYLOAD_TOO_LARGE, text));
+            }
+            Some(Ok(piece)) => bytes.extend_from_slice(&piece),
+        }
+    }
+}
+
+fn late() -> Refusal {
+    let text = format!(
+        "it did not come whole, allowed: pieces within {PIECE:?} of each other, all within {WHOLE:?}"
+    );
+    (StatusCode::REQUEST_TIMEOUT, text)
+}
+
+/// A path that is not too long, with the answer to it.
+fn checked(path: HandPath, source: &Source) -> Result<(Arc<HandPath>, String), InputError> {
+    let (records, path) = (path.count(), Arc::new(path));
+    let way = Way::Path(Arc::clone(&path));
+    way.check()
+        .map_err(|problem| HandPath::error_at_end_of(source, &problem))?;
+    let answer = json!({"seconds": way.seconds(), "records": records});
+    Ok((path, answer.to_string()))
+}
