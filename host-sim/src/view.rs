@@ -6,7 +6,7 @@
 //!                                                      │        └ body: the solver; the f64 path reference
 //!                                                      ├─ guide, holder: the hand
 //!                                                      ├─ remote, answers, mirror: a board instead of the solver
-//!                                                      └─ recording, shelf, resume, replay
+//!                                                      └─ recording, recorder, shelf, resume, replay
 //! ```
 //!
 //! The engine has a thread of its own and waits for nobody. While it records, every tick is in the file before anybody sees it.
@@ -29,6 +29,8 @@ mod orders;
 mod outward;
 mod page;
 mod pair;
+mod publish;
+mod recorder;
 mod recording;
 mod remote;
 mod replay;
@@ -66,8 +68,6 @@ use crate::stop;
 use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
-use orders::Order;
-use recording::Recording;
 use remote::Remote;
 use replay::Way;
 use server::Hub;
@@ -80,8 +80,6 @@ const SCENE: &str = "box-flat";
 const ORDERS: usize = 1024;
 /// Lines that wait for the terminal: whoever records more often than it shows is not told of each.
 const NOTES: usize = 64;
-/// Recordings of before that are looked at until one can be used.
-const TRIED: usize = 4;
 /// Ctrl-C is looked for so often.
 const BREATH: Duration = Duration::from_millis(50);
 /// Connections may end by themselves for so long.
@@ -194,7 +192,6 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     let (orders, inbox) = mpsc::channel(ORDERS);
     let ends = Ends::open(args, place)?;
     let offers = orders.clone();
-    thread::spawn(move || offer(&shelf, &offers));
     let ending = Arc::new(AtomicBool::new(false));
     let solver = {
         let ending = Arc::clone(&ending);
@@ -215,6 +212,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         uploads: upload::places(),
     });
     greet(args, place, hub.board.as_ref());
+    thread::spawn(move || recorder::look_back(&shelf, &offers));
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
@@ -230,23 +228,6 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     runtime.shutdown_timeout(FAREWELL);
     let ended = ended.unwrap_or_else(|_| Err("the solver broke".to_owned()));
     result.and(ended.map_err(ViewError::Solver))
-}
-
-/// Finds what was recorded before this program was started, however that ended: the newest that can be used.
-fn offer(shelf: &Shelf, orders: &mpsc::Sender<Order>) {
-    for place in shelf.newest_first().into_iter().take(TRIED) {
-        match Recording::read(&place) {
-            Ok(recording) => {
-                // Where the program ends meanwhile, nobody has to know.
-                let _ = orders.blocking_send(Order::Earlier(Box::new(recording)));
-                return;
-            }
-            Err(problem) => report::tell(format_args!(
-                "{} cannot be replayed: {problem}",
-                place.display()
-            )),
-        }
-    }
 }
 
 /// The solver with its scene, before its first tick.

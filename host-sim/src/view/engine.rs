@@ -13,7 +13,7 @@ use tokio::sync::mpsc::Receiver;
 
 use super::change::Reply;
 use super::echo::Echoes;
-use super::feed::{Feed, Latest, Pending};
+use super::feed::{Feed, Pending};
 use super::guide::{Guide, HandPose};
 use super::holder::Holder;
 use super::orders::Order;
@@ -21,7 +21,6 @@ use super::pair::Pair;
 use super::recording::{self, Recording};
 use super::remote::Remote;
 use super::replay::{Replay, Way};
-use super::say::{self, By, Recorded, Replayed, Status};
 use super::shelf::Shelf;
 use super::stage::Stage;
 use super::step_times::StepTimes;
@@ -37,8 +36,6 @@ const SEEKING: Duration = Duration::from_micros(500);
 const ORDERING: Duration = Duration::from_micros(500);
 /// Others get so much time, however late a tick is.
 const BREATH: Duration = Duration::from_micros(50);
-/// A board answers the last sample of a recording within this, or not at all.
-const LAST_ANSWER: Duration = Duration::from_millis(500);
 /// A board is given so many ticks to take hold, before the hand goes on.
 const LONGEST_GRASP: u64 = 100;
 /// While it records, the state tells so every so many ticks.
@@ -287,55 +284,6 @@ impl Engine {
             && self.tick < self.switched + LONGEST_GRASP
     }
 
-    /// No more ticks are recorded; of a board, what it answers to the last one still is.
-    pub(super) fn close_recording(&mut self, now: Instant) {
-        match self.recording.take() {
-            Some(recording) if self.board.is_some() => {
-                self.closing = Some((recording, now + LAST_ANSWER));
-                self.changed = true;
-            }
-            recording => {
-                self.recording = recording;
-                self.end_recording();
-            }
-        }
-    }
-
-    /// What was recorded can be downloaded.
-    pub(super) fn end_recording(&mut self) {
-        let closing = self.closing.take().map(|(recording, _)| recording);
-        if let Some(mut recording) = self.recording.take().or(closing) {
-            recording.finish();
-            let (seconds, place) = (recording.seconds(), recording.place().display());
-            self.tell(match &recording.problem {
-                None => format!("recorded {seconds:.3} s: {place}\n"),
-                Some(problem) => format!("the recording has ended: {problem}\n"),
-            });
-            let recording = Arc::new(recording);
-            self.recorded = Some(Arc::clone(&recording));
-            self.pending.recorded(recording);
-            self.changed = true;
-        }
-    }
-
-    /// What was recorded before this program was started is there again, unless there is something newer.
-    pub(super) fn offer(&mut self, recording: Recording) {
-        if self.recorded.is_some() || self.recording.is_some() || self.closing.is_some() {
-            return;
-        }
-        let (seconds, place) = (recording.seconds(), recording.place().display());
-        self.tell(format!("recorded before, {seconds:.3} s: {place}\n"));
-        let recording = Arc::new(recording);
-        self.recorded = Some(Arc::clone(&recording));
-        self.pending.recorded(recording);
-        self.changed = true;
-    }
-
-    /// Tells the terminal, which the engine does not wait for.
-    pub(super) fn tell(&self, text: String) {
-        let _ = self.notes.try_send(text);
-    }
-
     /// What is shown from now on is of another run, which the hand begins at `home`.
     pub(super) fn begin_run(&mut self, home: HandPose) {
         self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
@@ -354,69 +302,5 @@ impl Engine {
         self.pending.clear();
         self.pending.record(&self.pair.frame);
         self.changed = true;
-    }
-
-    fn publish(&mut self) {
-        if self.changed {
-            let message = say::state(&self.stage, &self.pair, &self.status());
-            self.pending.state(message);
-            self.changed = false;
-        }
-        let pair = &self.pair;
-        self.feed.show(&mut self.pending, || Latest {
-            tick: self.tick,
-            frame: Arc::clone(&pair.frame),
-            scene: Arc::clone(&pair.setting.scene),
-            meter: pair.meter.clone(),
-            single: pair.setting.number.is_single(),
-            echo: self.echoes.shown().clone(),
-            reference: pair.comparison,
-            counts: pair.counts,
-            slips: Arc::clone(&pair.slips),
-            step: self.board.is_none().then(|| self.times.summary()),
-            board: self.board.as_ref().map(|board| board.fares),
-            position: self.replay.as_ref().map(Replay::position),
-        });
-        if self.pending.is_shown() {
-            for (reply, result) in self.answers.drain(..) {
-                reply.send(result);
-            }
-        }
-    }
-
-    fn status(&self) -> Status {
-        let hand = match (&self.replay, self.holder.source()) {
-            (Some(_), _) => By {
-                by: Some("replay"),
-                client: None,
-            },
-            (None, source) => By {
-                by: source.map(|source| source.name()),
-                client: source.and_then(|source| source.client()),
-            },
-        };
-        let recorded = self.recorded.as_ref().map(|recording| Recorded {
-            seconds: recording.seconds(),
-            frames: recording.len(),
-            file: recording.place().display().to_string(),
-            earlier: recording.is_earlier,
-            problem: recording.problem.clone(),
-        });
-        let file = self.recording.as_ref().map(Recording::place);
-        let file = file.map(|place| place.display().to_string());
-        let replay = self.replay.as_ref().map(|replay| Replayed {
-            what: replay.what.clone(),
-            seconds: replay.seconds(),
-        });
-        Status {
-            paused: self.paused,
-            speed: self.speed,
-            recording: self.recording.as_ref().map(Recording::seconds),
-            recording_file: file,
-            recorded,
-            replay,
-            hand,
-            clients: self.clients,
-        }
     }
 }

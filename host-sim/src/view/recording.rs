@@ -201,6 +201,20 @@ impl Recording {
         self.note(finished);
     }
 
+    /// What the terminal is told of it when it is over.
+    pub(super) fn farewell(&self) -> String {
+        let (seconds, place) = (self.seconds(), self.place.display());
+        match &self.problem {
+            Some(problem) => {
+                format!("the recording has ended after {seconds:.3} s: {problem}\n")
+            }
+            None if self.len() > LONGEST => {
+                format!("recorded {seconds:.3} s, the longest that is allowed: {place}\n")
+            }
+            None => format!("recorded {seconds:.3} s: {place}\n"),
+        }
+    }
+
     fn write(&mut self, sample: &Sample, answer: Option<&Frame>) {
         let written = self
             .writer

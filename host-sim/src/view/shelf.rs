@@ -1,7 +1,8 @@
-//! The folder of recordings: a new one gets a name that is free, and the newest one is found again when the program starts.
+//! The folder of recordings: a new one gets a name that is free, and the newest one is found again when the program starts, which
+//! tells how many there are.
 
 use std::ffi::OsStr;
-use std::fs;
+use std::fs::{self, Metadata};
 use std::io;
 use std::path::PathBuf;
 use std::time::SystemTime;
@@ -51,16 +52,33 @@ impl Shelf {
         begun.map_err(|error| refused(&error))
     }
 
+    /// The files of recordings.
+    fn files(&self) -> impl Iterator<Item = (PathBuf, Metadata)> {
+        let entries = fs::read_dir(&self.0).into_iter().flatten().flatten();
+        let places = entries.map(|entry| entry.path());
+        let named = places.filter(|place| place.extension() == Some(OsStr::new("jsonl")));
+        let there = named.filter_map(|place| Some((fs::metadata(&place).ok()?, place)));
+        let files = there.filter(|(about, _)| about.is_file());
+        files.map(|(about, place)| (place, about))
+    }
+
+    /// What is there, where anything is: nothing of it is ever deleted by this program.
+    pub(super) fn stock(&self) -> Option<String> {
+        let lengths = self.files().map(|(_, about)| about.len());
+        let (count, bytes) = lengths.fold((0, 0), |(n, sum), length| (n + 1, sum + length));
+        let (megabytes, folder) = (bytes as f64 / 1e6, self.0.display());
+        (count > 0).then(|| {
+            format!("recordings so far: {count}, {megabytes:.1} MB in {folder}; nobody but you deletes them")
+        })
+    }
+
     /// The recordings, the one that was written last before all others; without those that are being written.
     pub(super) fn newest_first(&self) -> Vec<PathBuf> {
-        let files = fs::read_dir(&self.0).into_iter().flatten().flatten();
-        let files = files.filter_map(|entry| {
-            let place = entry.path();
-            let is_recording = place.extension() == Some(OsStr::new("jsonl"));
-            let written = entry.metadata().and_then(|file| file.modified());
-            is_recording.then(|| (written.unwrap_or(SystemTime::UNIX_EPOCH), place))
+        let dated = self.files().map(|(place, about)| {
+            let written = about.modified();
+            (written.unwrap_or(SystemTime::UNIX_EPOCH), place)
         });
-        let mut free: Vec<_> = files
+        let mut free: Vec<_> = dated
             .filter(|(_, place)| !is_being_written(place))
             .collect();
         free.sort_by(|a, b| b.cmp(a));
@@ -96,7 +114,7 @@ mod tests {
     fn nothing_is_written_over_and_the_newest_is_found() {
         let folder = tempfile::tempdir().expect("a folder");
         let shelf = Shelf::new(Some(folder.path().join("new").join("folder")));
-        assert!(shelf.newest_first().is_empty());
+        assert!(shelf.newest_first().is_empty() && shelf.stock().is_none());
         let source = scenes::find(Path::new("box-flat")).expect("a scene");
         let scene = SceneFile::parse(source, Number::F32.limit()).expect("a scene");
         let run = Run::of(&scene, Number::F32, Evolution::Path);

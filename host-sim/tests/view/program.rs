@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
@@ -24,6 +24,7 @@ pub(crate) struct View {
     pub(crate) place: String,
     /// Where it runs.
     folder: Option<Folder>,
+    output: BufReader<ChildStdout>,
 }
 
 impl View {
@@ -33,12 +34,29 @@ impl View {
     }
 
     pub(crate) fn in_folder(folder: Folder, arguments: &[&str]) -> Self {
+        Self::by(
+            Command::new(env!("CARGO_BIN_EXE_stiction")),
+            folder,
+            arguments,
+        )
+    }
+
+    /// Its files may be so long (blocks of 512 bytes): then the system takes no more, as where a disk is full.
+    #[cfg(unix)]
+    pub(crate) fn with_room(blocks: u32, folder: Folder, arguments: &[&str]) -> Self {
+        let mut shell = Command::new("sh");
+        let limit = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+        shell.args(["-c", &limit, env!("CARGO_BIN_EXE_stiction")]);
+        Self::by(shell, folder, arguments)
+    }
+
+    fn by(mut program: Command, folder: Folder, arguments: &[&str]) -> Self {
         // Not among those of whoever runs the tests.
         let recordings: &[&str] = match arguments.contains(&"--recordings") {
             true => &[],
             false => &["--recordings", "recordings"],
         };
-        let mut child = Command::new(env!("CARGO_BIN_EXE_stiction"))
+        let mut child = program
             .args(["view", "--listen", "127.0.0.1:0"])
             .args(recordings)
             .args(arguments)
@@ -48,8 +66,8 @@ impl View {
             .expect("the program starts");
         let mut line = String::new();
         let output = child.stdout.take().expect("its output");
-        let read = BufReader::new(output).read_line(&mut line);
-        read.expect("a line of text");
+        let mut output = BufReader::new(output);
+        output.read_line(&mut line).expect("a line of text");
         let place = line.split_whitespace().next().unwrap_or_default();
         let place = place.trim_start_matches("http://");
         let place = place.trim_start_matches("ws://");
@@ -59,7 +77,15 @@ impl View {
             child,
             place: place.to_owned(),
             folder: Some(folder),
+            output,
         }
+    }
+
+    /// The next line of its output.
+    pub(crate) fn line(&mut self) -> String {
+        let mut line = String::new();
+        self.output.read_line(&mut line).expect("a line of text");
+        line
     }
 
     /// Where it runs.

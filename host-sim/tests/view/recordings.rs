@@ -2,6 +2,7 @@
 //! setting; offered again, and run again bit for bit.
 
 use std::collections::hash_map::RandomState;
+use std::fs;
 use std::hash::{BuildHasher, Hasher};
 use std::thread;
 use std::time::Duration;
@@ -231,4 +232,74 @@ fn a_folder_that_cannot_be_written_is_told_and_nothing_changes() {
     );
     let state = view.state();
     assert!(state["recording"].is_null() && state["recorded"].is_null());
+}
+
+/// Nothing is deleted, so that whoever starts the program is told what has gathered.
+#[test]
+fn the_start_tells_how_many_recordings_there_are_and_how_long() {
+    let folder = Folder::new();
+    fs::create_dir(folder.file("recordings")).expect("a folder");
+    folder.write("recordings/a-1.jsonl", vec![b'\n'; 1_900_000]);
+    folder.write("recordings/a-2.jsonl", vec![b'\n'; 400_000]);
+    folder.write("recordings/notes.txt", vec![b'\n'; 1_000_000]);
+    #[cfg(unix)]
+    nix::unistd::mkfifo(
+        &folder.file("recordings/pipe.jsonl"),
+        nix::sys::stat::Mode::S_IRWXU,
+    )
+    .expect("a pipe");
+    let mut view = View::in_folder(folder, &["box-flat"]);
+    let told = view.line();
+    let place = view.folder().file("recordings");
+    let expected = format!(
+        "recordings so far: 2, 2.3 MB in {}; nobody but you deletes them\n",
+        place.display()
+    );
+    assert_eq!(told, expected);
+    assert_eq!(fs::read_dir(place).expect("the folder").count(), 4);
+}
+
+/// As where a disk is full: it is told, nothing is lost of what was written, and the program goes on.
+#[cfg(unix)]
+#[test]
+fn a_recording_ends_where_there_is_no_room_and_says_so() {
+    const BLOCKS: u32 = 200;
+    let mut view = View::with_room(BLOCKS, Folder::new(), &["box-flat"]);
+    let mut client = view.client();
+    client.done(json!({"type": "record", "value": true}));
+    let state = client.state(|state| !state["recorded"].is_null());
+    assert!(state["recording"].is_null());
+    let problem = state["recorded"]["problem"].as_str().expect("a problem");
+    let expected = "box-flat-1.jsonl: cannot be written: ";
+    assert!(problem.contains(expected), "{problem}");
+    let told = loop {
+        let line = view.line();
+        if line.starts_with("the recording has ended after ") {
+            break line;
+        }
+    };
+    assert!(told.contains(expected), "{told}");
+    client.frame(|_| true);
+    let written = view.folder().read(FILE);
+    assert_eq!(written.len(), BLOCKS as usize * 512);
+    let (status, message) = replayed(view.folder(), FILE, &[]);
+    let whole = written.matches('\n').count() - 1;
+    assert_eq!(status, Some(1), "{message}");
+    let compared = format!("{whole} of {whole} frames compared, the same bits");
+    assert!(message.contains(&compared), "{message}");
+}
+
+/// Where not even the head has room, nothing is left behind.
+#[cfg(unix)]
+#[test]
+fn a_recording_without_room_is_refused_and_leaves_no_file() {
+    let view = View::with_room(0, Folder::new(), &["box-flat"]);
+    let refusal = view.client().ask(json!({"type": "record", "value": true}));
+    let refusal = refusal.expect_err("a refusal");
+    assert!(
+        refusal.contains("recordings: cannot be written: "),
+        "{refusal}"
+    );
+    let left = fs::read_dir(view.folder().file("recordings")).expect("the folder");
+    assert_eq!(left.count(), 0);
 }

@@ -1,0 +1,84 @@
+//! The end of a recording, which is offered then, and so is one of before the program was started.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use tokio::sync::mpsc::Sender;
+
+use super::engine::Engine;
+use super::orders::Order;
+use super::recording::Recording;
+use super::shelf::Shelf;
+use crate::report;
+
+/// A board answers the last sample of a recording within this, or not at all.
+const LAST_ANSWER: Duration = Duration::from_millis(500);
+/// Recordings of before that are looked at until one can be used.
+const TRIED: usize = 4;
+
+/// Finds what was recorded before this program was started, however that ended: how much, and the newest that can be used.
+pub(super) fn look_back(shelf: &Shelf, orders: &Sender<Order>) {
+    if let Some(stock) = shelf.stock() {
+        report::print(&format!("{stock}\n"));
+    }
+    for place in shelf.newest_first().into_iter().take(TRIED) {
+        match Recording::read(&place) {
+            Ok(recording) => {
+                // Where the program ends meanwhile, nobody has to know.
+                let _ = orders.blocking_send(Order::Earlier(Box::new(recording)));
+                return;
+            }
+            Err(problem) => report::tell(format_args!(
+                "{} cannot be replayed: {problem}",
+                place.display()
+            )),
+        }
+    }
+}
+
+impl Engine {
+    /// No more ticks are recorded; of a board, what it answers to the last one still is.
+    pub(super) fn close_recording(&mut self, now: Instant) {
+        match self.recording.take() {
+            Some(recording) if self.board.is_some() => {
+                self.closing = Some((recording, now + LAST_ANSWER));
+                self.changed = true;
+            }
+            recording => {
+                self.recording = recording;
+                self.end_recording();
+            }
+        }
+    }
+
+    /// What was recorded can be downloaded.
+    pub(super) fn end_recording(&mut self) {
+        let closing = self.closing.take().map(|(recording, _)| recording);
+        if let Some(mut recording) = self.recording.take().or(closing) {
+            recording.finish();
+            self.tell(recording.farewell());
+            let recording = Arc::new(recording);
+            self.recorded = Some(Arc::clone(&recording));
+            self.pending.recorded(recording);
+            self.changed = true;
+        }
+    }
+
+    /// What was recorded before this program was started is there again, unless there is something newer.
+    pub(super) fn offer(&mut self, recording: Recording) {
+        if self.recorded.is_some() || self.recording.is_some() || self.closing.is_some() {
+            return;
+        }
+        let (seconds, place) = (recording.seconds(), recording.place().display());
+        self.tell(format!("recorded before, {seconds:.3} s: {place}\n"));
+        let recording = Arc::new(recording);
+        self.recorded = Some(Arc::clone(&recording));
+        self.pending.recorded(recording);
+        self.changed = true;
+    }
+
+    /// Tells the terminal, which the engine does not wait for.
+    pub(super) fn tell(&self, text: String) {
+        let _ = self.notes.try_send(text);
+    }
+}
