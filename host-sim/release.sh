@@ -19,7 +19,7 @@ env -u RUSTFLAGS -u CARGO_ENCODED_RUSTFLAGS \
   cargo build --release --locked -p stiction-host-sim --target-dir "$shipped" --config "build.rustflags=[$flags]"
 
 program=$shipped/release/stiction
-for path in "$HOME/" "$here" "$crates" "$compiler"; do
+for path in "$HOME/" "$here" "$shipped" "$crates" "$compiler"; do
   if left=$(grep -aoF -m 1 -- "$path" "$program"); then
     printf '%s holds the path %s\n' "$program" "${left%%$'\n'*}"
     exit 1

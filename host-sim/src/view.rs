@@ -24,6 +24,7 @@ mod free;
 mod guide;
 mod hear;
 mod holder;
+mod kept;
 mod mirror;
 mod orders;
 mod outward;
@@ -68,6 +69,7 @@ use crate::stop;
 use ends::{Ends, listen};
 use engine::Engine;
 use feed::Feed;
+use kept::Kept;
 use remote::Remote;
 use replay::Way;
 use server::Hub;
@@ -210,6 +212,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
         stop,
         clients: AtomicU32::new(0),
         uploads: upload::places(),
+        kept: Kept::default(),
     });
     greet(args, place, hub.board.as_ref());
     thread::spawn(move || recorder::look_back(&shelf, &offers));
@@ -311,7 +314,7 @@ async fn serve(
     for (socket, format) in ends.inward {
         tokio::spawn(outward::hear(socket, format, hub.orders.clone()));
     }
-    let stop = hub.stop.clone();
+    let (stop, tidied) = (hub.stop.clone(), Arc::clone(&hub));
     let listener = tokio::net::TcpListener::from_std(listener)?;
     let server = doors::serve(listener, server::router(hub, !args.headless), stop);
     let end = async {
@@ -320,6 +323,7 @@ async fn serve(
                 .told
                 .try_iter()
                 .for_each(|note| report::print(&note));
+            tidied.tidy();
             tokio::time::sleep(BREATH).await;
         }
         let _ = watched.stopper.send(true);

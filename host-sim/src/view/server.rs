@@ -18,6 +18,7 @@ use tokio_util::io::ReaderStream;
 
 use super::doors::Seat;
 use super::feed::Feed;
+use super::kept::Kept;
 use super::orders::Order;
 use super::recording::Recording;
 use super::upload::upload;
@@ -41,12 +42,23 @@ pub(super) struct Hub {
     pub(super) clients: AtomicU32,
     /// Places for paths that are uploaded.
     pub(super) uploads: Arc<Semaphore>,
+    /// Paths that were uploaded, and recordings.
+    pub(super) kept: Kept,
 }
 
 impl Hub {
     /// The number of the next client.
     pub(super) fn number(&self) -> u32 {
         self.clients.fetch_add(1, Ordering::Relaxed) + 1
+    }
+
+    /// Drops what is of no use to anybody any more.
+    pub(super) fn tidy(&self) {
+        let recorded = self.feed.read().recorded.clone();
+        if let Some(recorded) = recorded {
+            self.kept.keep(recorded);
+        }
+        self.kept.tidy();
     }
 }
 

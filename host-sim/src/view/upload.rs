@@ -92,6 +92,7 @@ async fn taken(hub: &Hub, name: &str, body: Body) -> Result<String, Refusal> {
         .await
         .map_err(|_| refused("it cannot be read".into()))?;
     let (path, answer) = read.map_err(|error: InputError| refused(error.to_string()))?;
+    hub.kept.keep(Arc::clone(&path) as _);
     match hub.orders.send(Order::Upload(name, path)).await {
         Ok(()) => Ok(answer),
         Err(_) => Err(busy("the program ends")),

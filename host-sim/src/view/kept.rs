@@ -1,0 +1,57 @@
+//! What the solver has that is large, paths that were sent and recordings: kept until nobody else has it. So the solver's thread is never
+//! the one that gives the memory back, for which the system takes some milliseconds.
+
+use std::any::Any;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// What is kept.
+#[derive(Debug, Default)]
+pub(super) struct Kept(Mutex<Vec<Arc<dyn Any + Send + Sync>>>);
+
+impl Kept {
+    /// Keeps something, once.
+    pub(super) fn keep(&self, large: Arc<dyn Any + Send + Sync>) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if !all.iter().any(|known| Arc::ptr_eq(known, &large)) {
+            all.push(large);
+        }
+    }
+
+    /// Drops what nobody else has.
+    pub(super) fn tidy(&self) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // There is no other way to it than through those that are counted.
+        all.retain(|large| Arc::strong_count(large) > 1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::mpsc::{Sender, channel};
+    use std::thread::{self, ThreadId};
+
+    /// Tells which thread drops it.
+    struct Large(Sender<ThreadId>);
+
+    impl Drop for Large {
+        fn drop(&mut self) {
+            let _ = self.0.send(thread::current().id());
+        }
+    }
+
+    #[test]
+    fn what_the_solver_lets_go_is_dropped_by_another_thread() {
+        let (dropped, heard) = channel();
+        let (kept, large) = (Kept::default(), Arc::new(Large(dropped)));
+        kept.keep(Arc::clone(&large) as _);
+        kept.keep(Arc::clone(&large) as _);
+        kept.tidy();
+        assert!(heard.try_recv().is_err(), "the solver has it");
+        let solver = thread::spawn(move || drop(large));
+        solver.join().expect("it ends");
+        assert!(heard.try_recv().is_err(), "it is kept");
+        kept.tidy();
+        assert_eq!(heard.try_recv(), Ok(thread::current().id()));
+    }
+}
