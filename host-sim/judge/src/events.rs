@@ -153,9 +153,9 @@ fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Ve
         (Event::Release, _) => return vec![(state, slides), (state, false)],
         _ => &[],
     };
-    // What slides over the end of a side onto another one has not stopped for it.
+    // What slides, opens and comes back at once has not stopped for it.
     let lasts = |&state: &State| match state {
-        NonContact if slides && passes => vec![(state, false), (state, true)],
+        NonContact if slides => vec![(state, false), (state, true)],
         NonContact => vec![(state, false)],
         _ => vec![(state, slides)],
     };
