@@ -8,8 +8,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# A checkout that is built once gains nothing from what speeds up the next build, which takes gigabytes.
-[ "${CI:-}" != true ] || export CARGO_INCREMENTAL=0
+# A checkout that is built once gains nothing from what speeds up the next build or helps to debug, which takes gigabytes and minutes.
+[ "${CI:-}" != true ] || export CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0
 
 quick=
 case "$*" in
@@ -107,15 +107,21 @@ if [ ${#boards[@]} != 0 ]; then
   cargo build -p stiction-firmware --profile device-small --features board --bin 'bits_among_*' --locked "${boards[@]}"
 fi
 
+# As it is shipped: what computes. The program around it and the images of boards, which are the same whatever the tests are built
+# with, are not.
+release=(--release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests)
+# What takes minutes to compile, beside tests that do not need all cores; what comes of it is seen in the stages that use it.
+deny=target/cargo-deny.log
+mkdir -p target
+(
+  nice cargo test --no-run "${release[@]}" || true
+  cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked
+) >"$deny" 2>&1 &
+installs_deny=$!
+
 stage 'tests'
 # With debug assertions and overflow checks.
 cargo test --no-fail-fast --workspace --exclude stiction-bench --features stiction-host-sim/cycles --locked
-
-# Takes minutes to compile: beside what does not need all cores.
-deny=target/cargo-deny.log
-mkdir -p target
-(cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked) >"$deny" 2>&1 &
-installs_deny=$!
 
 stage 'the live page'
 # In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
@@ -140,9 +146,7 @@ else
 fi
 
 stage 'tests, release'
-# What computes is run as it is shipped, too; the program around it and the images of boards, which are the same whatever the
-# tests are built with, are not.
-cargo test --release --no-fail-fast --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
+cargo test --no-fail-fast "${release[@]}"
 
 stage 'ten million steps of the hand'
 cargo run --release --locked -p stiction-tests --bin walk -- 10000000
