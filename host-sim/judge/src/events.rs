@@ -199,6 +199,10 @@ fn moves(
     if told.is_empty() || !next.has_contacts_of(last) || told.len() >= EVENTS {
         return None;
     }
+    // What happens to a body that is out of balance may lead nowhere: contacts open and close again at one place.
+    if !next.status.is_followed() {
+        return None;
+    }
     let is_idle = |contact| grip.is_some_and(|grip| is_idle(model, bounds, grip, next, contact));
     if told.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
         return None;

@@ -20,7 +20,8 @@
 //!   on without a word, and so does what comes to lie flat; their number stays.
 //! * `slips` and `events` tell of the same slips. Slips and nothing else, of a vertex or an edge, are as many as lead from the old place
 //!   to the new one, each from where static friction gives way to the first place where |T| = mu_d N.
-//! * A body to which something is told to have happened is not where it was, to 8 roundings; nor are the contacts of a slip.
+//! * A body to which something is told to have happened is not where it was, to 8 roundings, unless it is left out of balance; nor are
+//!   the contacts of a slip.
 //! * The angle of a body that turns about a contact, that slides on one, or that hangs in the air goes on along its branch, and `snap` is
 //!   told where the branch folds and nowhere else.
 //! * A slide begins at mu_d N: what bore more slips first.

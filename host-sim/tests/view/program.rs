@@ -133,6 +133,7 @@ impl View {
             socket,
             hello: Value::Null,
             last_id: 0,
+            passed: Vec::new(),
         };
         client.hello = client.next();
         assert_eq!(client.hello["type"], "hello");
@@ -194,6 +195,8 @@ pub(crate) struct Client {
     pub(crate) socket: WebSocket<TcpStream>,
     pub(crate) hello: Value,
     last_id: u64,
+    /// States that came before the answer to what was asked last.
+    passed: Vec<Value>,
 }
 
 impl Client {
@@ -237,8 +240,12 @@ impl Client {
         self.until(|message| message["type"] == "frame" && pick(message))
     }
 
-    /// The next state that `pick` takes.
+    /// The first state that `pick` takes, of those since something was asked.
     pub(crate) fn state(&mut self, mut pick: impl FnMut(&Value) -> bool) -> Value {
+        let passed = std::mem::take(&mut self.passed);
+        if let Some(state) = passed.into_iter().find(&mut pick) {
+            return state;
+        }
         self.until(|message| message["type"] == "state" && pick(message))
     }
 
@@ -248,7 +255,15 @@ impl Client {
         let id = self.last_id;
         message["id"] = json!(id);
         self.say(&message);
-        let answer = self.until(|message| message["id"] == json!(id));
+        // What changed may be shown before the answer.
+        let mut passed = Vec::new();
+        let answer = self.until(|message| {
+            if message["type"] == "state" {
+                passed.push(message.clone());
+            }
+            message["id"] == json!(id)
+        });
+        self.passed = passed;
         match answer["type"].as_str() {
             Some("done") => Ok(()),
             _ => Err(answer["message"].as_str().expect("a message").to_owned()),
