@@ -105,9 +105,15 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     let among_obstacles = !model.scene.obstacles.is_empty();
     let mut stages = vec![(last.state, last.slides())];
     for (i, &event) in next.events.iter().enumerate() {
-        // What slides slips where the hand jumps, as it does after the first event of a frame, or at an end of a side.
+        // What slides slips where the hand jumps, as it does after the first event of a frame, where the angle snaps, or at an end of a
+        // side.
+        let snapped = next
+            .events
+            .iter()
+            .take(i)
+            .any(|&event| event == Event::Snap);
         let passed = among_obstacles && (i > 0 || !next.has_contacts_of(last));
-        let jumps = passed || (evolution == Evolution::Frame && i > 0);
+        let jumps = passed || snapped || (evolution == Evolution::Frame && i > 0);
         let passes = among_obstacles && next.events.len() > 1;
         let mut reached: Vec<Stage> = Vec::new();
         let mut ahead = stages;

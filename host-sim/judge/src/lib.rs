@@ -30,8 +30,9 @@
 //!
 //! A status excuses what its frame bears out. `held-last` and `saturated` repeat the record before, but for the time; `event-limit` has
 //! 100 slips or a full list of events, and is judged as any other frame; `behind` tells what is left. `iteration-limit` and `twist`
-//! excuse nothing. `ambiguous` is a body of several contacts (or one whose motions follow one another until the list of events is full) that
-//! no reactions hold and that has no motion which the load drives and no contact hinders. `jammed` needs several contacts in more than
+//! excuse nothing. `ambiguous` is a body of several contacts (or one whose motions follow one another until the list of events is full,
+//! or whose contacts open and close four times) that no reactions hold and that has no motion which the load drives and no contact
+//! hinders. `jammed` needs several contacts in more than
 //! one line, and reactions that bear the load and are beyond half the limit. Out of balance nothing moves, but that a
 //! jammed body may turn about a corner.
 //!

@@ -14,6 +14,10 @@ use crate::slip::{EVENTS, Step};
 use crate::touch::Face;
 use crate::yielding::can_move;
 
+/// A body at one place whose contacts have opened and closed again so often does so without an end: it has no more than so many contacts
+/// that could be the first to open.
+const ROUNDS: usize = 4;
+
 /// At least so many slips fit into a frame before `event-limit`.
 const SLIPS: u32 = 100;
 
@@ -65,7 +69,8 @@ fn is_stuck(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> bool 
     };
     let contacts = Bearing::new(model, bounds, grip, frame, mu);
     let limit = LIMIT * model.unit_force();
-    let goes_round = frame.events.len() >= EVENTS;
+    let opens = frame.events.iter().filter(|&&event| event == Event::Lift);
+    let goes_round = frame.events.len() >= EVENTS || opens.count() >= ROUNDS;
     let stays = goes_round || (several && !can_move(model, grip, frame));
     stays && !contacts.bears(frame.hand, bounds.slip, limit)
 }
