@@ -107,11 +107,7 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     for (i, &event) in next.events.iter().enumerate() {
         // What slides slips where the hand jumps, as it does after the first event of a frame, where the angle snaps, or at an end of a
         // side.
-        let snapped = next
-            .events
-            .iter()
-            .take(i)
-            .any(|&event| event == Event::Snap);
+        let snapped = next.events[..i].contains(&Event::Snap);
         let passed = among_obstacles && (i > 0 || !next.has_contacts_of(last));
         let jumps = passed || snapped || (evolution == Evolution::Frame && i > 0);
         let passes = among_obstacles && next.events.len() > 1;
@@ -181,9 +177,14 @@ fn are_counted(next: &Frame) -> Option<bool> {
     Some((runs == 0) == (next.slips == 0) && next.slips as usize >= runs)
 }
 
+/// Places of both frames that differ by no more are the same (m).
+fn same(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> f64 {
+    SAME * bounds.rounding * model.reach(last).max(model.reach(next))
+}
+
 /// The body is where it was to a few roundings, in places and angle.
-pub(crate) fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool {
-    let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
+fn is_still(model: &Model, bounds: &Bounds, last: &Frame, next: &Frame) -> bool {
+    let same = same(model, bounds, last, next);
     let ways = placed(model, last.pose)
         .into_iter()
         .zip(placed(model, next.pose));
@@ -213,7 +214,7 @@ fn moves(
     if told.contains(&Event::Slip) && next.contacts.iter().all(is_idle) {
         return None;
     }
-    let same = SAME * bounds.rounding * model.reach(last).max(model.reach(next));
+    let same = same(model, bounds, last, next);
     let stays = |contact: &Contact| {
         let before = last.contact(contact.touch);
         let way = before.map(|before| {

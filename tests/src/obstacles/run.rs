@@ -145,7 +145,7 @@ fn frame<R: Number>(
 }
 
 /// As the reference calls it.
-fn named(touch: stiction_core::Touch) -> Touch {
+pub fn named(touch: stiction_core::Touch) -> Touch {
     match touch {
         stiction_core::Touch::Surface { vertex, surface } => Touch::Surface { vertex, surface },
         stiction_core::Touch::Side {

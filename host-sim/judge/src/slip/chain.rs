@@ -1,16 +1,14 @@
 //! Slips one after another in a frame, of a vertex or an edge: how many lead from the old place to the new one. Each begins where
 //! static friction gives way and ends at the first place where |T| = mu_d N, the hand frozen (STATICS 3.2, 4).
 
+use super::vertex::PLACES;
 use super::{Step, drive, static_excess};
 use crate::frame::{Contact, Evolution, State};
 use crate::model::borne;
-use crate::onset::Way;
+use crate::onset::{HALVINGS, Way};
 use crate::pin::{Foot, Spot, follow};
 use crate::touch::Face;
 use crate::vector::between;
-
-/// Places that are looked at on the way of a slip.
-const PLACES: u32 = 64;
 
 /// The way from the old place of a contact (0) to the new one (1).
 struct Chain<'a> {
@@ -122,7 +120,7 @@ impl Chain<'_> {
             }
             if driven <= 0.0 {
                 let (mut low, mut high) = (last, next);
-                for _ in 0..44 {
+                for _ in 0..HALVINGS {
                     let middle = f64::midpoint(low.place, high.place);
                     let (driven, at) = along(low, middle)?;
                     if driven > 0.0 {

@@ -5,7 +5,7 @@ use super::{Step, drive, static_excess};
 use crate::pin::{Foot, Pin, Spot, follow};
 
 /// Places that are looked at on the way of a slip.
-const PLACES: u32 = 64;
+pub(super) const PLACES: u32 = 64;
 
 /// A contact that slid from a place to another one, along `sign`·t.
 pub(super) struct Slide<'a> {

@@ -6,8 +6,10 @@ use std::path::Path;
 use stiction_core::{
     Evolution as Way, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, narrow_hand,
 };
-use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Scene, Status, Touch};
+use stiction_judge::{Bounds, Contact, Event, Evolution, Frame, Scene, Status};
 use stiction_scene::{Among, HostModel, HostSolver, Indices, Motion, SceneFile, Source};
+use stiction_tests::obstacles::before_judge;
+use stiction_tests::obstacles::run::named;
 
 /// A number type of the solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,7 +120,9 @@ fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
         };
         let touch = touching.map_or(of_surface, |touching| touching.touch);
         Contact {
-            touch: named(indices.map_or(touch, |indices| indices.touch(touch))),
+            touch: before_judge::touch(named(
+                indices.map_or(touch, |indices| indices.touch(touch)),
+            )),
             point: contact.point.map(printed),
             direction: touching.map(|touching| touching.direction.map(printed)),
             normal: printed(contact.normal),
@@ -144,29 +148,5 @@ fn told<R: Real<Si: SiFloat + Display>, M: HostModel>(
         events: output.events().iter().map(event).collect(),
         status: Status::named(output.status.name()).expect("a status"),
         behind: None,
-    }
-}
-
-fn named(touch: stiction_core::Touch) -> Touch {
-    match touch {
-        stiction_core::Touch::Surface { vertex, surface } => Touch::Surface { vertex, surface },
-        stiction_core::Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        } => Touch::Side {
-            vertex,
-            obstacle,
-            side,
-        },
-        stiction_core::Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        } => Touch::Corner {
-            obstacle,
-            corner,
-            body_side,
-        },
     }
 }
