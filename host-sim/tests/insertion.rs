@@ -109,7 +109,7 @@ fn the_judge_takes_a_trace_with_readings() {
     let folder = Folder::new();
     for trace in ["trace.csv", "trace.jsonl"] {
         run(&folder, &["--out", trace]);
-        let output = folder.stiction(&["check", trace, "--scene", "peg-in-hole"]);
+        let output = folder.stiction(&["check", trace, "--scene", "peg-in-hole", "--rate", "100"]);
         assert!(output.status.success(), "{}", text(&output.stdout));
     }
 }

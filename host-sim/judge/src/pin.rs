@@ -134,10 +134,10 @@ impl Pin<'_> {
     /// Nothing holds the angle or turns it.
     fn is_neutral(&self) -> bool {
         let scene = &self.foot.model.scene;
-        let (lever, _) = self.levers(0.0);
+        let (lever, heavy) = self.levers(0.0);
         scene.stiffness_rotation == 0.0
-            && scene.weight == 0.0
             && length(lever) <= self.foot.shortest
+            && (scene.weight == 0.0 || length(heavy) <= self.foot.shortest)
     }
 
     /// The balance next to an angle, on the same stable branch.

@@ -32,11 +32,12 @@ pub(crate) fn told(last: Option<&Frame>, next: &Frame) -> bool {
     }
 }
 
-/// But for the time, and a hand that lets go.
+/// But for the time, a hand that does not hold, and one that lets go.
 fn repeats(last: &Frame, next: &Frame) -> bool {
     let lets_go = next.events == [Event::Release];
+    let is_free = !last.held && !next.held;
     let same_forces = next.wrench == last.wrench && next.contacts == last.contacts;
-    next.hand == last.hand
+    (is_free || next.hand == last.hand)
         && next.pose == last.pose
         && next.has_contacts_of(last)
         && (lets_go || (same_forces && next.events.is_empty() && next.slips == 0))
@@ -49,7 +50,9 @@ pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
         Status::Ambiguous => {}
         _ => return None,
     }
-    if !next.complete || !next.held {
+    // Under a hand that stays nothing happens: what was found of the frame before holds of this one.
+    let goes_on = step.last.status == next.status && repeats(step.last, next);
+    if !next.complete || !next.held || goes_on {
         return None;
     }
     Some(is_stuck(step.model, step.bounds, step.grip, next))
