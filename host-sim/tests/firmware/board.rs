@@ -68,18 +68,17 @@ impl Board {
         }
     }
 
-    /// Sends bytes as fast as a line brings them, by the board's clock. The emulator takes them faster: on a machine that does
-    /// other work besides, it may keep the board in the interrupt of its line for many ticks, which no line does.
+    /// Sends bytes as fast as a line brings them, by the board's clock: what comes in a tick, piece by piece. The emulator takes them
+    /// faster: on a machine that does other work besides, it may keep the board in the interrupt of its line for many ticks, which no
+    /// line does. What was not sent in time is not made up for.
     pub(crate) fn send_at_line_rate(&mut self, bytes: &[u8]) {
-        // Of a size that fits into the queue of a board.
-        const PIECE: usize = 256;
-        let begun = self.wait(|time, _| Some(time));
-        let mut sent: u64 = 0;
-        for piece in bytes.chunks(PIECE) {
+        let tick_rate = u32::from(self.info().mode.tick_rate);
+        let piece = self.chip.line_rate / tick_rate;
+        for piece in bytes.chunks(piece as usize) {
+            let begun = self.wait(|time, _| Some(time));
             self.send_bytes(piece);
-            sent += piece.len() as u64;
-            let brought_us = sent * 1_000_000 / u64::from(self.chip.line_rate);
-            self.wait(|time, _| (u64::from(time.wrapping_sub(begun)) >= brought_us).then_some(()));
+            let tick_us = 1_000_000 / tick_rate;
+            self.wait(|time, _| (time.wrapping_sub(begun) >= tick_us).then_some(()));
         }
     }
 
