@@ -38,8 +38,10 @@ pub(super) struct Errand<R> {
 /// How the hand was followed since the body was last with it. Apart from the errand, as that leaves the state small.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Course {
-    /// With so many events.
-    events: u8,
+    /// In so many pieces, each to an event or to where a search gave up.
+    pieces: u8,
+    /// An event has happened.
+    had_event: bool,
     /// By a jump to the end of its path: what settles does so there.
     has_jumped: bool,
     /// The next piece goes the part 4^-k of what is left: where the looks at a path do not suffice, those at a shorter one do.
@@ -50,7 +52,8 @@ pub(super) struct Course {
 
 impl Course {
     pub(super) const NEW: Self = Self {
-        events: 0,
+        pieces: 0,
+        had_event: false,
         has_jumped: false,
         quarters: 0,
         limited: Status::Ok,
@@ -74,11 +77,9 @@ impl<R: Real> Errand<R> {
     }
 }
 
-/// After so many events the hand jumps: a body that goes from event to event without end comes to rest, and one that cannot keep up
+/// After so many pieces the hand jumps: a body that goes from event to event without end comes to rest, and one that cannot keep up
 /// with the hand is with it again.
-const MAX_PATH_EVENTS: u8 = 128;
-/// The first event happens where the hand reaches it in frame evolution, too.
-const MAX_FRAME_EVENTS: u8 = 1;
+const MAX_PIECES: u8 = 128;
 /// On pieces shorter than 4^-8 of the displacement the searches do not get away from where they are.
 const MAX_QUARTERS: u8 = 8;
 
@@ -233,7 +234,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
     fn most_of_piece(&self, state: &State<R>, tried: bool) -> u32 {
         let contact = &state.contact;
         match &state.errand.stage {
-            Stage::OnPath if state.course.events > 0 && !tried => {
+            Stage::OnPath if state.course.pieces > 0 && !tried => {
                 let certified = (contact.most_of_certified())
                     .saturating_add(contact.most_of_certified_among(&self.scene));
                 self.most_of_verb(contact).saturating_add(certified)
@@ -249,7 +250,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         (contact.most_of_verb()).saturating_add(contact.most_of_verb_among(&self.scene))
     }
 
-    /// Along the straight path of the hand to the next event (STATICS 7); after the last one that counts the hand jumps.
+    /// Along the straight path of the hand to the next event (STATICS 7); after the last one that happens on it the hand jumps.
     #[inline(never)]
     fn along_path(
         &self,
@@ -258,22 +259,23 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         (work, log): (&mut Work, &mut Log<R>),
     ) {
         let Course {
-            events, quarters, ..
+            pieces,
+            had_event,
+            quarters,
+            ..
         } = state.course;
-        let most = match self.evolution {
-            Evolution::Path => MAX_PATH_EVENTS,
-            Evolution::Frame => MAX_FRAME_EVENTS,
-        };
+        // By frame the first event happens where the hand reaches it, too (STATICS 7.2).
+        let is_last_event = had_event && self.evolution == Evolution::Frame;
         let is_balanced = matches!(state.unrest, Status::Ok | Status::Jammed);
-        if events >= most || quarters > MAX_QUARTERS || !is_balanced {
-            if events >= MAX_PATH_EVENTS {
+        if is_last_event || pieces >= MAX_PIECES || quarters > MAX_QUARTERS || !is_balanced {
+            if pieces >= MAX_PIECES {
                 log.limit(Status::EventLimit);
             } else if quarters > MAX_QUARTERS {
                 log.limit(Status::IterationLimit);
             }
             return Self::jump(state, to, log);
         }
-        let may_be_certified = events > 0 && !tried;
+        let may_be_certified = pieces > 0 && !tried;
         if may_be_certified && (state.contact).follow(&self.scene, (&state.grip, to), work) {
             rests(&state.contact, log);
             (state.grip, state.errand.stage) = (*to, Stage::Arrived);
@@ -315,9 +317,10 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         if arrives || moved.trigger == Trigger::GoesOn {
             return;
         }
-        state.course.events = events.saturating_add(1);
+        state.course.pieces = pieces.saturating_add(1);
         // Up to where a search gave up nothing has happened: on from there.
         if !moved.unsure {
+            state.course.had_event = true;
             state.errand.stage = Stage::AtEvent(moved.trigger);
         }
     }

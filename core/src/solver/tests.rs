@@ -66,6 +66,8 @@ fn gives_up<const V: usize, const S: usize>(
             off < 1e-6 && output.state == end.state,
             "{most}: {output:?} for {end:?}"
         );
+        let first = |output: &Output<f64>| output.events().first().copied();
+        assert_eq!(first(&output), first(&end), "{most} {:?}", solver.evolution);
     }
 }
 

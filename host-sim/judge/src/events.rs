@@ -270,9 +270,7 @@ pub(crate) fn snaps(step: &Step<'_>) -> Option<bool> {
     }
     let pin = |part| pinned(step, (touch, slide), part);
     let Some(turn) = follow(pin, last.pose[2], 1.0) else {
-        // Where a search of what slides ends before the fold and the hand jumps from there, the contact slips over it.
-        let may_jump = slide.is_some() && step.evolution == Evolution::Frame;
-        return (told || !may_jump).then_some(told);
+        return Some(told);
     };
     let is_followed = pin(1.0).on_one_branch(turn, next.pose[2]);
     Some(told != is_followed)

@@ -94,8 +94,7 @@
 //!
 //! * Events that undo each other within a frame, as `touch` and `lift` of one contact, and slips, slides and snaps beside other events of
 //!   their frame, and how many there were.
-//! * `snap` of two contacts that slide, or of one that slides on a corner; `snap` of a slide where nothing holds the angle. A `snap` of
-//!   a slide that is not told, where the hand jumps (`--evolution frame`).
+//! * `snap` of two contacts that slide, or of one that slides on a corner; `snap` of a slide where nothing holds the angle.
 //! * What happens at the very frame, within the rounding: it may be told with this frame or with the next one. So may a slip that is
 //!   shorter than what forces are known to.
 //! * The length of a slip to better than the place where static friction gives way, which is uncertain where it does so gradually.
