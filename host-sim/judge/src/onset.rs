@@ -3,7 +3,7 @@
 /// Parts of the way that are looked at, each halved where the function may reach the level inside.
 const PARTS: u32 = 16;
 /// So often.
-pub(crate) const HALVINGS: u32 = 44;
+const HALVINGS: u32 = 44;
 
 /// A function on a way from 0 to 1, minus infinity beyond a place from which on it is not defined.
 #[derive(Clone, Copy)]

@@ -5,7 +5,7 @@ use super::vertex::PLACES;
 use super::{Step, drive, static_excess};
 use crate::frame::{Contact, Evolution, State};
 use crate::model::borne;
-use crate::onset::{HALVINGS, Way};
+use crate::onset::Way;
 use crate::pin::{Foot, Spot, follow};
 use crate::touch::Face;
 use crate::vector::between;
@@ -119,17 +119,9 @@ impl Chain<'_> {
                 return Some(next);
             }
             if driven <= 0.0 {
-                let (mut low, mut high) = (last, next);
-                for _ in 0..HALVINGS {
-                    let middle = f64::midpoint(low.place, high.place);
-                    let (driven, at) = along(low, middle)?;
-                    if driven > 0.0 {
-                        low = at;
-                    } else {
-                        high = at;
-                    }
-                }
-                return Some(low);
+                let driven = |place: f64| along(last, place).map(|(driven, _)| driven);
+                let end = Way(&driven).zero((last.place, next.place));
+                return along(last, end).map(|(_, link)| link);
             }
             last = next;
         }
