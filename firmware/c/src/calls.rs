@@ -1,0 +1,305 @@
+//! The functions of the header.
+//!
+//! None may be called for the same memory from two places at once.
+
+use core::fmt::Write;
+use core::{slice, str};
+
+use stiction_core::Evolution;
+#[cfg(feature = "obstacles")]
+use stiction_core::Touch;
+
+use crate::input::{Described, Hand, Scene};
+use crate::memory::{
+    Checked, Inner, Memory, Snapshot, World, begin, checked, give, given, keep, kept, solver,
+    solver_mut,
+};
+use crate::output::{CONTACTS, Contact, Kind, Output, Wrench};
+use crate::result::{Error, Parameter, Result};
+use crate::text::Text;
+
+fn answer(done: Checked<()>) -> Result {
+    match done {
+        Ok(()) => Result::Ok,
+        Err(result) => result,
+    }
+}
+
+/// Makes a solver of a scene, in memory of the caller.
+///
+/// size: `sizeof(stiction)`, abi: `STICTION_ABI`. error: receives what is wrong with the scene where the answer is `STICTION_RESULT_SCENE`; may
+/// be null. The evolution is `path`, and there is no budget.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_init(
+    memory: *mut Memory,
+    size: usize,
+    abi: u32,
+    scene: *const Scene,
+    error: *mut Error,
+) -> Result {
+    let world = || {
+        let described = Described::read(given(scene)?)?;
+        world(&described).map_err(|why| {
+            if checked(error).is_ok() {
+                give(error, Error::of(&why));
+            }
+            Result::Scene
+        })
+    };
+    if !error.is_null() && !error.is_aligned() {
+        return Result::Unaligned;
+    }
+    answer(begin((memory, size, abi), world))
+}
+
+#[cfg(feature = "obstacles")]
+fn world(described: &Described<'_>) -> core::result::Result<World, stiction_core::SceneError<f32>> {
+    World::among(&described.scene(), described.obstacles())
+}
+
+#[cfg(not(feature = "obstacles"))]
+fn world(described: &Described<'_>) -> core::result::Result<World, stiction_core::SceneError<f32>> {
+    if let Some(count) = described.obstacles().len().checked_sub(1) {
+        return Err(stiction_core::SceneError {
+            parameter: stiction_core::Parameter::ObstacleCount,
+            value: count as f32 + 1.0,
+            allowed: "0 in a library without obstacles",
+        });
+    }
+    World::new(&described.scene())
+}
+
+/// Chooses how frames are evolved: 0, `path`, exact events along the straight path of the hand, whatever the frame rate; 1, `frame`, cheaper:
+/// from the first event on the hand jumps to the end of the frame.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_set_evolution(memory: *mut Memory, evolution: u8) -> Result {
+    answer(solver_mut(memory).and_then(|inner| {
+        let evolution = *Evolution::ALL
+            .get(usize::from(evolution))
+            .ok_or(Result::Choice)?;
+        inner.solver = inner.solver.clone().with_evolution(evolution);
+        Ok(())
+    }))
+}
+
+/// Bounds the work of a step, in units (the README says what one takes); `UINT32_MAX`: no bound. A step that would take more leaves the body
+/// behind the hand, and the next one goes on from there.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_set_budget(memory: *mut Memory, units: u32) -> Result {
+    answer(solver_mut(memory).map(|inner| {
+        inner.solver = inner.solver.clone().with_budget(units);
+    }))
+}
+
+/// A new run: the body from its start pose, with the hand at its first pose. output: may be null.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_start(
+    memory: *mut Memory,
+    hand: *const Hand,
+    output: *mut Output,
+) -> Result {
+    answer(moved(memory, hand, output, |inner, hand| {
+        let (run, output) = inner.solver.start(hand.sample());
+        inner.run = Some(run);
+        Ok(Output::of(&output))
+    }))
+}
+
+/// One frame: the hand goes to its new pose, and the body follows. A sample that is not finite leaves the body as it is, and the status of the
+/// output says so. output: may be null.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_step(
+    memory: *mut Memory,
+    hand: *const Hand,
+    output: *mut Output,
+) -> Result {
+    answer(moved(memory, hand, output, |inner, hand| {
+        let run = inner.run.as_mut().ok_or(Result::NotStarted)?;
+        Ok(Output::of(&inner.solver.step(run, hand.sample())))
+    }))
+}
+
+fn moved(
+    memory: *mut Memory,
+    hand: *const Hand,
+    output: *mut Output,
+    by: impl FnOnce(&mut Inner, &Hand) -> Checked<Output>,
+) -> Checked<()> {
+    let hand = given(hand)?;
+    if !output.is_null() {
+        checked(output)?;
+    }
+    let moved = by(solver_mut(memory)?, hand)?;
+    if !output.is_null() {
+        give(output, moved);
+    }
+    Ok(())
+}
+
+/// Force and moment of the hand on the body; zero while it is not held. A device gives the opposite to the hand.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_wrench(memory: *const Memory, wrench: *mut Wrench) -> Result {
+    answer(solver(memory).and_then(|inner| {
+        checked(wrench)?;
+        let run = inner.run.as_ref().ok_or(Result::NotStarted)?;
+        let given = inner.solver.wrench(run);
+        let [fx, fy] = given.force;
+        give(
+            wrench,
+            Wrench {
+                fx,
+                fy,
+                moment: given.moment,
+            },
+        );
+        Ok(())
+    }))
+}
+
+/// The contacts with their forces: into `contacts`, which has room for `STICTION_CONTACTS`; into `count` how many there are.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_contacts(
+    memory: *const Memory,
+    contacts: *mut Contact,
+    count: *mut u32,
+) -> Result {
+    answer(solver(memory).and_then(|inner| {
+        checked(contacts)?;
+        checked(count)?;
+        let all = listed(inner)?;
+        let mut number = 0;
+        for contact in all.into_iter().flatten() {
+            give(contacts.wrapping_add(number), contact);
+            number += 1;
+        }
+        give(count, u32::try_from(number).unwrap_or(u32::MAX));
+        Ok(())
+    }))
+}
+
+fn listed(inner: &Inner) -> Checked<[Option<Contact>; CONTACTS]> {
+    let run = inner.run.as_ref().ok_or(Result::NotStarted)?;
+    let small = |index: usize| u8::try_from(index).unwrap_or(u8::MAX);
+    let mut all = [None; CONTACTS];
+    let given = inner.solver.contacts(run);
+    for (to, from) in all.iter_mut().zip(given.iter()) {
+        let [x, y] = from.point;
+        *to = Some(Contact {
+            x,
+            y,
+            normal: from.normal,
+            friction: from.friction,
+            sliding: from.sliding,
+            kind: Kind::Surface,
+            feature: small(from.vertex),
+            other: small(from.surface),
+            part: 0,
+        });
+    }
+    #[cfg(feature = "obstacles")]
+    for (to, from) in all
+        .iter_mut()
+        .flatten()
+        .zip(inner.solver.touches(run).iter())
+    {
+        let (kind, feature, other, part) = match from.touch {
+            Touch::Surface { vertex, surface } => (Kind::Surface, vertex, surface, 0),
+            Touch::Side {
+                vertex,
+                obstacle,
+                side,
+            } => (Kind::Side, vertex, obstacle, side),
+            Touch::Corner {
+                obstacle,
+                corner,
+                body_side,
+            } => (Kind::Corner, body_side, obstacle, corner),
+        };
+        (to.kind, to.feature, to.other, to.part) =
+            (kind, small(feature), small(other), small(part));
+    }
+    Ok(all)
+}
+
+/// Keeps the run as it is.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_take_snapshot(memory: *const Memory, snapshot: *mut Snapshot) -> Result {
+    answer(solver(memory).and_then(|inner| {
+        let run = inner.run.as_ref().ok_or(Result::NotStarted)?;
+        keep(run, snapshot)
+    }))
+}
+
+/// Goes back to a run as it was: the same hands lead to the same bits again. The snapshot has to be of the same scene.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_restore(memory: *mut Memory, snapshot: *const Snapshot) -> Result {
+    answer(solver_mut(memory).and_then(|inner| {
+        inner.run = Some(kept(snapshot)?);
+        Ok(())
+    }))
+}
+
+/// What a result means, and of `STICTION_RESULT_SCENE` what is wrong: `<parameter>, allowed: <what>`. The text is ended by 0, and cut where `size`
+/// bytes are too few. error: as `stiction_init` has written it, or null.
+#[unsafe(no_mangle)]
+#[allow(unsafe_code)]
+pub extern "C" fn stiction_error_text(
+    result: i32,
+    error: *const Error,
+    text: *mut u8,
+    size: usize,
+) -> Result {
+    answer(write_error(result, error, (text, size)))
+}
+
+#[allow(unsafe_code)]
+fn write_error(result: i32, error: *const Error, (text, size): (*mut u8, usize)) -> Checked<()> {
+    checked(text)?;
+    // No text is longer.
+    let size = size.min(512);
+    // SAFETY: the header asks for room for `size` bytes that nobody else has.
+    let mut text = Text::new(unsafe { slice::from_raw_parts_mut(text, size) });
+    let written = if result == Result::Scene as i32 && !error.is_null() {
+        let error = given(error)?;
+        let indices = [error.index, error.second].map(usize::from);
+        match Parameter::named(error.parameter, indices) {
+            Some(parameter) if !error.allowed.is_null() => {
+                // SAFETY: `stiction_init` wrote them from a string.
+                let allowed = unsafe { slice::from_raw_parts(error.allowed, error.allowed_length) };
+                let allowed = str::from_utf8(allowed).unwrap_or_default();
+                write!(text, "{parameter}, allowed: {allowed}")
+            }
+            _ => text.write_str("the scene can be used"),
+        }
+    } else {
+        text.write_str(meaning(result))
+    };
+    written.map_err(|_| Result::Size)
+}
+
+fn meaning(result: i32) -> &'static str {
+    match result {
+        0 => "it was done",
+        -1 => "a pointer is null",
+        -2 => "a pointer is not aligned for what it points to",
+        -3 => {
+            "the library is another one than that of the header: another version, number type, or with obstacles or without"
+        }
+        -4 => "the memory is smaller than the header says",
+        -5 => "the memory holds no solver: stiction_init has not been called, or has failed",
+        -6 => "the solver has no run: stiction_start has not been called",
+        -7 => "the scene cannot be used",
+        -8 => "the choice is none of those that there are",
+        -9 => "the snapshot holds no run of this library",
+        _ => "no result of this library",
+    }
+}

@@ -1,0 +1,35 @@
+//! stiction for C and C++: what `include/stiction.h` declares. The header is made from this crate, and its comments are those of the
+//! functions and types here.
+//!
+//! ```text
+//! stiction_scene --init--> stiction (memory of the caller: solver, state, last answer) --start, step--> stiction_output
+//!                                                                                       --wrench, contacts--> forces
+//!                                                                                       --snapshot, restore--> a run again
+//! ```
+//!
+//! There is no heap, nothing panics, and nothing is needed from a C library but `memcpy` and the like. A function checks every pointer
+//! for null and alignment, and the memory for its size and for what it holds; it answers with a [`Result`](result::Result) and writes nothing
+//! where that is not `STICTION_OK`, but for what is wrong with a scene.
+#![cfg_attr(all(feature = "archive", not(test)), no_std)]
+
+mod calls;
+mod input;
+mod memory;
+mod output;
+mod result;
+mod text;
+
+pub use calls::*;
+pub use input::{Hand, Obstacle, Scene, Surface};
+pub use memory::{
+    ABI, CORNERS, Memory, OBSTACLES, SNAPSHOT_WORDS, SURFACES, Snapshot, VERTICES, WORDS,
+};
+pub use output::{CONTACTS, Contact, EVENTS, Event, Kind, Output, State, Status, Wrench};
+pub use result::{Error, Parameter, Result};
+
+/// No function can come here: the tests look for it in the archives.
+#[cfg(all(feature = "archive", not(test)))]
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    loop {}
+}

@@ -1,0 +1,184 @@
+//! The memory that the caller owns: solver, state and last answer, with a mark that says what they are; and snapshots of a state.
+
+use core::mem::{align_of, size_of};
+use core::ptr;
+
+use stiction_core::{Evolution, Scene, Solver, State};
+
+use crate::result::Result;
+
+#[cfg(feature = "fixed")]
+pub(crate) type Number = stiction_core::Fixed;
+#[cfg(not(feature = "fixed"))]
+pub(crate) type Number = f32;
+
+/// At most so many vertices of a body.
+pub const VERTICES: usize = 8;
+/// At most so many surfaces of a scene.
+pub const SURFACES: usize = 4;
+/// At most so many obstacles of a scene.
+pub const OBSTACLES: usize = 8;
+/// At most so many corners of all obstacles together.
+pub const CORNERS: usize = 32;
+
+#[cfg(feature = "obstacles")]
+type Model = stiction_core::WithObstacles<OBSTACLES, CORNERS>;
+#[cfg(not(feature = "obstacles"))]
+type Model = stiction_core::Full;
+
+pub(crate) type World = Scene<Number, VERTICES, SURFACES, Model>;
+pub(crate) type Engine = Solver<Number, VERTICES, SURFACES, Model>;
+pub(crate) type Run = State<Number>;
+
+/// The size of the memory in words of 8 bytes.
+#[cfg(feature = "obstacles")]
+pub const WORDS: usize = 512;
+/// The size of the memory in words of 8 bytes.
+#[cfg(not(feature = "obstacles"))]
+pub const WORDS: usize = 96;
+/// The size of a snapshot in words of 8 bytes.
+pub const SNAPSHOT_WORDS: usize = 33;
+
+/// What the library and the header have to agree about: version, number type, obstacles. `stiction_init` compares it.
+pub const ABI: u32 =
+    0x5715_0100 | (cfg!(feature = "fixed") as u32) << 1 | cfg!(feature = "obstacles") as u32;
+
+/// A solver with its run. Nothing in it is for the caller; to move it, copy the whole.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Memory {
+    /// Not for the caller.
+    pub words: [u64; WORDS],
+}
+
+/// A run at a time.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot {
+    /// Not for the caller.
+    pub words: [u64; SNAPSHOT_WORDS],
+}
+
+/// What is in [`Memory`].
+pub(crate) struct Inner {
+    mark: u32,
+    pub(crate) solver: Engine,
+    pub(crate) run: Option<Run>,
+}
+
+/// What is in a [`Snapshot`].
+struct Kept {
+    mark: u32,
+    run: Run,
+}
+
+const _: () = assert!(
+    size_of::<Inner>() <= size_of::<Memory>() && align_of::<Inner>() <= align_of::<Memory>()
+);
+const _: () = assert!(
+    size_of::<Kept>() <= size_of::<Snapshot>() && align_of::<Kept>() <= align_of::<Snapshot>()
+);
+
+/// What memory begins with that holds a solver, and a snapshot with a run.
+const SOLVER: u32 = ABI ^ 0x0f0f_0f0f;
+const RUN: u32 = ABI ^ 0xf0f0_f0f0;
+
+/// Something, or why a function cannot be carried out.
+pub(crate) type Checked<T> = core::result::Result<T, Result>;
+
+/// A pointer that leads somewhere.
+pub(crate) fn checked<T>(place: *const T) -> Checked<*const T> {
+    if place.is_null() {
+        Err(Result::Null)
+    } else if place.is_aligned() {
+        Ok(place)
+    } else {
+        Err(Result::Unaligned)
+    }
+}
+
+/// A value that C gives.
+#[allow(unsafe_code)]
+pub(crate) fn given<'a, T>(place: *const T) -> Checked<&'a T> {
+    // SAFETY: the header asks for a pointer to a T that nobody changes while the function runs; it is aligned and not null.
+    checked(place).map(|place| unsafe { &*place })
+}
+
+/// Writes a value where C wants it.
+#[allow(unsafe_code)]
+pub(crate) fn give<T>(place: *mut T, value: T) {
+    // SAFETY: as in `given`; nobody else has the place while the function runs. What was there needs no end.
+    unsafe { ptr::write(place, value) }
+}
+
+/// Memory that is large enough, of a caller with the same header.
+fn fits(memory: *mut Memory, size: usize, abi: u32) -> Checked<*mut Inner> {
+    checked(memory)?;
+    if abi != ABI {
+        return Err(Result::Abi);
+    }
+    if size < size_of::<Memory>() {
+        return Err(Result::Size);
+    }
+    Ok(memory.cast())
+}
+
+/// Puts a solver without a run into the memory.
+pub(crate) fn begin(
+    (memory, size, abi): (*mut Memory, usize, u32),
+    scene: impl FnOnce() -> Checked<World>,
+) -> Checked<()> {
+    let place = fits(memory, size, abi)?;
+    let inner = Inner {
+        mark: SOLVER,
+        solver: Solver::new(scene()?, Evolution::Path),
+        run: None,
+    };
+    give(place, inner);
+    Ok(())
+}
+
+/// The solver in the memory.
+#[allow(unsafe_code)]
+pub(crate) fn solver<'a>(memory: *const Memory) -> Checked<&'a Inner> {
+    let place = checked(memory)?.cast::<Inner>();
+    // SAFETY: aligned, not null, and as large as the header says; the mark is a number, whatever is there.
+    let mark = unsafe { ptr::read(&raw const (*place).mark) };
+    if mark != SOLVER {
+        return Err(Result::NotInitialised);
+    }
+    // SAFETY: where the mark is, `begin` has put a whole value.
+    Ok(unsafe { &*place })
+}
+
+/// The same, to be changed.
+#[allow(unsafe_code)]
+pub(crate) fn solver_mut<'a>(memory: *mut Memory) -> Checked<&'a mut Inner> {
+    solver(memory)?;
+    // SAFETY: as in `solver`, and nobody else has it while the function runs, which the header asks for.
+    Ok(unsafe { &mut *memory.cast::<Inner>() })
+}
+
+/// The run of a snapshot.
+#[allow(unsafe_code)]
+pub(crate) fn kept(snapshot: *const Snapshot) -> Checked<Run> {
+    let place = checked(snapshot)?.cast::<Kept>();
+    // SAFETY: as in `solver`.
+    let mark = unsafe { ptr::read(&raw const (*place).mark) };
+    if mark != RUN {
+        return Err(Result::NoSnapshot);
+    }
+    // SAFETY: where the mark is, `keep` has put a whole value.
+    Ok(unsafe { (*place).run.clone() })
+}
+
+/// Puts a run into a snapshot.
+pub(crate) fn keep(run: &Run, snapshot: *mut Snapshot) -> Checked<()> {
+    checked(snapshot)?;
+    let kept = Kept {
+        mark: RUN,
+        run: run.clone(),
+    };
+    give(snapshot.cast(), kept);
+    Ok(())
+}
