@@ -21,13 +21,18 @@ pub const OBSTACLES: usize = 8;
 /// At most so many corners of all obstacles together.
 pub const CORNERS: usize = 32;
 
+/// cbindgen:ignore
 #[cfg(feature = "obstacles")]
 type Model = stiction_core::WithObstacles<OBSTACLES, CORNERS>;
+/// cbindgen:ignore
 #[cfg(not(feature = "obstacles"))]
 type Model = stiction_core::Full;
 
+/// cbindgen:ignore
 pub(crate) type World = Scene<Number, VERTICES, SURFACES, Model>;
+/// cbindgen:ignore
 pub(crate) type Engine = Solver<Number, VERTICES, SURFACES, Model>;
+/// cbindgen:ignore
 pub(crate) type Run = State<Number>;
 
 /// The size of the memory in words of 8 bytes.
@@ -39,9 +44,18 @@ pub const WORDS: usize = 96;
 /// The size of a snapshot in words of 8 bytes.
 pub const SNAPSHOT_WORDS: usize = 33;
 
-/// What the library and the header have to agree about: version, number type, obstacles. `stiction_init` compares it.
-pub const ABI: u32 =
-    0x5715_0100 | (cfg!(feature = "fixed") as u32) << 1 | cfg!(feature = "obstacles") as u32;
+/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+#[cfg(all(not(feature = "fixed"), not(feature = "obstacles")))]
+pub const ABI: u32 = 0x0100;
+/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+#[cfg(all(feature = "fixed", not(feature = "obstacles")))]
+pub const ABI: u32 = 0x0101;
+/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+#[cfg(all(not(feature = "fixed"), feature = "obstacles"))]
+pub const ABI: u32 = 0x0102;
+/// What the library and the header have to agree about: version 1.0, number type, obstacles. `stiction_init` compares it.
+#[cfg(all(feature = "fixed", feature = "obstacles"))]
+pub const ABI: u32 = 0x0103;
 
 /// A solver with its run. Nothing in it is for the caller; to move it, copy the whole.
 #[repr(C)]
@@ -80,10 +94,12 @@ const _: () = assert!(
 );
 
 /// What memory begins with that holds a solver, and a snapshot with a run.
-const SOLVER: u32 = ABI ^ 0x0f0f_0f0f;
-const RUN: u32 = ABI ^ 0xf0f0_f0f0;
+const SOLVER: u32 = ABI ^ 0x534f_0000;
+const RUN: u32 = ABI ^ 0x5255_0000;
 
 /// Something, or why a function cannot be carried out.
+///
+/// cbindgen:ignore
 pub(crate) type Checked<T> = core::result::Result<T, Result>;
 
 /// A pointer that leads somewhere.
