@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Builds the archives of every chip, beside the headers: OUT/include, OUT/lib/<target>/libstiction{,_fixed,_obstacles,_fixed_obstacles}.a
+#   firmware/c/archives.sh OUT [TARGET ...]
+# TARGET: as rustc calls it; without any all that are below.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+[ $# -gt 0 ] || {
+  sed -n '2,4s/^# *//p' "$0" >&2
+  exit 2
+}
+mkdir -p "$1"
+out=$(cd "$1" && pwd)
+shift
+# Cortex-M0 and M0+; M4F and M7F (F4, G4, H7, nRF52840, Teensy 4); M33 (RP2350, nRF5340); ESP32-C3; a computer.
+[ $# -gt 0 ] || set -- thumbv6m-none-eabi thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imc-unknown-none-elf x86_64-unknown-linux-gnu
+# For few instructions; `STICTION_PROFILE=device-small` for little flash.
+profile=${STICTION_PROFILE:-device}
+target_dir=${CARGO_TARGET_DIR:-$here/../../target}
+
+mkdir -p "$out/include"
+cp "$here"/include/stiction.h* "$out/include/"
+for target in "$@"; do
+  rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"
+  mkdir -p "$out/lib/$target"
+  for variant in '' fixed obstacles fixed,obstacles; do
+    (cd "$here" && cargo rustc --lib --crate-type staticlib --profile "$profile" --locked \
+      --features "archive${variant:+,$variant}" --target "$target")
+    name=libstiction${variant:+_${variant/,/_}}.a
+    cp "$target_dir/$target/$profile/libstiction.a" "$out/lib/$target/$name"
+  done
+done
