@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Builds the archives of every chip, beside the headers: OUT/include, OUT/lib/<target>/libstiction{,_fixed,_obstacles,_fixed_obstacles}.a
 #   firmware/c/archives.sh OUT [TARGET ...]
-# TARGET: as rustc calls it; without any all that are below.
+# TARGET: as rustc calls it; without any all that are below. STICTION_VARIANTS: not all four variants, but these.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -gt 0 ] || {
-  sed -n '2,4s/^# *//p' "$0" >&2
+  sed -n '2,3s/^# *//p' "$0" >&2
   exit 2
 }
 mkdir -p "$1"
@@ -17,15 +17,17 @@ shift
 profile=${STICTION_PROFILE:-device}
 target_dir=${CARGO_TARGET_DIR:-$here/../../target}
 
+IFS=' ' read -r -a variants <<<"${STICTION_VARIANTS:-float fixed obstacles fixed,obstacles}"
+
 mkdir -p "$out/include"
 cp "$here"/include/stiction.h* "$out/include/"
 for target in "$@"; do
   rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"
   mkdir -p "$out/lib/$target"
-  for variant in '' fixed obstacles fixed,obstacles; do
-    (cd "$here" && cargo rustc --lib --crate-type staticlib --profile "$profile" --locked \
-      --features "archive${variant:+,$variant}" --target "$target")
-    name=libstiction${variant:+_${variant/,/_}}.a
-    cp "$target_dir/$target/$profile/libstiction.a" "$out/lib/$target/$name"
+  for variant in "${variants[@]}"; do
+    features=archive name=libstiction
+    [ "$variant" = float ] || features=archive,$variant name=libstiction_${variant/,/_}
+    (cd "$here" && cargo rustc --lib --crate-type staticlib --profile "$profile" --locked --features "$features" --target "$target")
+    cp "$target_dir/$target/$profile/libstiction.a" "$out/lib/$target/$name.a"
   done
 done

@@ -15,6 +15,8 @@
 //!
 //! [`check`] judges a trace by the laws alone.
 //!
+//! [`code`] prints a scene as C, for the C library.
+//!
 //! [`trade`] runs many scenes in every setting of the solver, and tells what each setting costs and how exact it is.
 //!
 //! [`sweep`] runs scenes with many values of their parameters, to one table.
@@ -29,6 +31,7 @@ mod balance;
 pub mod board;
 mod body;
 pub mod check;
+pub mod code;
 pub mod emulator;
 mod files;
 pub mod footprint;

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
 use stiction_host_sim::check::{CheckArgs, check};
+use stiction_host_sim::code::{CodeArgs, code};
 use stiction_host_sim::footprint::{FootprintArgs, footprint};
 use stiction_host_sim::replay::{ReplayArgs, replay};
 use stiction_host_sim::run::{RunArgs, run};
@@ -48,6 +49,8 @@ enum Command {
     Board(BoardArgs),
     /// What a board says about itself
     Info(InfoArgs),
+    /// A scene as C code, for the C library
+    Code(CodeArgs),
 }
 
 /// Input that cannot be used, or output that cannot be written.
@@ -55,7 +58,7 @@ const UNUSABLE: u8 = 2;
 
 fn main() -> ExitCode {
     stop::begin();
-    let code = match command() {
+    let exit = match command() {
         Ok(command) => done(command),
         // Also where help was asked for.
         Err(said) => {
@@ -68,7 +71,7 @@ fn main() -> ExitCode {
             report::tell(format_args!("error: standard output: {error}"));
             ExitCode::from(UNUSABLE)
         }
-        None => code,
+        None => exit,
     }
 }
 
@@ -94,6 +97,7 @@ fn done(command: Command) -> ExitCode {
         Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
+        Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
         Command::View(args) => view(&args).map(|()| true).map_err(Into::into),
     };
     match result {

@@ -2,6 +2,7 @@
 //!
 //! None may be called for the same memory from two places at once.
 
+use core::ffi::c_char;
 use core::fmt::Write;
 use core::{slice, str};
 
@@ -255,10 +256,10 @@ pub extern "C" fn stiction_restore(memory: *mut Memory, snapshot: *const Snapsho
 pub extern "C" fn stiction_error_text(
     result: i32,
     error: *const Error,
-    text: *mut u8,
+    text: *mut c_char,
     size: usize,
 ) -> Result {
-    answer(write_error(result, error, (text, size)))
+    answer(write_error(result, error, (text.cast(), size)))
 }
 
 #[allow(unsafe_code)]

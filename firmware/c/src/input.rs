@@ -1,6 +1,6 @@
 //! What C gives: a scene and samples of the hand. SI units; the world frame is right-handed with y upwards, angles are counter-clockwise.
 
-use core::slice;
+use core::{ptr, slice};
 
 use stiction_core::{
     Angle, Description, Hand as CoreHand, ObstacleDescription, SurfaceDescription,
@@ -121,16 +121,15 @@ pub(crate) struct Described<'a> {
 }
 
 impl<'a> Described<'a> {
-    /// Reads what the pointers of a scene lead to. A list that is longer than there is room for is cut to one more than that: the core
-    /// says so.
+    /// Reads what the pointers of a scene lead to.
     pub(crate) fn read(scene: &'a Scene) -> Checked<Self> {
-        let vertices = list(scene.vertices, scene.vertex_count, VERTICES + 1)?;
-        let given = list(scene.surfaces, scene.surface_count, SURFACES + 1)?;
+        let vertices = list(scene.vertices, scene.vertex_count, &[[0.0; 2]; VERTICES + 1])?;
+        let given = list(scene.surfaces, scene.surface_count, &[Surface::NONE; SURFACES + 1])?;
         let mut surfaces = [SurfaceDescription::from(&Surface::NONE); SURFACES + 1];
         for (to, from) in surfaces.iter_mut().zip(given) {
             *to = from.into();
         }
-        let given = list(scene.obstacles, scene.obstacle_count, OBSTACLES + 1)?;
+        let given = list(scene.obstacles, scene.obstacle_count, &[Obstacle::NONE; OBSTACLES + 1])?;
         let nothing = ObstacleDescription {
             vertices: &[],
             friction_static: 0.0,
@@ -140,7 +139,7 @@ impl<'a> Described<'a> {
         let mut obstacles = [nothing; OBSTACLES + 1];
         for (to, from) in obstacles.iter_mut().zip(given) {
             *to = ObstacleDescription {
-                vertices: list(from.vertices, from.vertex_count, CORNERS + 1)?,
+                vertices: list(from.vertices, from.vertex_count, &[[0.0; 2]; CORNERS + 1])?,
                 friction_static: from.friction_static,
                 friction_dynamic: from.friction_dynamic,
                 memory: (from.has_memory != 0).then_some(from.memory),
@@ -184,6 +183,17 @@ impl Surface {
     };
 }
 
+impl Obstacle {
+    const NONE: Self = Self {
+        vertices: ptr::null(),
+        vertex_count: 0,
+        friction_static: 0.0,
+        friction_dynamic: 0.0,
+        memory: 0.0,
+        has_memory: 0,
+    };
+}
+
 impl From<&Surface> for SurfaceDescription<f32> {
     fn from(given: &Surface) -> Self {
         Self {
@@ -202,14 +212,18 @@ fn first<T>(list: &[T], count: u32) -> &[T] {
     list.get(..count).unwrap_or(list)
 }
 
-/// A list of C, cut to so many elements; an empty one may have no place.
+/// A list of C; an empty one may have no place. Of one that is longer than there is room for, nothing is read: `too_many`, one more than
+/// that, stands for it, so that the core says so.
 #[allow(unsafe_code)]
-fn list<'a, T>(place: *const T, count: u32, most: usize) -> Checked<&'a [T]> {
+fn list<'a, T>(place: *const T, count: u32, too_many: &'a [T]) -> Checked<&'a [T]> {
     if count == 0 {
         return Ok(&[]);
     }
     let place = checked(place)?;
-    let count = usize::try_from(count).map_or(most, |count| count.min(most));
+    let count = usize::try_from(count).unwrap_or(usize::MAX);
+    if count >= too_many.len() {
+        return Ok(too_many);
+    }
     // SAFETY: the header asks for a pointer to `count` elements, which are there while the function runs; it is aligned and not null, and
     // every value of the bytes is a value of T, which has nothing but numbers and pointers.
     Ok(unsafe { slice::from_raw_parts(place, count) })

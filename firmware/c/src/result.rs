@@ -2,7 +2,7 @@
 
 use stiction_core::{Parameter as Of, SceneError};
 
-/// What a function answers. Where it is not `STICTION_OK`, nothing was done and nothing written, but for the error of a scene.
+/// What a function answers. Where it is not `STICTION_RESULT_OK`, nothing was done and nothing written, but for the error of a scene.
 #[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Result {

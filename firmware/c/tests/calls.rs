@@ -254,7 +254,7 @@ fn what_is_wrong_with_a_scene_is_named() {
     );
     let mut text = [b'x'; 100];
     assert_eq!(
-        stiction_error_text(result as i32, &error, text.as_mut_ptr(), text.len()),
+        stiction_error_text(result as i32, &error, text.as_mut_ptr().cast(), text.len()),
         Result::Ok
     );
     let end = text.iter().position(|&byte| byte == 0).expect("an end");
@@ -264,7 +264,7 @@ fn what_is_wrong_with_a_scene_is_named() {
     );
     let mut short = [b'x'; 8];
     assert_eq!(
-        stiction_error_text(-1, null(), short.as_mut_ptr(), short.len()),
+        stiction_error_text(-1, null(), short.as_mut_ptr().cast(), short.len()),
         Result::Ok
     );
     assert_eq!(&short, b"a point\0");

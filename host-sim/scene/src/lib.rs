@@ -5,7 +5,8 @@
 //! scene.toml ─ Source ─ document.rs ─ check.rs ─┬─ WrittenScene ─┬─ scene_in ─ Scene of the solver, or locate.rs: the key
 //!                                               │                ├─ HostModel: the same among obstacles, cut to size by clip.rs
 //!                                               │                ├─ SceneModel: the smallest that it runs in, and why
-//!                                               │                └─ board.rs, compile.rs, code.rs: scene.rs in a board's build
+//!                                               │                ├─ board.rs, compile.rs, code.rs: scene.rs in a board's build
+//!                                               │                └─ c_code.rs: the same for the C library
 //!                                               └─ hand_section.rs: [hand] ─┐
 //! hand.csv ─── Source ─ hand_path/recorded.rs ─ hand_path/placement.rs ─────┴─ HandPath: samples, resampled
 //! ```
@@ -13,6 +14,7 @@
 //! [`SceneFile`] is a written scene with its `[hand]`.
 
 mod board;
+mod c_code;
 mod check;
 mod clip;
 mod code;
@@ -32,6 +34,7 @@ mod surface;
 mod written;
 
 pub use board::BoardBuild;
+pub use c_code::c_source;
 pub use clip::Indices;
 pub use code::rust_source;
 pub use compile::code;

@@ -1,0 +1,55 @@
+//! The archive of a variant of the library, as `archives.sh` builds it.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use stiction_scene::NumberType;
+use stiction_tools::process::{EmulatorError, output_of};
+
+/// A variant of the library.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Library {
+    pub(crate) number: NumberType,
+    pub(crate) obstacles: bool,
+}
+
+/// The folder of the library.
+pub(crate) fn folder() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+impl Library {
+    /// Its name for `archives.sh`.
+    fn variant(self) -> &'static str {
+        match (self.number, self.obstacles) {
+            (NumberType::F32, false) => "float",
+            (NumberType::Fixed, false) => "fixed",
+            (NumberType::F32, true) => "obstacles",
+            (NumberType::Fixed, true) => "fixed,obstacles",
+        }
+    }
+
+    /// What a program that is compiled for it defines.
+    pub(crate) fn defines(self) -> Vec<&'static str> {
+        let fixed = self.number == NumberType::Fixed;
+        let all = [(fixed, "-DSTICTION_FIXED"), (self.obstacles, "-DSTICTION_OBSTACLES")];
+        all.into_iter().filter_map(|(is, name)| is.then_some(name)).collect()
+    }
+
+    /// The archive for a target of rustc.
+    ///
+    /// # Errors
+    /// The target is missing, or the archive cannot be built.
+    pub(crate) fn archive(self, target: &str) -> Result<PathBuf, EmulatorError> {
+        let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("archives");
+        let mut script = Command::new("bash");
+        script.arg(folder().join("archives.sh")).arg(&out).arg(target);
+        script.env("STICTION_VARIANTS", self.variant());
+        output_of(script)?;
+        let name = match self.variant() {
+            "float" => "libstiction.a".to_owned(),
+            variant => format!("libstiction_{}.a", variant.replace(',', "_")),
+        };
+        Ok(out.join("lib").join(target).join(name))
+    }
+}

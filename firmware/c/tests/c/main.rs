@@ -1,0 +1,93 @@
+//! The library as C programs use it, compiled by gcc and clang with every warning an error: ten scenes have the bits of the solver on four
+//! kinds of processor, and what no caller should give is refused. What is not installed is skipped with the command that installs it; with
+//! CI=true it must be there.
+
+mod expected;
+mod library;
+mod machine;
+
+use expected::{SCENES_AMONG_OBSTACLES, SCENES_BY_WALLS, scenes_header};
+use library::Library;
+use machine::{CORTEX_M0, CORTEX_M4F, Compiler, Machine, RISC_V};
+use stiction_core::{Fixed, Full};
+use stiction_scene::NumberType;
+use stiction_tools::process::{EmulatorError, if_installed};
+
+/// Frames of each scene.
+const FRAMES: u32 = 10_000;
+
+/// What the walk prints on a machine: a hash for each scene.
+fn hashes(machine: &Machine, library: &Library) -> Result<Vec<u32>, EmulatorError> {
+    let folder = tempfile::tempdir()?;
+    std::fs::write(folder.path().join("scenes.h"), scenes_header(library))?;
+    let defined = [format!("-DFRAMES={FRAMES}u")];
+    let program = machine.build(library, "walk.c", (folder.path(), &defined))?;
+    let said = machine.run(&program)?;
+    let hash = |line: &str| u32::from_str_radix(line.strip_prefix("hash ")?, 16).ok();
+    let hashes: Option<Vec<u32>> = said.lines().map(hash).collect();
+    hashes.ok_or(EmulatorError::Output(said))
+}
+
+fn same_bits(machine: &Machine, library: &Library) {
+    let expected = match (library.number, library.obstacles) {
+        (NumberType::F32, false) => expected::hashes::<f32, Full>(library, FRAMES),
+        (NumberType::Fixed, false) => expected::hashes::<Fixed, Full>(library, FRAMES),
+        (NumberType::F32, true) => expected::hashes::<f32, expected::Among>(library, FRAMES),
+        (NumberType::Fixed, true) => expected::hashes::<Fixed, expected::Among>(library, FRAMES),
+    };
+    if let Some(hashes) = if_installed(hashes(machine, library)) {
+        assert_eq!(hashes, expected, "{} {library:?}", machine.name);
+    }
+}
+
+#[test]
+fn a_computer_has_the_bits_of_the_solver() {
+    for (compiler, number, obstacles) in [
+        (Compiler::Gcc, NumberType::F32, false),
+        (Compiler::Clang, NumberType::Fixed, false),
+        (Compiler::Clang, NumberType::F32, true),
+        (Compiler::Gcc, NumberType::Fixed, true),
+    ] {
+        let machine = Machine::computer(compiler, &[]);
+        same_bits(&machine, &Library { number, obstacles });
+    }
+}
+
+#[test]
+fn emulated_chips_have_the_bits_of_the_solver() {
+    for (machine, number) in [
+        (CORTEX_M0, NumberType::Fixed),
+        (CORTEX_M4F, NumberType::F32),
+        (RISC_V, NumberType::Fixed),
+    ] {
+        let obstacles = false;
+        same_bits(&machine, &Library { number, obstacles });
+    }
+}
+
+/// Under the sanitizers of addresses and of undefined behaviour.
+#[test]
+fn what_no_caller_should_give_is_refused() {
+    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    for (compiler, number, obstacles) in [
+        (Compiler::Gcc, NumberType::F32, false),
+        (Compiler::Clang, NumberType::Fixed, true),
+    ] {
+        let library = Library { number, obstacles };
+        let machine = Machine::computer(compiler, &sanitized);
+        let folder = tempfile::tempdir().expect("a folder");
+        let said = machine
+            .build(&library, "hostile.c", (folder.path(), &[]))
+            .and_then(|program| machine.run(&program));
+        if let Some(said) = if_installed(said) {
+            assert_eq!(said, "", "{compiler:?} {library:?}");
+        }
+    }
+}
+
+/// Ten of each: as many as the tests promise.
+#[test]
+fn there_are_ten_scenes() {
+    assert_eq!(SCENES_BY_WALLS.len(), 10);
+    assert!(SCENES_AMONG_OBSTACLES.len() >= 4);
+}
