@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
 use stiction_scene::NumberType;
 use stiction_tools::process::{EmulatorError, output_of};
@@ -41,6 +42,9 @@ impl Library {
     /// # Errors
     /// The target is missing, or the archive cannot be built.
     pub(crate) fn archive(self, target: &str) -> Result<PathBuf, EmulatorError> {
+        /// One variant takes the place of another where cargo puts it.
+        static BUILDING: Mutex<()> = Mutex::new(());
+        let _building = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("archives");
         let mut script = Command::new("bash");
         script.arg(folder().join("archives.sh")).arg(&out).arg(target);

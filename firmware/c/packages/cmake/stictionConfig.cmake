@@ -1,0 +1,31 @@
+# find_package(stiction) gives a target for each variant of the library whose archive is there: stiction::float, stiction::fixed,
+# stiction::obstacles, stiction::fixed_obstacles. STICTION_TARGET: the chip, as a folder of lib/ is called; without it this computer.
+if(NOT STICTION_TARGET)
+  if(NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+    set(STICTION_TARGET x86_64-unknown-linux-gnu)
+  else()
+    set(stiction_FOUND FALSE)
+    set(stiction_NOT_FOUND_MESSAGE "STICTION_TARGET is not set; allowed: thumbv6m-none-eabi, thumbv7em-none-eabihf, thumbv8m.main-none-eabihf, riscv32imc-unknown-none-elf")
+    return()
+  endif()
+endif()
+get_filename_component(_stiction_root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+foreach(_stiction_variant float fixed obstacles fixed_obstacles)
+  set(_stiction_archive "${_stiction_root}/lib/${STICTION_TARGET}/libstiction_${_stiction_variant}.a")
+  string(REPLACE "_float" "" _stiction_archive "${_stiction_archive}")
+  if(TARGET stiction::${_stiction_variant} OR NOT EXISTS "${_stiction_archive}")
+    continue()
+  endif()
+  string(TOUPPER "STICTION_${_stiction_variant}" _stiction_defined)
+  string(REPLACE "STICTION_FLOAT" "" _stiction_defined "${_stiction_defined}")
+  string(REPLACE "FIXED_OBSTACLES" "FIXED;STICTION_OBSTACLES" _stiction_defined "${_stiction_defined}")
+  add_library(stiction::${_stiction_variant} STATIC IMPORTED)
+  set_target_properties(stiction::${_stiction_variant} PROPERTIES
+    IMPORTED_LOCATION "${_stiction_archive}"
+    INTERFACE_INCLUDE_DIRECTORIES "${_stiction_root}/include"
+    INTERFACE_COMPILE_DEFINITIONS "${_stiction_defined}")
+  set(stiction_FOUND TRUE)
+endforeach()
+if(NOT stiction_FOUND)
+  set(stiction_NOT_FOUND_MESSAGE "no archive in ${_stiction_root}/lib/${STICTION_TARGET}")
+endif()
