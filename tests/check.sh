@@ -80,7 +80,7 @@ add_backports() {
   [ -z "$mirror" ] || printf 'deb %s bookworm-backports main\n' "$mirror" >"$backports"
 }
 version() { "$1" --version 2>/dev/null | sed -n '1s/.* version \([0-9]*\)\..*/\1/p'; }
-for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3 'clang:clang libclang-rt-dev'; do
+for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3 'clang:clang libclang-rt-dev' 'cmake:cmake make'; do
   program=${tool%:*} from=
   case $program in
     qemu-*)

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Builds the archives of every chip, beside the headers: OUT/include, OUT/lib/<target>/libstiction{,_fixed,_obstacles,_fixed_obstacles}.a
+# Builds the archives of every chip, beside the headers and what CMake's find_package needs:
+# OUT/include, OUT/lib/cmake, OUT/lib/<target>/libstiction{,_fixed,_obstacles,_fixed_obstacles}.a
 #   firmware/c/archives.sh OUT [TARGET ...]
 # TARGET: as rustc calls it; without any all that are below. STICTION_VARIANTS: not all four variants, but these.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 [ $# -gt 0 ] || {
-  sed -n '2,3s/^# *//p' "$0" >&2
+  sed -n '2,4s/^# *//p' "$0" >&2
   exit 2
 }
 mkdir -p "$1"
@@ -19,8 +20,9 @@ target_dir=${CARGO_TARGET_DIR:-$here/../../target}
 
 IFS=' ' read -r -a variants <<<"${STICTION_VARIANTS:-float fixed obstacles fixed,obstacles}"
 
-mkdir -p "$out/include"
+mkdir -p "$out/include" "$out/lib/cmake/stiction"
 cp "$here"/include/stiction.h* "$out/include/"
+cp "$here"/packages/cmake/* "$out/lib/cmake/stiction/"
 for target in "$@"; do
   rustup target list --installed 2>/dev/null | grep -qx "$target" || rustup target add "$target"
   mkdir -p "$out/lib/$target"

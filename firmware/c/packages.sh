@@ -9,10 +9,8 @@ here=$(cd "$(dirname "$0")" && pwd)
   exit 2
 }
 "$here/archives.sh" "$1/stiction"
-cd "$1"
-mkdir -p stiction/lib/cmake/stiction
-cp "$here"/packages/cmake/* stiction/lib/cmake/stiction/
 
+cd "$1"
 rm -rf arduino/Stiction esp-idf/stiction zephyr/stiction
 mkdir -p arduino esp-idf zephyr
 cp -r "$here/packages/arduino" arduino/Stiction

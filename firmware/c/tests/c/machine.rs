@@ -7,6 +7,9 @@ use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 
 use crate::library::{Library, folder};
 
+/// What every C program here is compiled with.
+const OF_C: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2"];
+
 /// A compiler of C.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Compiler {
@@ -36,8 +39,6 @@ struct Chip {
     /// Each instruction takes 2^N ns of the emulated clock.
     shift: u32,
 }
-
-const WARNINGS: [&str; 5] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"];
 
 pub(crate) const CORTEX_M0: Machine = Machine {
     name: "Cortex-M0",
@@ -117,38 +118,42 @@ impl Machine {
         }
     }
 
-    /// Compiles a program of this folder with the library: the file of it, in `out`, where it looks for headers, too.
+    /// Compiles C sources, the first one that of the program, with the library: the file of it, in `out`, where they look for headers,
+    /// too.
     ///
     /// # Errors
     /// A compiler or a target is missing, or does not like the program.
     pub(crate) fn build(
         &self,
         library: &Library,
-        source: &str,
+        sources: &[&str],
         (out, defined): (&Path, &[String]),
     ) -> Result<PathBuf, EmulatorError> {
         let archive = library.archive(self.target)?;
-        let here = folder().join("tests/c");
         let startup = self.chip.as_ref().map_or("hosted.c", |chip| chip.startup);
+        let machines = folder().join("tests/c/machines");
+        let sources = sources.iter().map(|source| folder().join(source));
+        let sources: Vec<PathBuf> = sources.chain([machines.join(startup)]).collect();
         let mut compile = Command::new(match self.compiler {
             Compiler::Gcc => "gcc",
             Compiler::Clang => "clang",
         });
-        compile.args(WARNINGS).arg("-O2").args(self.flags).args(defined).args(library.defines());
-        for headers in [&folder().join("include"), &here.join("machines"), out] {
+        compile.args(OF_C).args(self.flags).args(defined).args(library.defines());
+        for headers in [&folder().join("include"), &folder().join("examples"), &machines, out] {
             compile.arg("-I").arg(headers);
         }
         let program = out.join("program");
-        let sources = [here.join(source), here.join("machines").join(startup)];
         let Some(chip) = &self.chip else {
-            compile.args(sources).arg(archive).arg("-o").arg(&program);
+            compile.args(sources).arg(archive).args(["-lm", "-o"]).arg(&program);
             output_of(compile)?;
             return Ok(program);
         };
-        compile.current_dir(out).args(["-ffreestanding", "-c"]).args(sources);
+        compile.current_dir(out).args(["-ffreestanding", "-c"]).args(&sources);
         output_of(compile)?;
-        let objects = [source, startup].map(|name| out.join(name).with_extension("o"));
-        output_of(chip.link(&here.join("machines/link.ld"), &objects, (&archive, &program))?)?;
+        let objects = sources.iter().filter_map(|source| source.file_name());
+        let objects: Vec<PathBuf> =
+            objects.map(|name| out.join(name).with_extension("o")).collect();
+        output_of(chip.link(&machines.join("link.ld"), &objects, (&archive, &program))?)?;
         Ok(program)
     }
 
