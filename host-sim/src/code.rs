@@ -4,7 +4,8 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use stiction_scene::{InputError, NumberType, c_source};
+use stiction_core::Fixed;
+use stiction_scene::{Among, HostModel, InputError, NumberType, c_source};
 
 use crate::input::open_scene;
 use crate::report;
@@ -24,16 +25,23 @@ pub struct CodeArgs {
 
 fn parse_number(text: &str) -> Result<NumberType, String> {
     let mut all = NumberType::ALL.into_iter();
-    let allowed = || format!("allowed: {}", NumberType::ALL.map(NumberType::name).join(", "));
+    let allowed = || {
+        format!(
+            "allowed: {}",
+            NumberType::ALL.map(NumberType::name).join(", ")
+        )
+    };
     all.find(|number| number.name() == text).ok_or_else(allowed)
 }
 
 fn parse_name(text: &str) -> Result<String, String> {
     let is_letter = |c: char| c == '_' || c.is_ascii_alphabetic();
-    let is_name = text.starts_with(is_letter)
-        && text.chars().all(|c| is_letter(c) || c.is_ascii_digit());
+    let is_name =
+        text.starts_with(is_letter) && text.chars().all(|c| is_letter(c) || c.is_ascii_digit());
     let allowed = "allowed: letters, digits and `_`, with no digit first";
-    is_name.then(|| text.to_owned()).ok_or_else(|| allowed.to_owned())
+    is_name
+        .then(|| text.to_owned())
+        .ok_or_else(|| allowed.to_owned())
 }
 
 /// Prints the code.
@@ -43,8 +51,8 @@ fn parse_name(text: &str) -> Result<String, String> {
 pub fn code(args: &CodeArgs) -> Result<(), InputError> {
     let scene = open_scene(&args.scene, args.number.into())?;
     match args.number {
-        NumberType::F32 => scene.scene::<f32>().map(|_| ())?,
-        NumberType::Fixed => scene.scene::<stiction_core::Fixed>().map(|_| ())?,
+        NumberType::F32 => <Among>::scene::<f32>(&scene).map(drop)?,
+        NumberType::Fixed => <Among>::scene::<Fixed>(&scene).map(drop)?,
     }
     let code = c_source(&scene, args.number, &args.name);
     report::printed(io::stdout().write_all(code.as_bytes()));

@@ -210,3 +210,46 @@ fn the_same_run_gives_the_same_bytes() {
     folder.trace(SCENE, &[]);
     assert_eq!(folder.read("trace.jsonl"), first);
 }
+
+/// What the C library makes of it is tested there.
+#[test]
+fn a_scene_is_printed_as_c_or_refused() {
+    let folder = Folder::new();
+    folder.write("scene.toml", SCENE);
+    for number in ["f32", "fixed"] {
+        for scene in ["scene.toml", "table-edge"] {
+            let code = ["code", scene, "--number", number, "--name", "bench"];
+            let output = folder.stiction(&code);
+            let code = text(&output.stdout);
+            assert!(output.status.success(), "{}", text(&output.stderr));
+            assert!(
+                code.contains("static const stiction_scene bench = {"),
+                "{code}"
+            );
+            assert_eq!(
+                code.contains(".obstacles = "),
+                scene == "table-edge",
+                "{code}"
+            );
+        }
+    }
+    for (arguments, message) in [
+        (
+            &["code", "scene.toml", "--name", "2box"][..],
+            "with no digit first",
+        ),
+        (
+            &["code", "scene.toml", "--number", "f64"],
+            "allowed: f32, fixed",
+        ),
+        (&["code", "none.toml"], "none.toml"),
+    ] {
+        let output = folder.stiction(arguments);
+        let said = text(&output.stderr);
+        assert!(
+            !output.status.success() && output.stdout.is_empty(),
+            "{said}"
+        );
+        assert!(said.contains(message), "{said}");
+    }
+}

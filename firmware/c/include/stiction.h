@@ -70,7 +70,7 @@
 // At most so many contacts at once.
 #define STICTION_CONTACTS 8
 
-// What a function answers. Where it is not `STICTION_OK`, nothing was done and nothing written, but for the error of a scene.
+// What a function answers. Where it is not `STICTION_RESULT_OK`, nothing was done and nothing written, but for the error of a scene.
 enum stiction_result
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
@@ -515,7 +515,7 @@ stiction_result stiction_restore(struct stiction *memory,
 // bytes are too few. error: as `stiction_init` has written it, or null.
 stiction_result stiction_error_text(int32_t result,
                                     const struct stiction_error *error,
-                                    uint8_t *text,
+                                    char *text,
                                     size_t size);
 
 #ifdef __cplusplus

@@ -123,13 +123,25 @@ pub(crate) struct Described<'a> {
 impl<'a> Described<'a> {
     /// Reads what the pointers of a scene lead to.
     pub(crate) fn read(scene: &'a Scene) -> Checked<Self> {
-        let vertices = list(scene.vertices, scene.vertex_count, &[[0.0; 2]; VERTICES + 1])?;
-        let given = list(scene.surfaces, scene.surface_count, &[Surface::NONE; SURFACES + 1])?;
+        let vertices = list(
+            scene.vertices,
+            scene.vertex_count,
+            &[[0.0; 2]; VERTICES + 1],
+        )?;
+        let given = list(
+            scene.surfaces,
+            scene.surface_count,
+            &[Surface::NONE; SURFACES + 1],
+        )?;
         let mut surfaces = [SurfaceDescription::from(&Surface::NONE); SURFACES + 1];
         for (to, from) in surfaces.iter_mut().zip(given) {
             *to = from.into();
         }
-        let given = list(scene.obstacles, scene.obstacle_count, &[Obstacle::NONE; OBSTACLES + 1])?;
+        let given = list(
+            scene.obstacles,
+            scene.obstacle_count,
+            &[Obstacle::NONE; OBSTACLES + 1],
+        )?;
         let nothing = ObstacleDescription {
             vertices: &[],
             friction_static: 0.0,

@@ -17,16 +17,28 @@ pub fn c_source(scene: &WrittenScene, number: NumberType, name: &str) -> String 
     }
 }
 
-fn whole(name: &str, d: &Description<'_, f32>, obstacles: &[ObstacleDescription<'_, f32>]) -> String {
+fn whole(
+    name: &str,
+    d: &Description<'_, f32>,
+    obstacles: &[ObstacleDescription<'_, f32>],
+) -> String {
     let mut code = points(&format!("{name}_vertices"), d.vertices);
     let surfaces = list(&mut code, "surface", name, d.surfaces.iter().map(surface));
     for (i, obstacle) in obstacles.iter().enumerate() {
         code += &points(&format!("{name}_obstacle_{i}"), obstacle.vertices);
     }
     let numbered = obstacles.iter().enumerate();
-    let obstacles = list(&mut code, "obstacle", name, numbered.map(|(i, o)| obstacle(name, i, o)));
+    let obstacles = list(
+        &mut code,
+        "obstacle",
+        name,
+        numbered.map(|(i, o)| obstacle(name, i, o)),
+    );
     let holding_point = d.holding_point.map_or_else(String::new, |point| {
-        format!("\n    .holding_point = {},\n    .has_holding_point = 1,", row(&point))
+        format!(
+            "\n    .holding_point = {},\n    .has_holding_point = 1,",
+            row(&point)
+        )
     });
     // Writing to a string cannot fail.
     let _ = write!(
@@ -67,7 +79,11 @@ fn list(code: &mut String, kind: &str, name: &str, items: impl Iterator<Item = S
 
 fn points(name: &str, points: &[[f32; 2]]) -> String {
     let rows: Vec<String> = points.iter().map(|point| row(point)).collect();
-    format!("static const float {name}[{}][2] = {{{}}};\n", points.len(), rows.join(", "))
+    format!(
+        "static const float {name}[{}][2] = {{{}}};\n",
+        points.len(),
+        rows.join(", ")
+    )
 }
 
 fn surface(d: &SurfaceDescription<f32>) -> String {

@@ -54,7 +54,10 @@ pub(crate) fn scenes_header(library: &Library) -> String {
     let all: Vec<String> = (0..names.len()).map(|i| format!("&scene_{i}")).collect();
     let (count, all) = (names.len(), all.join(", "));
     // Writing to a string cannot fail.
-    let _ = write!(code, "#define SCENES {count}\nstatic const stiction_scene *const scenes[SCENES] = {{{all}}};\n");
+    let _ = write!(
+        code,
+        "#define SCENES {count}\nstatic const stiction_scene *const scenes[SCENES] = {{{all}}};\n"
+    );
     code
 }
 
@@ -85,7 +88,10 @@ impl Room for Full {
         state: &State<R>,
     ) -> Vec<([usize; 2], Contact<f32>)> {
         let contacts = solver.contacts(state);
-        contacts.iter().map(|c| ([c.vertex, c.surface], c.clone())).collect()
+        contacts
+            .iter()
+            .map(|c| ([c.vertex, c.surface], c.clone()))
+            .collect()
     }
 }
 

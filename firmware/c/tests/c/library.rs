@@ -33,8 +33,13 @@ impl Library {
     /// What a program that is compiled for it defines.
     pub(crate) fn defines(self) -> Vec<&'static str> {
         let fixed = self.number == NumberType::Fixed;
-        let all = [(fixed, "-DSTICTION_FIXED"), (self.obstacles, "-DSTICTION_OBSTACLES")];
-        all.into_iter().filter_map(|(is, name)| is.then_some(name)).collect()
+        let all = [
+            (fixed, "-DSTICTION_FIXED"),
+            (self.obstacles, "-DSTICTION_OBSTACLES"),
+        ];
+        all.into_iter()
+            .filter_map(|(is, name)| is.then_some(name))
+            .collect()
     }
 
     /// The archive for a target of rustc.
@@ -47,7 +52,10 @@ impl Library {
         let _building = BUILDING.lock().unwrap_or_else(PoisonError::into_inner);
         let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("archives");
         let mut script = Command::new("bash");
-        script.arg(folder().join("archives.sh")).arg(&out).arg(target);
+        script
+            .arg(folder().join("archives.sh"))
+            .arg(&out)
+            .arg(target);
         script.env("STICTION_VARIANTS", self.variant());
         output_of(script)?;
         let name = match self.variant() {

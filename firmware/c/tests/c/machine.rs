@@ -8,7 +8,14 @@ use stiction_tools::process::{EmulatorError, output_of, require_qemu_arm};
 use crate::library::{Library, folder};
 
 /// What every C program here is compiled with.
-const OF_C: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O2"];
+const OF_C: [&str; 6] = [
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-Werror",
+    "-pedantic",
+    "-O2",
+];
 
 /// A compiler of C.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +51,12 @@ pub(crate) const CORTEX_M0: Machine = Machine {
     name: "Cortex-M0",
     target: "thumbv6m-none-eabi",
     compiler: Compiler::Clang,
-    flags: &["--target=thumbv6m-none-eabi", "-mcpu=cortex-m0", "-DCLOCK=16000000u", "-DSHIFT=8"],
+    flags: &[
+        "--target=thumbv6m-none-eabi",
+        "-mcpu=cortex-m0",
+        "-DCLOCK=16000000u",
+        "-DSHIFT=8",
+    ],
     chip: Some(Chip {
         startup: "cortex_m.c",
         memory: ["FLASH=0", "RAM=0x20000000", "RAM_SIZE=0x4000"],
@@ -97,7 +109,12 @@ pub(crate) const RISC_V: Machine = Machine {
     name: "RISC-V",
     target: "riscv32imc-unknown-none-elf",
     compiler: Compiler::Clang,
-    flags: &["--target=riscv32-unknown-none-elf", "-march=rv32imc", "-mabi=ilp32", "-mno-relax"],
+    flags: &[
+        "--target=riscv32-unknown-none-elf",
+        "-march=rv32imc",
+        "-mabi=ilp32",
+        "-mno-relax",
+    ],
     chip: Some(Chip {
         startup: "riscv.c",
         memory: ["FLASH=0x80000000", "RAM=0", "RAM_SIZE=0x100000"],
@@ -138,21 +155,38 @@ impl Machine {
             Compiler::Gcc => "gcc",
             Compiler::Clang => "clang",
         });
-        compile.args(OF_C).args(self.flags).args(defined).args(library.defines());
-        for headers in [&folder().join("include"), &folder().join("examples"), &machines, out] {
+        compile
+            .args(OF_C)
+            .args(self.flags)
+            .args(defined)
+            .args(library.defines());
+        for headers in [
+            &folder().join("include"),
+            &folder().join("examples"),
+            &machines,
+            out,
+        ] {
             compile.arg("-I").arg(headers);
         }
         let program = out.join("program");
         let Some(chip) = &self.chip else {
-            compile.args(sources).arg(archive).args(["-lm", "-o"]).arg(&program);
+            compile
+                .args(sources)
+                .arg(archive)
+                .args(["-lm", "-o"])
+                .arg(&program);
             output_of(compile)?;
             return Ok(program);
         };
-        compile.current_dir(out).args(["-ffreestanding", "-c"]).args(&sources);
+        compile
+            .current_dir(out)
+            .args(["-ffreestanding", "-c"])
+            .args(&sources);
         output_of(compile)?;
         let objects = sources.iter().filter_map(|source| source.file_name());
-        let objects: Vec<PathBuf> =
-            objects.map(|name| out.join(name).with_extension("o")).collect();
+        let objects: Vec<PathBuf> = objects
+            .map(|name| out.join(name).with_extension("o"))
+            .collect();
         output_of(chip.link(&machines.join("link.ld"), &objects, (&archive, &program))?)?;
         Ok(program)
     }
@@ -163,8 +197,19 @@ impl Machine {
     /// The emulator is missing, or the program does not end well.
     pub(crate) fn run(&self, program: &Path) -> Result<String, EmulatorError> {
         match &self.chip {
-            Some(chip) => chip.run(program),
+            Some(chip) => chip.run(program, false),
             None => output_of(Command::new(program)),
+        }
+    }
+
+    /// The same where the clock of a chip counts its instructions, which is slower to emulate.
+    ///
+    /// # Errors
+    /// As above.
+    pub(crate) fn run_counting(&self, program: &Path) -> Result<String, EmulatorError> {
+        match &self.chip {
+            Some(chip) => chip.run(program, true),
+            None => self.run(program),
         }
     }
 }
@@ -180,15 +225,18 @@ impl Chip {
         let mut rustc = Command::new("rustc");
         rustc.args(["--print", "target-libdir"]);
         let libraries = output_of(rustc)?;
-        let linker = Path::new(libraries.trim_end()).with_file_name("bin").join("rust-lld");
+        let linker = Path::new(libraries.trim_end())
+            .with_file_name("bin")
+            .join("rust-lld");
         let mut link = Command::new(linker);
-        link.args(["-flavor", "gnu", "--gc-sections", "-T"]).arg(script);
+        link.args(["-flavor", "gnu", "--gc-sections", "-T"])
+            .arg(script);
         link.args(self.memory.iter().flat_map(|value| ["--defsym", value]));
         link.args(objects).arg(archive).arg("-o").arg(program);
         Ok(link)
     }
 
-    fn run(&self, program: &Path) -> Result<String, EmulatorError> {
+    fn run(&self, program: &Path, counts: bool) -> Result<String, EmulatorError> {
         let (emulator, machine) = self.emulator;
         if emulator == "qemu-system-arm" {
             require_qemu_arm()?;
@@ -198,7 +246,9 @@ impl Chip {
         qemu.args(["-nographic", "-monitor", "none", "-serial", "none"]);
         qemu.args(["-chardev", "stdio,id=said", "-semihosting-config"]);
         qemu.arg("enable=on,target=native,chardev=said");
-        qemu.arg("-icount").arg(format!("shift={}", self.shift));
+        if counts {
+            qemu.arg("-icount").arg(format!("shift={}", self.shift));
+        }
         qemu.arg("-kernel").arg(program);
         output_of(qemu)
     }

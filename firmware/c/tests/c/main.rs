@@ -69,13 +69,13 @@ fn emulated_chips_have_the_bits_of_the_solver() {
 /// Under the sanitizers of addresses and of undefined behaviour.
 #[test]
 fn what_no_caller_should_give_is_refused() {
-    let sanitized = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    const SANITIZED: &[&str] = &["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
     for (compiler, number, obstacles) in [
         (Compiler::Gcc, NumberType::F32, false),
         (Compiler::Clang, NumberType::Fixed, true),
     ] {
         let library = Library { number, obstacles };
-        let machine = Machine::computer(compiler, &sanitized);
+        let machine = Machine::computer(compiler, SANITIZED);
         let folder = tempfile::tempdir().expect("a folder");
         let said = machine
             .build(&library, &["tests/c/hostile.c"], (folder.path(), &[]))

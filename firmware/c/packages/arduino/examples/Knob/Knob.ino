@@ -2,7 +2,7 @@
 #include <Stiction.h>
 
 extern "C" int knob_begin(void);
-extern "C" float knob_tick(float angle);
+extern "C" float knob_tick(float angle, stiction_output *output);
 
 const int ENCODER = A0;
 const int SPEED = 9;      // PWM of the H bridge
@@ -34,7 +34,7 @@ void setup() {
 void loop() {
     if ((long)(micros() - next_tick) < 0) return;
     next_tick += TICK;
-    const float torque = knob_tick(angle()) / TORQUE;
+    const float torque = knob_tick(angle(), NULL) / TORQUE;
     const float part = torque < 0.0f ? -torque : torque;
     digitalWrite(DIRECTION, torque < 0.0f ? HIGH : LOW);
     analogWrite(SPEED, part < 1.0f ? (int)(255.0f * part) : 255);

@@ -1,0 +1,218 @@
+//! The examples: the knob of the README on every chip, what it takes there; a pantograph; sketches for Arduino, and a project of CMake.
+
+use std::path::Path;
+use std::process::Command;
+
+use stiction_scene::NumberType;
+use stiction_tools::image::Contents;
+use stiction_tools::process::{EmulatorError, if_installed, output_of};
+use stiction_tools::readme::Section;
+use stiction_tools::table::thousands;
+
+use crate::library::{Library, folder};
+use crate::machine::{CORTEX_M0, CORTEX_M4F, CORTEX_M33, Compiler, Machine};
+
+const FLOAT: Library = Library {
+    number: NumberType::F32,
+    obstacles: false,
+};
+const FIXED: Library = Library {
+    number: NumberType::Fixed,
+    obstacles: false,
+};
+
+/// What the knob takes on a chip.
+struct Taken {
+    /// Of the whole program (bytes).
+    flash: u64,
+    variables: u64,
+    /// Instructions of the worst tick.
+    worst: u32,
+    /// Units of work of the one with the most.
+    work: u32,
+    clicks: u32,
+}
+
+fn knob(machine: &Machine, library: &Library) -> Result<Taken, EmulatorError> {
+    let out = tempfile::tempdir()?;
+    let sources = ["tests/c/turned.c", "examples/knob.c"];
+    let program = machine.build(library, &sources, (out.path(), &[]))?;
+    let said = machine.run_counting(&program)?;
+    let number = |name: &str| {
+        let line = said.lines().find_map(|line| line.strip_prefix(name))?;
+        u32::from_str_radix(line.trim(), 16).ok()
+    };
+    let of = |name: &str| number(name).ok_or_else(|| EmulatorError::Output(said.clone()));
+    let contents = Contents::of(&program)?;
+    Ok(Taken {
+        flash: contents.flash,
+        variables: contents.variables,
+        worst: of("worst")?,
+        work: of("work")?,
+        clicks: of("clicks")?,
+    })
+}
+
+/// Ten turns to and fro.
+#[test]
+fn the_knob_clicks() {
+    let computer = Machine::computer(Compiler::Gcc, &[]);
+    for (machine, library) in [
+        (computer, FLOAT),
+        (CORTEX_M0, FIXED),
+        (CORTEX_M4F, FLOAT),
+        (CORTEX_M33, FLOAT),
+    ] {
+        let Some(taken) = if_installed(knob(&machine, &library)) else {
+            continue;
+        };
+        // The budget of the example.
+        assert!(taken.work <= 32, "{}: {}", machine.name, taken.work);
+        // Clicks of 0.2 rad; where it turns back the first one is longer.
+        let most = 20.0 * std::f64::consts::TAU / 0.2;
+        let clicks = 0.8 * most..=most;
+        assert!(
+            clicks.contains(&f64::from(taken.clicks)),
+            "{}: {}",
+            machine.name,
+            taken.clicks
+        );
+    }
+}
+
+#[test]
+#[ignore = "writes a table of the README"]
+fn the_table_of_the_readme() {
+    let mut table = String::from(
+        "| | flash | RAM without stack | worst tick | of a budget of 32 units |\n|---|---:|---:|---:|---:|\n",
+    );
+    for (machine, library) in [(CORTEX_M0, FIXED), (CORTEX_M4F, FLOAT), (CORTEX_M33, FLOAT)] {
+        let taken = knob(&machine, &library).expect("everything is installed");
+        table += &format!(
+            "| {}, {} | {} bytes | {} bytes | {} instructions | {} |\n",
+            machine.name,
+            library.number.name(),
+            thousands(taken.flash),
+            thousands(taken.variables),
+            thousands(taken.worst.into()),
+            taken.work
+        );
+    }
+    let readme = Section::find(&folder().join("README.md"), "knob").expect("a section");
+    readme.write(&table).expect("the README");
+}
+
+#[test]
+fn the_torques_of_the_pantograph_do_the_work_of_its_force() {
+    let machine = Machine::computer(Compiler::Clang, &[]);
+    let out = tempfile::tempdir().expect("a folder");
+    let sources = ["tests/c/pantograph.c", "examples/pantograph.c"];
+    let said = machine
+        .build(&FLOAT, &sources, (out.path(), &[]))
+        .and_then(|program| machine.run(&program));
+    if let Some(said) = if_installed(said) {
+        assert_eq!(said, "");
+    }
+}
+
+/// The code with which the README begins.
+#[test]
+fn the_first_lines_of_the_readme_run() {
+    let readme = std::fs::read_to_string(folder().join("README.md")).expect("the README");
+    let code = readme
+        .split("```c\n")
+        .nth(1)
+        .and_then(|rest| rest.split("```").next());
+    let (includes, rest): (Vec<&str>, Vec<&str>) = code
+        .expect("code in C")
+        .lines()
+        .partition(|line| line.starts_with("#include"));
+    let program = format!(
+        "{}\nint main(void) {{\n{}\nreturn output.status != STICTION_STATUS_OK || output.held != 1; }}\n",
+        includes.join("\n"),
+        rest.join("\n")
+    );
+    let out = tempfile::tempdir().expect("a folder");
+    let source = out.path().join("readme.c");
+    std::fs::write(&source, program).expect("a program");
+    let source = source.to_str().expect("a path of text");
+    let machine = Machine::computer(Compiler::Gcc, &[]);
+    let said = machine
+        .build(&FLOAT, &[source], (out.path(), &[]))
+        .and_then(|program| machine.run(&program));
+    if let Some(said) = if_installed(said) {
+        assert_eq!(said, "");
+    }
+}
+
+/// With what they use of Arduino on this computer.
+fn sketch(name: &str, example: &str) -> Result<(), EmulatorError> {
+    let out = tempfile::tempdir()?;
+    let archive = FLOAT.archive("x86_64-unknown-linux-gnu")?;
+    let object = out.path().join("example.o");
+    let mut compile = Command::new("clang");
+    compile
+        .arg("-c")
+        .arg(folder().join(example))
+        .arg("-o")
+        .arg(&object);
+    compile.arg("-I").arg(folder().join("include"));
+    output_of(compile)?;
+    let sketch = folder().join(format!("packages/arduino/examples/{name}/{name}.ino"));
+    let program = out.path().join("program");
+    let mut link = Command::new("clang++");
+    link.args(["-std=c++11", "-Wall", "-Wextra", "-Werror"]);
+    link.arg(format!("-DSKETCH=\"{}\"", sketch.display()));
+    for headers in [
+        "tests/c/arduino",
+        "packages/arduino/src",
+        "include",
+        "examples",
+    ] {
+        link.arg("-I").arg(folder().join(headers));
+    }
+    link.arg(folder().join("tests/c/arduino/board.cpp"));
+    link.arg(object)
+        .arg(archive)
+        .args(["-lm", "-o"])
+        .arg(&program);
+    output_of(link)?;
+    output_of(Command::new(program)).map(|_| ())
+}
+
+#[test]
+fn the_sketches_move_their_motors() {
+    for (name, example) in [
+        ("Knob", "examples/knob.c"),
+        ("Pantograph", "examples/pantograph.c"),
+    ] {
+        if_installed(sketch(name, example));
+    }
+}
+
+fn with_cmake(out: &Path) -> Result<(), EmulatorError> {
+    let archive = FLOAT.archive("x86_64-unknown-linux-gnu")?;
+    let prefix = archive.ancestors().nth(3).expect("a prefix");
+    let mut configure = Command::new("cmake");
+    configure
+        .arg("-S")
+        .arg(folder().join("tests/c/cmake"))
+        .arg("-B")
+        .arg(out);
+    configure.arg(format!("-DCMAKE_PREFIX_PATH={}", prefix.display()));
+    configure.arg(format!(
+        "-DSTICTION_EXAMPLES={}",
+        folder().join("examples").display()
+    ));
+    output_of(configure)?;
+    let mut build = Command::new("cmake");
+    build.arg("--build").arg(out);
+    output_of(build)?;
+    output_of(Command::new(out.join("knob"))).map(|_| ())
+}
+
+#[test]
+fn cmake_finds_the_library() {
+    let out = tempfile::tempdir().expect("a folder");
+    if_installed(with_cmake(out.path()));
+}
