@@ -186,7 +186,9 @@ fn install(program: &str) -> String {
         "node" => "apt-get install -y --no-install-recommends nodejs".to_owned(),
         "gcc" => "apt-get install -y --no-install-recommends gcc libc6-dev".to_owned(),
         "cmake" => "apt-get install -y --no-install-recommends cmake make".to_owned(),
-        "clang" | "clang++" => "apt-get install -y --no-install-recommends clang libclang-rt-dev".to_owned(),
+        "clang" | "clang++" => {
+            "apt-get install -y --no-install-recommends clang libclang-rt-dev".to_owned()
+        }
         "flip-link" | "defmt-print" => format!("cargo install {program}"),
         _ => format!("see the documentation of {program}"),
     }
