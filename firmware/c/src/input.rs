@@ -227,7 +227,7 @@ fn first<T>(list: &[T], count: u32) -> &[T] {
 /// A list of C; an empty one may have no place. Of one that is longer than there is room for, nothing is read: `too_many`, one more than
 /// that, stands for it, so that the core says so.
 #[allow(unsafe_code)]
-fn list<'a, T>(place: *const T, count: u32, too_many: &'a [T]) -> Checked<&'a [T]> {
+fn list<T>(place: *const T, count: u32, too_many: &[T]) -> Checked<&[T]> {
     if count == 0 {
         return Ok(&[]);
     }
