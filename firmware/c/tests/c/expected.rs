@@ -90,7 +90,7 @@ impl Room for Full {
         let contacts = solver.contacts(state);
         contacts
             .iter()
-            .map(|c| ([c.vertex, c.surface], c.clone()))
+            .map(|c| ([c.vertex, c.surface], *c))
             .collect()
     }
 }
@@ -121,7 +121,7 @@ impl Room for Among {
         let touches = solver.touches(state);
         let contacts = solver.contacts(state);
         (touches.iter().map(|touching| of(touching.touch)))
-            .zip(contacts.iter().cloned())
+            .zip(contacts.iter().copied())
             .collect()
     }
 }
