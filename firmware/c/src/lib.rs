@@ -8,7 +8,7 @@
 //! ```
 //!
 //! There is no heap, nothing panics, and nothing is needed from a C library but `memcpy` and the like. A function checks every pointer
-//! for null and alignment, and the memory for its size and for what it holds; it answers with a [`Result`](result::Result) and writes nothing
+//! for null and alignment, and the memory for its size and for what it holds; it answers with a [`Result`] and writes nothing
 //! where that is not `STICTION_RESULT_OK`, but for what is wrong with a scene.
 #![cfg_attr(all(feature = "archive", not(test)), no_std)]
 
