@@ -58,7 +58,8 @@ pub struct Notes {
 }
 
 impl Notes {
-    fn add(&mut self, frame: &stiction_judge::Frame) {
+    /// Adds a frame.
+    pub fn add(&mut self, frame: &stiction_judge::Frame) {
         self.incomplete += u64::from(!frame.complete);
         if frame.status != Status::Ok {
             *self.statuses.entry(frame.status).or_default() += 1;

@@ -39,7 +39,7 @@ fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Pat
 }
 
 /// The hand's path and the rate (Hz) to resample it to: a file, and a rate with what gives it, or else those of the scene.
-pub(crate) fn open_path(
+pub fn open_path(
     scene: &SceneFile,
     hand: Option<&Path>,
     given: Option<(&str, f64)>,

@@ -17,13 +17,13 @@ fn evolution_named(name: &str) -> Option<Evolution> {
 }
 
 /// A number type by its name.
-pub(crate) fn parse_number(text: &str) -> Result<Number, String> {
+pub fn parse_number(text: &str) -> Result<Number, String> {
     let allowed = |_| format!("allowed: {}", Number::ALL.map(Number::name).join(", "));
     Number::from_str(text, false).map_err(allowed)
 }
 
 /// An evolution by its name.
-pub(crate) fn parse_evolution(text: &str) -> Result<Evolution, String> {
+pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
     let allowed = || {
         format!(
             "allowed: {}",

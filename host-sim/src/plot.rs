@@ -114,6 +114,24 @@ pub(crate) fn write(run: &Run, dir: &Path) -> Result<Vec<PathBuf>, PlotError> {
     Ok(files)
 }
 
+/// The pictures of a run: the stems of their file names, and SVG.
+///
+/// # Errors
+/// [`PlotError`]: no frames, or one cannot be drawn.
+pub fn svgs(run: &Run) -> Result<Vec<(String, String)>, PlotError> {
+    if run.frames.is_empty() {
+        return Err(PlotError::Empty);
+    }
+    let drawn = |(name, picture): (&'static str, Picture)| match picture(run) {
+        Ok(svg) => Ok((name.to_owned(), svg)),
+        Err(error) => Err(PlotError::Drawing {
+            name,
+            reason: error.to_string(),
+        }),
+    };
+    pictures(run).map(drawn).collect()
+}
+
 /// A picture of errors against costs: the text of its SVG, and its PNG.
 ///
 /// # Errors

@@ -12,6 +12,7 @@ use crate::number::Number;
 use crate::record::Frame;
 
 /// A solver with the state of its run.
+#[derive(Clone)]
 pub(crate) struct Running<R: Real, M: Model = Full> {
     solver: HostSolver<R, M>,
     state: Option<State<R>>,

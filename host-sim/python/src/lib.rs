@@ -1,0 +1,37 @@
+//! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. What is only Python, from tables
+//! to plots, is in `stiction/`.
+
+mod run;
+mod rows;
+mod scene;
+mod solver;
+
+use pyo3::prelude::*;
+
+/// See `stiction`.
+#[pymodule]
+mod _stiction {
+    #[pymodule_export]
+    use super::run::Run;
+    #[pymodule_export]
+    use super::scene::Scene;
+    #[pymodule_export]
+    use super::solver::Solver;
+
+    use pyo3::prelude::*;
+    use stiction_core::{Event, StateKind, Status};
+
+    /// The names for which numbers stand, in their order, and the version.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("STATES", StateKind::ALL.map(StateKind::name).to_vec())?;
+        module.add("STATUSES", Status::ALL.map(Status::name).to_vec())?;
+        module.add("EVENTS", Event::ALL.map(Event::name).to_vec())?;
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}
+
+/// What is wrong with a value, for Python.
+fn refused(problem: impl ToString) -> PyErr {
+    pyo3::exceptions::PyValueError::new_err(problem.to_string())
+}

@@ -1,0 +1,75 @@
+//! A scene that is run sample by sample, whatever the type of its solver: what other languages hold.
+
+use stiction_core::{Evolution, Real, SiFloat};
+use stiction_scene::{HostModel, InputError, Sample, SceneFile};
+
+use crate::number::Number;
+use crate::record::Frame;
+use crate::simulate::{Running, Task, with_solver};
+
+/// A solver with its run. A copy of it is a run of its own.
+pub struct Session(Box<dyn Steps>);
+
+impl Session {
+    /// Of a scene, before its first sample, with the budget of a frame (units of work; `u32::MAX`: none).
+    ///
+    /// # Errors
+    /// The scene is refused in this number type.
+    pub fn new(
+        scene: &SceneFile,
+        number: Number,
+        evolution: Evolution,
+        budget: u32,
+    ) -> Result<Self, InputError> {
+        with_solver(scene, (number, evolution, budget), Boxed).map(Self)
+    }
+
+    /// The frame of the next sample; the first one starts the scene.
+    pub fn step(&mut self, sample: &Sample) -> Frame {
+        self.0.step(sample)
+    }
+
+    /// The frames of samples, one after the other.
+    pub fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame)) {
+        self.0.run(samples, take);
+    }
+}
+
+impl Clone for Session {
+    fn clone(&self) -> Self {
+        Self(self.0.copy())
+    }
+}
+
+trait Steps: Send + Sync {
+    fn step(&mut self, sample: &Sample) -> Frame;
+    fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame));
+    fn copy(&self) -> Box<dyn Steps>;
+}
+
+impl<R: Real<Si: SiFloat>, M: HostModel> Steps for Running<R, M> {
+    fn step(&mut self, sample: &Sample) -> Frame {
+        self.frame(sample)
+    }
+
+    fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame)) {
+        for sample in samples {
+            take(&self.frame(&sample));
+        }
+    }
+
+    fn copy(&self) -> Box<dyn Steps> {
+        Box::new(self.clone())
+    }
+}
+
+/// Any solver.
+struct Boxed;
+
+impl Task for Boxed {
+    type Done = Box<dyn Steps>;
+
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+        Box::new(running)
+    }
+}
