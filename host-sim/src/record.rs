@@ -3,7 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use stiction_core::{Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch};
+use stiction_core::{
+    Contact, Event, Evolution, Output, Real, SiFloat, State, StateKind, Status, Touch,
+};
 use stiction_insertion::Meter;
 use stiction_scene::{HostModel, HostSolver, Indices, ObstacleInfo, SceneFile, SurfaceInfo};
 
@@ -100,7 +102,7 @@ impl Names {
 }
 
 /// One hand frame and the equilibrium at its end.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Frame {
     /// Time of the hand's sample (s).
     pub t: f64,
@@ -198,10 +200,40 @@ impl Frame {
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
+        Self::default().renewed(t, solver, state, output)
+    }
+
+    /// The same in the place of another frame, whose memory it takes.
+    pub(crate) fn renewed<R: Real<Si: SiFloat>, M: HostModel>(
+        self,
+        t: f64,
+        solver: &HostSolver<R, M>,
+        state: &State<R>,
+        output: &Output<R::Si>,
+    ) -> Self {
         let placed = |[x, y]: [R::Si; 2], angle: R::Si| [x.widen(), y.widen(), angle.widen()];
         let (hand, wrench) = (state.hand(), solver.wrench(state));
         let touches = M::touches(solver, state);
         let touching = |k| touches.as_ref().and_then(|all| all.get(k).copied());
+        let contact = |(k, contact): (usize, &Contact<R::Si>)| ContactRecord {
+            touch: touching(k).map_or(
+                Touch::Surface {
+                    vertex: contact.vertex,
+                    surface: contact.surface,
+                },
+                |touching| touching.touch,
+            ),
+            direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
+            point: contact.point.map(R::Si::widen),
+            normal: contact.normal.widen(),
+            friction: contact.friction.widen(),
+            sliding: contact.sliding,
+        };
+        let (mut contacts, mut events) = (self.contacts, self.events);
+        contacts.clear();
+        contacts.extend(solver.contacts(state).iter().enumerate().map(contact));
+        events.clear();
+        events.extend_from_slice(output.events());
         Self {
             t,
             hand: placed(hand.position, hand.angle.radians()),
@@ -209,29 +241,11 @@ impl Frame {
             pose: placed(output.position, output.angle.radians()),
             depth: output.depth.widen(),
             state: output.state,
-            contacts: solver
-                .contacts(state)
-                .iter()
-                .enumerate()
-                .map(|(k, contact)| ContactRecord {
-                    touch: touching(k).map_or(
-                        Touch::Surface {
-                            vertex: contact.vertex,
-                            surface: contact.surface,
-                        },
-                        |touching| touching.touch,
-                    ),
-                    direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
-                    point: contact.point.map(R::Si::widen),
-                    normal: contact.normal.widen(),
-                    friction: contact.friction.widen(),
-                    sliding: contact.sliding,
-                })
-                .collect(),
+            contacts,
             wrench: placed(wrench.force, wrench.moment),
             slips: output.slips,
             longest_slip: output.longest_slip.widen(),
-            events: output.events().to_vec(),
+            events,
             status: output.status,
             behind: (solver.budget() < u32::MAX).then(|| output.behind.widen()),
         }

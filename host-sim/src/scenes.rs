@@ -63,6 +63,6 @@ pub fn names() -> String {
 }
 
 /// What is wrong with a name that is neither a file nor a bundled scene.
-pub(crate) fn unknown() -> String {
+pub fn unknown() -> String {
     format!("no such file, allowed: a scene file, or one of {}", names())
 }

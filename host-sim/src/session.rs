@@ -1,11 +1,11 @@
 //! A scene that is run sample by sample, whatever the type of its solver: what other languages hold.
 
-use stiction_core::{Evolution, Real, SiFloat};
-use stiction_scene::{HostModel, InputError, Sample, SceneFile};
+use stiction_core::Evolution;
+use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
-use crate::simulate::{Running, Task, with_solver};
+use crate::simulate::{Running, Shared, Task, with_solver};
 
 /// A solver with its run. A copy of it is a run of its own.
 pub struct Session(Box<dyn Steps>);
@@ -29,8 +29,12 @@ impl Session {
         self.0.step(sample)
     }
 
-    /// The frames of samples, one after the other.
-    pub fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame)) {
+    /// The frames of samples, one after the other. Another thread than the solver's takes the samples and gives the frames.
+    pub fn run(
+        &mut self,
+        samples: &mut (dyn Iterator<Item = Sample> + Send),
+        take: &mut (dyn FnMut(&Frame) + Send),
+    ) {
         self.0.run(samples, take);
     }
 }
@@ -43,19 +47,28 @@ impl Clone for Session {
 
 trait Steps: Send + Sync {
     fn step(&mut self, sample: &Sample) -> Frame;
-    fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame));
+    fn run(
+        &mut self,
+        samples: &mut (dyn Iterator<Item = Sample> + Send),
+        take: &mut (dyn FnMut(&Frame) + Send),
+    );
     fn copy(&self) -> Box<dyn Steps>;
 }
 
-impl<R: Real<Si: SiFloat>, M: HostModel> Steps for Running<R, M> {
+impl<R: Shared, M: HostModel> Steps for Running<R, M>
+where
+    HostSolver<R, M>: Send + Sync,
+{
     fn step(&mut self, sample: &Sample) -> Frame {
         self.frame(sample)
     }
 
-    fn run(&mut self, samples: &mut dyn Iterator<Item = Sample>, take: &mut dyn FnMut(&Frame)) {
-        for sample in samples {
-            take(&self.frame(&sample));
-        }
+    fn run(
+        &mut self,
+        samples: &mut (dyn Iterator<Item = Sample> + Send),
+        take: &mut (dyn FnMut(&Frame) + Send),
+    ) {
+        self.pipeline(samples, take);
     }
 
     fn copy(&self) -> Box<dyn Steps> {
@@ -69,7 +82,10 @@ struct Boxed;
 impl Task for Boxed {
     type Done = Box<dyn Steps>;
 
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    where
+        HostSolver<R, M>: Send + Sync,
+    {
         Box::new(running)
     }
 }

@@ -1,6 +1,8 @@
 //! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
 //! of the solver's type is chosen here, `with_solver`.
 
+mod pipeline;
+
 use std::time::{Duration, Instant};
 
 use stiction_core::{
@@ -34,15 +36,25 @@ impl<R: Real, M: Model> Running<R, M> {
         &mut self,
         hand: Hand<R::Si>,
     ) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
-        let mut started = None;
-        let state = self.state.get_or_insert_with(|| {
-            let (state, output) = self.solver.start(hand);
-            started = Some(output);
-            state
-        });
-        let output = started.unwrap_or_else(|| self.solver.step(state, hand));
+        let (state, output) = answer(&self.solver, &mut self.state, hand);
         (&self.solver, state, output)
     }
+}
+
+/// The answer to the next hand, with the state after it; the first hand starts the scene.
+fn answer<'a, R: Real, M: Model>(
+    solver: &HostSolver<R, M>,
+    state: &'a mut Option<State<R>>,
+    hand: Hand<R::Si>,
+) -> (&'a State<R>, Output<R::Si>) {
+    let mut started = None;
+    let state = state.get_or_insert_with(|| {
+        let (state, output) = solver.start(hand);
+        started = Some(output);
+        state
+    });
+    let output = started.unwrap_or_else(|| solver.step(state, hand));
+    (state, output)
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
@@ -123,8 +135,15 @@ pub(crate) trait Task {
     /// What it gives.
     type Done;
     /// Does it.
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done;
+    fn with<R: Shared, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    where
+        HostSolver<R, M>: Send + Sync;
 }
+
+/// A number of the solver that threads share.
+pub(crate) trait Shared: Real<Si: SiFloat + Send + Sync> + Send + Sync {}
+
+impl<R: Real<Si: SiFloat + Send + Sync> + Send + Sync> Shared for R {}
 
 /// Does a task with the solver that a scene needs, of the number type: with obstacles only where the scene has some.
 ///
@@ -143,7 +162,7 @@ pub(crate) fn with_solver<T: Task>(
     }
 }
 
-fn with_model<R: Real<Si: SiFloat>, T: Task>(
+fn with_model<R: Shared, T: Task>(
     scene: &SceneFile,
     (evolution, budget): (Evolution, u32),
     task: T,

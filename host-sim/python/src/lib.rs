@@ -5,6 +5,7 @@ mod run;
 mod rows;
 mod scene;
 mod solver;
+mod tables;
 
 use pyo3::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Frames, contacts and events as rows of numbers: numpy has them as structured arrays with the same fields (`stiction/_tables.py`).
+//! Frames, contacts and events as rows of numbers, which are the elements of numpy's structured arrays (`stiction/_tables.py`).
 
 use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};
@@ -33,14 +33,14 @@ pub(crate) struct ContactRow {
     normal: f64,
     friction: f64,
     frame: u32,
-    vertex: i16,
     surface: i16,
     obstacle: i16,
     side: i16,
     corner: i16,
-    body_side: i16,
+    vertex: i8,
+    body_side: i8,
     sliding: i8,
-    padding: [u8; 7],
+    padding: u8,
 }
 
 /// An event of a frame.
@@ -52,97 +52,49 @@ pub(crate) struct EventRow {
     padding: [u8; 3],
 }
 
-/// No index.
-const NONE: i16 = -1;
-
-/// A run.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Rows {
-    pub(crate) frames: Vec<FrameRow>,
-    pub(crate) contacts: Vec<ContactRow>,
-    pub(crate) events: Vec<EventRow>,
+/// The tables of a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rows<'a> {
+    pub(crate) frames: &'a [FrameRow],
+    pub(crate) contacts: &'a [ContactRow],
+    pub(crate) events: &'a [EventRow],
 }
 
-impl Rows {
-    /// With room for so many frames.
-    pub(crate) fn with_room(frames: usize) -> Self {
-        Self {
-            frames: Vec::with_capacity(frames),
-            ..Self::default()
-        }
-    }
-
-    /// Of tables.
+impl Rows<'_> {
+    /// Whether they are those of a run.
     ///
     /// # Errors
     /// A row is of a frame that is not there, is out of order, or has a number that stands for nothing.
-    pub(crate) fn of(
-        frames: Vec<FrameRow>,
-        contacts: Vec<ContactRow>,
-        events: Vec<EventRow>,
-    ) -> Result<Self, String> {
-        let count = frames.len();
-        let of_contacts: Vec<u32> = contacts.iter().map(|row| row.frame).collect();
-        let of_events: Vec<u32> = events.iter().map(|row| row.frame).collect();
-        for (name, list) in [("contacts", &of_contacts), ("events", &of_events)] {
-            let known = list.iter().all(|&frame| (frame as usize) < count);
-            if !known || !list.is_sorted() {
-                return Err(format!(
-                    "`{name}` has a column `frame` that is not in order or too large, allowed: 0 to {}, in order",
-                    count.saturating_sub(1)
-                ));
-            }
-        }
-        let rows = Self {
-            frames,
-            contacts,
-            events,
-        };
-        match (0..count).find(|&i| rows.frame_with((i, &[], &[])).is_none()) {
-            Some(row) => Err(format!("`frames`, row {row}: state or status stands for nothing")),
-            None if rows.events.iter().any(|row| event(row.event).is_none()) => {
+    pub(crate) fn check(&self) -> Result<(), String> {
+        let of_contacts = self.contacts.iter().map(|row| row.frame);
+        in_order("contacts", of_contacts, self.frames.len())?;
+        let of_events = self.events.iter().map(|row| row.frame);
+        in_order("events", of_events, self.frames.len())?;
+        match (0..self.frames.len()).find(|&i| self.frame_with((i, &[], &[])).is_none()) {
+            Some(row) => Err(format!(
+                "`frames`, row {row}: state or status stands for nothing"
+            )),
+            None if self.events.iter().any(|row| event(row.event).is_none()) => {
                 Err("`events`: an event stands for nothing".to_owned())
             }
-            None => Ok(rows),
+            None => Ok(()),
         }
-    }
-
-    /// Adds a frame.
-    pub(crate) fn add(&mut self, frame: &Frame) {
-        // A run of more frames than that does not fit into memory.
-        let index = u32::try_from(self.frames.len()).unwrap_or(u32::MAX);
-        self.frames.push(FrameRow {
-            t: frame.t,
-            hand: frame.hand,
-            pose: frame.pose,
-            depth: frame.depth,
-            wrench: frame.wrench,
-            longest_slip: frame.longest_slip,
-            behind: frame.behind.unwrap_or(f64::NAN),
-            slips: frame.slips,
-            held: frame.held.into(),
-            state: frame.state as u8,
-            status: frame.status as u8,
-            padding: 0,
-        });
-        let contacts = frame.contacts.iter().map(|contact| ContactRow::new(index, contact));
-        self.contacts.extend(contacts);
-        let event = |&event: &Event| EventRow {
-            frame: index,
-            event: event as u8,
-            padding: [0; 3],
-        };
-        self.events.extend(frame.events.iter().map(event));
     }
 
     /// The frames, in their order.
-    pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> + '_ {
-        let (mut contacts, mut events) = (&self.contacts[..], &self.events[..]);
+    pub(crate) fn iter(&self) -> impl Iterator<Item = Frame> {
+        let (mut contacts, mut events) = (self.contacts, self.events);
         (0..self.frames.len()).filter_map(move |i| {
-            let count = contacts.partition_point(|row| row.frame as usize <= i);
+            let count = contacts
+                .iter()
+                .take_while(|row| row.frame as usize <= i)
+                .count();
             let (of_frame, rest) = contacts.split_at(count);
             contacts = rest;
-            let count = events.partition_point(|row| row.frame as usize <= i);
+            let count = events
+                .iter()
+                .take_while(|row| row.frame as usize <= i)
+                .count();
             let (told, rest) = events.split_at(count);
             events = rest;
             self.frame_with((i, of_frame, told))
@@ -169,35 +121,83 @@ impl Rows {
     }
 }
 
+fn in_order(
+    table: &str,
+    frames: impl Iterator<Item = u32> + Clone,
+    count: usize,
+) -> Result<(), String> {
+    let known = frames.clone().all(|frame| (frame as usize) < count);
+    if known && frames.is_sorted() {
+        return Ok(());
+    }
+    Err(format!(
+        "`{table}` has a column `frame` that is not in order or too large, allowed: 0 to {}, in order",
+        count.saturating_sub(1)
+    ))
+}
+
 /// The event of a number.
 fn event(number: u8) -> Option<Event> {
     Event::ALL.get(usize::from(number)).copied()
 }
 
-fn small(index: usize) -> i16 {
-    i16::try_from(index).unwrap_or(i16::MAX)
+/// No index.
+const NONE: i8 = -1;
+
+/// An index: at most 64 vertices, 16 surfaces, 32 obstacles and 128 corners.
+fn small<T: TryFrom<usize> + From<i8>>(index: usize) -> T {
+    T::try_from(index).unwrap_or(T::from(NONE))
 }
 
-fn large(index: i16) -> usize {
-    usize::try_from(index).unwrap_or(usize::MAX)
+fn large(index: impl Into<i64>) -> usize {
+    usize::try_from(index.into()).unwrap_or(usize::MAX)
+}
+
+impl FrameRow {
+    pub(crate) fn new(frame: &Frame) -> Self {
+        Self {
+            t: frame.t,
+            hand: frame.hand,
+            pose: frame.pose,
+            depth: frame.depth,
+            wrench: frame.wrench,
+            longest_slip: frame.longest_slip,
+            behind: frame.behind.unwrap_or(f64::NAN),
+            slips: frame.slips,
+            held: frame.held.into(),
+            state: frame.state as u8,
+            status: frame.status as u8,
+            padding: 0,
+        }
+    }
+}
+
+impl EventRow {
+    pub(crate) fn new(frame: u32, event: Event) -> Self {
+        Self {
+            frame,
+            event: event as u8,
+            padding: [0; 3],
+        }
+    }
 }
 
 impl ContactRow {
-    fn new(frame: u32, contact: &ContactRecord) -> Self {
+    pub(crate) fn new(frame: u32, contact: &ContactRecord) -> Self {
         let mut row = Self {
             point: contact.point,
             direction: contact.direction.unwrap_or([f64::NAN; 2]),
             normal: contact.normal,
             friction: contact.friction,
             frame,
+            surface: NONE.into(),
+            obstacle: NONE.into(),
+            side: NONE.into(),
+            corner: NONE.into(),
             vertex: NONE,
-            surface: NONE,
-            obstacle: NONE,
-            side: NONE,
-            corner: NONE,
             body_side: NONE,
             sliding: contact.sliding,
-            padding: [0; 7],
+            padding: 0,
         };
         match contact.touch {
             Touch::Surface { vertex, surface } => {
@@ -223,12 +223,12 @@ impl ContactRow {
     }
 
     fn record(&self) -> ContactRecord {
-        let touch = if self.surface != NONE {
+        let touch = if self.surface >= 0 {
             Touch::Surface {
                 vertex: large(self.vertex),
                 surface: large(self.surface),
             }
-        } else if self.corner != NONE {
+        } else if self.corner >= 0 {
             Touch::Corner {
                 obstacle: large(self.obstacle),
                 corner: large(self.corner),

@@ -1,9 +1,9 @@
 //! Runs: what a solver gave, as tables; judged, written as traces, drawn.
 
-use std::path::PathBuf;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use bytemuck::{Pod, cast_slice, pod_collect_to_vec};
-use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 use stiction_core::Evolution;
@@ -16,110 +16,101 @@ use stiction_judge::{Survey, Trace};
 use stiction_scene::SceneFile;
 
 use crate::refused;
-use crate::rows::{ContactRow, EventRow, FrameRow, Rows};
+use crate::rows::Rows;
 use crate::scene::Scene;
+use crate::tables::{Tables, Words};
+
+/// What runs of a scene in a number type and an evolution have in common.
+pub(crate) struct Head {
+    /// Without frames.
+    run: record::Run,
+    /// The scene's.
+    text: String,
+}
+
+impl Head {
+    pub(crate) fn new(scene: &SceneFile, number: Number, evolution: Evolution) -> Arc<Self> {
+        Arc::new(Self {
+            run: record::Run::of(scene, number, evolution),
+            text: scene.source().text().to_owned(),
+        })
+    }
+}
 
 /// What a solver gave: frames, contacts and events.
-#[pyclass(frozen, subclass, module = "stiction")]
+#[pyclass(frozen, module = "stiction._stiction")]
 pub(crate) struct Run {
-    /// Scene, number type and evolution; without frames.
-    head: record::Run,
-    text: String,
-    rows: Rows,
+    head: Arc<Head>,
+    tables: Tables,
 }
 
 impl Run {
-    pub(crate) fn new(head: record::Run, rows: Rows, scene: &SceneFile) -> Self {
-        Self {
-            head,
-            text: scene.source().text().to_owned(),
-            rows,
-        }
-    }
-
-    fn trace(&self, file: &std::path::Path, format: Format) -> std::io::Result<()> {
-        let mut writer = TraceWriter::create(file, format, &self.head)?;
-        for frame in self.rows.iter() {
-            writer.write(&frame)?;
-        }
-        writer.finish()
+    pub(crate) fn new(head: Arc<Head>, tables: Tables) -> Self {
+        Self { head, tables }
     }
 }
 
-fn bytes<'py, T: Pod>(py: Python<'py>, rows: &[T]) -> Bound<'py, PyArray1<u8>> {
-    PyArray1::from_slice(py, cast_slice(rows))
-}
-
-/// Rows of a table, from the bytes of its array.
-fn rows<T: Pod>(name: &str, bytes: &PyReadonlyArray1<'_, u8>) -> PyResult<Vec<T>> {
-    let bytes = bytes.as_slice()?;
-    let size = size_of::<T>();
-    if bytes.len() % size != 0 {
-        let length = bytes.len();
-        return Err(refused(format!("`{name}` has {length} bytes, allowed: rows of {size}")));
+/// Writes a trace.
+fn write(head: &Head, rows: Rows<'_>, file: &Path, format: Format) -> std::io::Result<()> {
+    let mut writer = TraceWriter::create(file, format, &head.run)?;
+    for frame in rows.iter() {
+        writer.write(&frame)?;
     }
-    Ok(pod_collect_to_vec(bytes))
+    writer.finish()
 }
 
 #[pymethods]
 impl Run {
-    /// From tables: the bytes of their arrays.
+    /// Of the words of three tables.
     #[staticmethod]
-    fn _of(
+    fn of(
         py: Python<'_>,
         scene: Py<Scene>,
-        (number, evolution): (&str, &str),
-        frames: PyReadonlyArray1<'_, u8>,
-        contacts: PyReadonlyArray1<'_, u8>,
-        events: PyReadonlyArray1<'_, u8>,
+        kind: (String, String),
+        frames: Py<Words>,
+        contacts: Py<Words>,
+        events: Py<Words>,
     ) -> PyResult<Self> {
-        let number: Number = parse_number(number).map_err(refused)?;
-        let evolution: Evolution = parse_evolution(evolution).map_err(refused)?;
-        let file = scene.borrow(py).file_in(number).map_err(refused)?;
-        let frames: Vec<FrameRow> = rows("frames", &frames)?;
-        let contacts: Vec<ContactRow> = rows("contacts", &contacts)?;
-        let events: Vec<EventRow> = rows("events", &events)?;
-        let rows = Rows::of(frames, contacts, events).map_err(refused)?;
-        Ok(Self::new(record::Run::of(&file, number, evolution), rows, &file))
+        let number = parse_number(&kind.0).map_err(refused)?;
+        let evolution = parse_evolution(&kind.1).map_err(refused)?;
+        let file = scene.get().file_in(number).map_err(refused)?;
+        let tables = Tables {
+            frames,
+            contacts,
+            events,
+        };
+        tables.read(py).rows()?.check().map_err(refused)?;
+        Ok(Self::new(Head::new(&file, number, evolution), tables))
     }
 
+    /// The words of the frames.
     #[getter]
-    fn _frames<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
-        bytes(py, &self.rows.frames)
+    fn frames(&self, py: Python<'_>) -> Py<Words> {
+        self.tables.frames.clone_ref(py)
     }
 
+    /// The words of the contacts.
     #[getter]
-    fn _contacts<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
-        bytes(py, &self.rows.contacts)
+    fn contacts(&self, py: Python<'_>) -> Py<Words> {
+        self.tables.contacts.clone_ref(py)
     }
 
+    /// The words of the events.
     #[getter]
-    fn _events<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u8>> {
-        bytes(py, &self.rows.events)
+    fn events(&self, py: Python<'_>) -> Py<Words> {
+        self.tables.events.clone_ref(py)
     }
 
-    #[getter]
-    fn _text(&self) -> &str {
-        &self.text
-    }
-
-    #[getter]
-    fn _title(&self) -> &str {
-        &self.head.title
-    }
-
+    /// The number type.
     #[getter]
     fn number(&self) -> &'static str {
-        self.head.number.name()
+        self.head.run.number.name()
     }
 
+    /// The evolution.
     #[getter]
     fn evolution(&self) -> &'static str {
-        self.head.evolution.name()
-    }
-
-    fn __len__(&self) -> usize {
-        self.rows.frames.len()
+        self.head.run.evolution.name()
     }
 
     /// Writes a trace, `.jsonl` or `.csv`, as `stiction run --out` does.
@@ -128,41 +119,51 @@ impl Run {
             let name = path.display();
             return Err(refused(format!("{name}: allowed: a file name that ends in .jsonl or .csv")));
         };
-        py.detach(|| self.trace(&path, format))
+        let (head, read) = (&self.head, self.tables.read(py));
+        let rows = read.rows()?;
+        py.detach(|| write(head, rows, &path, format))
             .map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))
     }
 
     /// Judges every frame by the laws alone: how many are unlawful, and the report.
-    fn _judge(&self, py: Python<'_>) -> PyResult<(u64, String)> {
-        py.detach(|| {
-            let failed = |error: std::io::Error| error.to_string();
-            let folder = tempfile::tempdir().map_err(failed)?;
-            let file = folder.path().join("trace.jsonl");
-            self.trace(&file, Format::JsonLines).map_err(failed)?;
-            let scene = stiction_judge::Scene::parse(&file, &self.text);
-            let scene = scene.map_err(|error| error.to_string())?;
-            let frames = Trace::open(&file, &scene).map_err(|error| error.to_string())?;
-            let mut judge = judge(scene, self.head.number, self.head.evolution);
-            let mut survey = Survey::new(10);
-            let mut notes = Notes::default();
-            for frame in frames {
-                let (line, frame) = frame.map_err(|error| error.to_string())?;
-                let t = frame.t;
-                notes.add(&frame);
-                survey.add(line, t, &judge.next(frame));
-            }
-            Ok((survey.unlawful, verdict(&survey, &notes)))
-        })
-        .map_err(|problem: String| refused(problem))
+    fn judge(&self, py: Python<'_>) -> PyResult<(u64, String)> {
+        let (head, read) = (&self.head, self.tables.read(py));
+        let rows = read.rows()?;
+        py.detach(|| judged(head, rows))
+            .map_err(|error| refused(error.to_string()))
     }
 
     /// The pictures of `stiction run --plot`: names and SVG.
     fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String)>> {
+        let (head, read) = (&self.head, self.tables.read(py));
+        let rows = read.rows()?;
         py.detach(|| {
-            let mut run = self.head.clone();
-            run.frames = self.rows.iter().collect();
-            plot::svgs(&run).map_err(|error| error.to_string())
+            let mut run = head.run.clone();
+            run.frames = rows.iter().collect();
+            plot::svgs(&run)
         })
         .map_err(refused)
     }
 }
+
+/// The judge reads a trace.
+fn judged(head: &Head, rows: Rows<'_>) -> Result<(u64, String), Box<dyn Error + Send + Sync>> {
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("trace.jsonl");
+    write(head, rows, &file, Format::JsonLines)?;
+    let scene = stiction_judge::Scene::parse(&file, &head.text)?;
+    let frames = Trace::open(&file, &scene)?;
+    let mut judge = judge(scene, head.run.number, head.run.evolution);
+    let mut survey = Survey::new(WORST);
+    let mut notes = Notes::default();
+    for frame in frames {
+        let (line, frame) = frame?;
+        let t = frame.t;
+        notes.add(&frame);
+        survey.add(line, t, &judge.next(frame));
+    }
+    Ok((survey.unlawful, verdict(&survey, &notes)))
+}
+
+/// So many of the worst frames are listed, as by `stiction check`.
+const WORST: usize = 10;

@@ -10,7 +10,7 @@ use stiction_scene::{InputError, SceneFile, Source};
 use crate::refused;
 
 /// A scene: a body, what holds it and what it may touch. It does not change.
-#[pyclass(frozen, subclass, module = "stiction")]
+#[pyclass(frozen, module = "stiction._stiction")]
 pub(crate) struct Scene {
     pub(crate) source: Source,
     file: SceneFile,

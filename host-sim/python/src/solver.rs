@@ -1,24 +1,28 @@
 //! Solvers: step by step, or over whole arrays.
 
+use std::sync::Arc;
+
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use stiction_core::{Angle, Evolution, Hand, TrackerSample};
 use stiction_host_sim::number::Number;
 use stiction_host_sim::options::{parse_evolution, parse_number};
-use stiction_host_sim::record;
 use stiction_host_sim::session::Session;
 use stiction_scene::{LivePlacement, Sample, SceneFile};
 
 use crate::refused;
-use crate::rows::Rows;
-use crate::run::Run;
+use crate::run::{Head, Run};
 use crate::scene::Scene;
+use crate::tables::{Filling, Room};
+
+/// Samples per second where no times are given (Hz).
+const RATE: f64 = 1000.0;
 
 /// A solver with its run.
-#[pyclass(module = "stiction")]
+#[pyclass(module = "stiction._stiction")]
 pub(crate) struct Solver {
-    scene: Py<Scene>,
-    file: SceneFile,
+    file: Arc<SceneFile>,
+    head: Arc<Head>,
     number: Number,
     evolution: Evolution,
     budget: Option<u32>,
@@ -38,13 +42,7 @@ impl Solver {
 impl Solver {
     #[new]
     #[pyo3(signature = (scene, *, number = "f32", evolution = "path", budget = None))]
-    fn new(
-        py: Python<'_>,
-        scene: Py<Scene>,
-        number: &str,
-        evolution: &str,
-        budget: Option<u32>,
-    ) -> PyResult<Self> {
+    fn new(scene: &Scene, number: &str, evolution: &str, budget: Option<u32>) -> PyResult<Self> {
         let problem = |name: &str, value: &str| {
             let (name, value) = (name.to_owned(), value.to_owned());
             move |allowed: String| refused(format!("`{name}` is {value:?}, {allowed}"))
@@ -54,12 +52,12 @@ impl Solver {
         if budget == Some(0) {
             return Err(refused("`budget` is 0, allowed: None, or a whole number above 0"));
         }
-        let file = scene.borrow(py).file_in(kind).map_err(refused)?;
+        let file = scene.file_in(kind).map_err(refused)?;
         let session =
             Session::new(&file, kind, evolution, budget.unwrap_or(u32::MAX)).map_err(refused)?;
         Ok(Self {
-            scene,
-            file,
+            head: Head::new(&file, kind, evolution),
+            file: Arc::new(file),
             number: kind,
             evolution,
             budget,
@@ -68,22 +66,31 @@ impl Solver {
         })
     }
 
-    /// One frame: the hand goes to its new pose.
+    /// One frame: the hand goes to x, y (m), phi (rad).
     #[pyo3(signature = (x, y, phi, *, held = true, depth = 0.0, t = None))]
-    fn step(&mut self, x: f64, y: f64, phi: f64, held: bool, depth: f64, t: Option<f64>) -> Run {
+    #[expect(clippy::too_many_arguments, reason = "Python names them")]
+    fn step(
+        &mut self,
+        py: Python<'_>,
+        x: f64,
+        y: f64,
+        phi: f64,
+        held: bool,
+        depth: f64,
+        t: Option<f64>,
+    ) -> PyResult<Run> {
         let sample = Sample {
-            t: t.unwrap_or(self.samples as f64 * 1e-3),
+            t: t.unwrap_or(self.samples as f64 / RATE),
             hand: hand([x, y, phi], (held, depth)),
         };
+        let frame = self.session.step(&sample);
         self.samples += 1;
-        let mut rows = Rows::with_room(1);
-        rows.add(&self.session.step(&sample));
-        self.run_of(rows)
+        self.fill(py, 1, |filling, _| filling.add(&frame))
     }
 
     /// All rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
     /// (x, y, z, w), placed as the scene's `[hand]` says. Nothing of the array is copied, and other threads run meanwhile.
-    #[pyo3(signature = (hand, *, t = None, held = None, rate = 1000.0))]
+    #[pyo3(signature = (hand, *, t = None, held = None, rate = RATE))]
     fn run(
         &mut self,
         py: Python<'_>,
@@ -94,60 +101,58 @@ impl Solver {
     ) -> PyResult<Run> {
         let array = hand.as_array();
         let (count, columns) = array.dim();
-        if columns != 3 && columns != 7 {
-            return Err(refused(format!(
-                "`hand` has {columns} columns, allowed: 3 (x, y, phi) or 7 (position and quaternion)"
-            )));
-        }
         if !(rate > 0.0 && rate.is_finite()) {
             return Err(refused(format!("`rate` is {rate}, allowed: a finite number above 0")));
         }
-        let (t, held) = (t.as_ref().map(|t| t.as_array()), held.as_ref().map(|held| held.as_array()));
-        for (name, length) in [
-            ("t", t.as_ref().map(|t| t.len())),
-            ("held", held.as_ref().map(|held| held.len())),
-        ] {
-            if let Some(length) = length.filter(|&length| length != count) {
-                return Err(refused(format!("`{name}` has {length} elements, allowed: {count}")));
-            }
+        if u32::try_from(count).is_err() {
+            return Err(refused(format!(
+                "`hand` has {count} rows, allowed: at most {}",
+                u32::MAX
+            )));
         }
-        let mut tracker = match columns {
-            7 => Some(self.tracker()?),
-            _ => None,
-        };
-        let mut session = self.session()?;
-        let rows = py.detach(|| {
-            let mut rows = Rows::with_room(count);
-            let mut samples = (0..count).map(|i| {
-                let row = array.row(i);
-                let is_held = held.as_ref().is_none_or(|held| held[i]);
-                let hand = match &mut tracker {
-                    None => self::hand([row[0], row[1], row[2]], (is_held, 0.0)),
-                    Some(tracker) => {
-                        let pose = TrackerSample {
-                            position: [row[0], row[1], row[2]],
-                            orientation: [row[3], row[4], row[5], row[6]],
-                            held: is_held,
-                        };
-                        tracker.hand(Some(&pose))
-                    }
-                };
-                let t = t.as_ref().map_or(i as f64 / rate, |t| t[i]);
-                Sample { t, hand }
-            });
-            session.run(&mut samples, &mut |frame| rows.add(frame));
-            rows
-        });
-        self.session = session;
+        let t = t.as_ref().map(|t| t.as_array());
+        let held = held.as_ref().map(|held| held.as_array());
+        of_length("t", t.map(|t| t.len()), count)?;
+        of_length("held", held.map(|held| held.len()), count)?;
+        let time = |i: usize| t.map_or(i as f64 / rate, |t| t[i]);
+        let is_held = |i: usize| held.is_none_or(|held| held[i]);
+        self.reset()?;
         self.samples = count as u64;
-        Ok(self.run_of(rows))
+        match columns {
+            3 => {
+                let samples = (0..count).map(|i| Sample {
+                    t: time(i),
+                    hand: self::hand([0, 1, 2].map(|k| array[[i, k]]), (is_held(i), 0.0)),
+                });
+                self.fill(py, count, |filling, session| {
+                    follow(session, samples, filling)
+                })
+            }
+            7 => {
+                let mut tracker = self.tracker()?;
+                let samples = (0..count).map(|i| Sample {
+                    t: time(i),
+                    hand: tracker.hand(Some(&TrackerSample {
+                        position: [0, 1, 2].map(|k| array[[i, k]]),
+                        orientation: [3, 4, 5, 6].map(|k| array[[i, k]]),
+                        held: is_held(i),
+                    })),
+                });
+                self.fill(py, count, |filling, session| {
+                    follow(session, samples, filling)
+                })
+            }
+            _ => Err(refused(format!(
+                "`hand` has {columns} columns, allowed: 3 (x, y, phi) or 7 (position and quaternion)"
+            ))),
+        }
     }
 
     /// A copy that goes on from here by itself.
-    fn snapshot(&self, py: Python<'_>) -> Self {
+    fn snapshot(&self) -> Self {
         Self {
-            scene: self.scene.clone_ref(py),
-            file: self.file.clone(),
+            file: Arc::clone(&self.file),
+            head: Arc::clone(&self.head),
             number: self.number,
             evolution: self.evolution,
             budget: self.budget,
@@ -156,10 +161,16 @@ impl Solver {
         }
     }
 
-    /// Back to a snapshot of this solver, or of another one of the same scene.
-    fn restore(&mut self, snapshot: &Self) {
+    /// Back to a snapshot.
+    fn restore(&mut self, snapshot: &Self) -> PyResult<()> {
+        if !Arc::ptr_eq(&self.head, &snapshot.head) {
+            return Err(refused(
+                "`snapshot` is of another solver, allowed: one of this solver",
+            ));
+        }
         self.session = snapshot.session.clone();
         self.samples = snapshot.samples;
+        Ok(())
     }
 
     /// Back to the scene's start.
@@ -169,21 +180,19 @@ impl Solver {
         Ok(())
     }
 
-    #[getter]
-    fn scene(&self, py: Python<'_>) -> Py<Scene> {
-        self.scene.clone_ref(py)
-    }
-
+    /// The number type.
     #[getter]
     fn number(&self) -> &'static str {
         self.number.name()
     }
 
+    /// The evolution.
     #[getter]
     fn evolution(&self) -> &'static str {
         self.evolution.name()
     }
 
+    /// The units of work that a frame may take.
     #[getter]
     fn budget(&self) -> Option<u32> {
         self.budget
@@ -196,13 +205,45 @@ impl Solver {
 }
 
 impl Solver {
-    fn run_of(&self, rows: Rows) -> Run {
-        Run::new(record::Run::of(&self.file, self.number, self.evolution), rows, &self.file)
+    /// A run of so many frames, which `give` adds without Python's lock.
+    fn fill<'py>(
+        &mut self,
+        py: Python<'py>,
+        count: usize,
+        give: impl FnOnce(&mut Filling<'_>, &mut Session) + Send,
+    ) -> PyResult<Run> {
+        let room = Room::new(py, count);
+        let filled = {
+            let mut open = room.open();
+            let mut filling = open.filling()?;
+            let session = &mut self.session;
+            py.detach(|| give(&mut filling, session));
+            filling.filled
+        };
+        Ok(Run::new(Arc::clone(&self.head), room.tables(py, &filled)?))
     }
 
     fn tracker(&self) -> PyResult<LivePlacement> {
         let live = self.file.hand.placement.live();
         live.ok_or_else(|| refused("`plane` of the scene's [hand]: the axes are not two different ones"))
+    }
+}
+
+/// Gives the frames of samples.
+fn follow(
+    session: &mut Session,
+    mut samples: impl Iterator<Item = Sample> + Send,
+    filling: &mut Filling<'_>,
+) {
+    session.run(&mut samples, &mut |frame| filling.add(frame));
+}
+
+fn of_length(name: &str, length: Option<usize>, count: usize) -> PyResult<()> {
+    match length.filter(|&length| length != count) {
+        None => Ok(()),
+        Some(length) => Err(refused(format!(
+            "`{name}` has {length} elements, allowed: {count}"
+        ))),
     }
 }
 
