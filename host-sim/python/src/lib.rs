@@ -36,3 +36,13 @@ mod _stiction {
 fn refused(problem: impl ToString) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(problem.to_string())
 }
+
+/// A number above 0.
+fn positive(name: &str, value: f64) -> PyResult<f64> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(value);
+    }
+    Err(refused(format!(
+        "`{name}` is {value:?}, allowed: a finite number above 0"
+    )))
+}

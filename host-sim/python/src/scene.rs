@@ -2,12 +2,14 @@
 
 use std::path::PathBuf;
 
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
+use stiction_core::Hand;
 use stiction_host_sim::number::Number;
-use stiction_host_sim::scenes;
-use stiction_scene::{InputError, SceneFile, Source};
+use stiction_host_sim::{input, scenes};
+use stiction_scene::{InputError, Sample, SceneFile, Source};
 
-use crate::refused;
+use crate::{positive, refused};
 
 /// A scene: a body, what holds it and what it may touch. It does not change.
 #[pyclass(frozen, module = "stiction._stiction")]
@@ -65,41 +67,57 @@ impl Scene {
 
     /// The body's vertices (m), in its own frame.
     #[getter]
-    fn vertices(&self) -> Vec<[f64; 2]> {
-        self.file.vertices.clone()
+    fn vertices(&self) -> Vec<(f64, f64)> {
+        self.file.vertices.iter().copied().map(pair).collect()
     }
 
     /// Names, unit normals and offsets (m) of the surfaces.
     #[getter]
-    fn surfaces(&self) -> Vec<(String, [f64; 2], f64)> {
+    fn surfaces(&self) -> Vec<(String, (f64, f64), f64)> {
         let all = self.file.surfaces.iter();
-        all.map(|surface| (surface.name.clone(), surface.normal, surface.offset)).collect()
+        all.map(|surface| (surface.name.clone(), pair(surface.normal), surface.offset))
+            .collect()
     }
 
     /// Names and corners (m) of the obstacles.
     #[getter]
-    fn obstacles(&self) -> Vec<(String, Vec<[f64; 2]>)> {
+    fn obstacles(&self) -> Vec<(String, Vec<(f64, f64)>)> {
+        let corners = |corners: &[[f64; 2]]| corners.iter().copied().map(pair).collect();
         let all = self.file.obstacles.iter();
-        all.map(|obstacle| (obstacle.name.clone(), obstacle.vertices.clone())).collect()
+        all.map(|obstacle| (obstacle.name.clone(), corners(&obstacle.vertices)))
+            .collect()
     }
 
     /// Stiffness of the springs: k_h (N/m), k_theta (N m/rad).
     #[getter]
-    fn stiffness(&self) -> [f64; 2] {
-        [self.file.stiffness_translation, self.file.stiffness_rotation]
+    fn stiffness(&self) -> (f64, f64) {
+        let file = &self.file;
+        (file.stiffness_translation, file.stiffness_rotation)
     }
 
-    /// The samples of its own hand: t (s), x, y (m), phi (rad), depth (m), held; at a rate (Hz), or at its own. For `Solver.run`.
-    #[pyo3(signature = (rate = None))]
-    fn hand(&self, rate: Option<f64>) -> PyResult<Vec<[f64; 6]>> {
-        let path = stiction_host_sim::input::open_path(&self.file, None, rate.map(|rate| ("rate", rate)));
-        let (path, rate) = path.map_err(refused)?;
-        let row = |sample: stiction_scene::Sample| {
-            let ([x, y], held) = (sample.hand.position, sample.hand.held);
-            let phi = sample.hand.angle.radians();
-            [sample.t, x, y, phi, sample.hand.depth, f64::from(u8::from(held))]
+    /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own.
+    #[pyo3(signature = (path = None, rate = None))]
+    fn hand<'py>(
+        &self,
+        py: Python<'py>,
+        path: Option<PathBuf>,
+        rate: Option<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rate = rate.map(|rate| positive("rate", rate)).transpose()?;
+        let given = rate.map(|rate| ("rate", rate));
+        let (path, rate) = input::open_path(&self.file, path.as_deref(), given).map_err(refused)?;
+        let row = |sample: Sample| {
+            let Hand {
+                position: [x, y],
+                angle,
+                held,
+                ..
+            } = sample.hand;
+            [sample.t, x, y, angle.radians(), f64::from(u8::from(held))]
         };
-        Ok(path.frames(rate).map(row).collect())
+        let numbers: Vec<f64> = path.frames(rate).flat_map(row).collect();
+        let count = numbers.len() / 5;
+        PyArray1::from_vec(py, numbers).reshape([count, 5])
     }
 
     fn __repr__(&self) -> String {
@@ -110,4 +128,8 @@ impl Scene {
             self.source.file().display()
         )
     }
+}
+
+fn pair([x, y]: [f64; 2]) -> (f64, f64) {
+    (x, y)
 }

@@ -10,10 +10,10 @@ use stiction_host_sim::options::{parse_evolution, parse_number};
 use stiction_host_sim::session::Session;
 use stiction_scene::{LivePlacement, Sample, SceneFile};
 
-use crate::refused;
 use crate::run::{Head, Run};
 use crate::scene::Scene;
 use crate::tables::{Filling, Room};
+use crate::{positive, refused};
 
 /// Samples per second where no times are given (Hz).
 const RATE: f64 = 1000.0;
@@ -101,9 +101,7 @@ impl Solver {
     ) -> PyResult<Run> {
         let array = hand.as_array();
         let (count, columns) = array.dim();
-        if !(rate > 0.0 && rate.is_finite()) {
-            return Err(refused(format!("`rate` is {rate}, allowed: a finite number above 0")));
-        }
+        let rate = positive("rate", rate)?;
         if u32::try_from(count).is_err() {
             return Err(refused(format!(
                 "`hand` has {count} rows, allowed: at most {}",

@@ -1,47 +1,67 @@
-"""Pictures of a run with matplotlib: the paths in the plane, the forces and the motion over time."""
+"""Pictures of a run with matplotlib: paths in the plane, forces, motion, and a strip of snapshots."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from ._run import Run
+
+#: Snapshots of a strip.
+SNAPSHOTS = 5
 
 
-def _placed(vertices, pose):
+def _placed(vertices: npt.NDArray[np.float64], pose: npt.NDArray[np.float64]) -> Any:
     cos, sin = np.cos(pose[2]), np.sin(pose[2])
-    x, y = np.asarray(vertices).T
+    x, y = vertices.T
     return pose[0] + cos * x - sin * y, pose[1] + sin * x + cos * y
 
 
-def trajectory(run, axes):
+def _instants(run: Run, count: int) -> npt.NDArray[np.intp]:
+    return np.linspace(0, len(run) - 1, min(count, len(run))).astype(np.intp)
+
+
+def surroundings(run: Run, axes: Axes) -> None:
+    """Surfaces and obstacles."""
+    for _, normal, offset in run.scene.surfaces:
+        foot = offset * np.asarray(normal)
+        axes.axline((foot[0], foot[1]), (foot[0] - normal[1], foot[1] + normal[0]), color="black", linewidth=1)
+    for _, corners in run.scene.obstacles:
+        x, y = np.asarray(corners).T
+        axes.fill(x, y, facecolor="lightgray", edgecolor="black")
+
+
+def trajectory(run: Run, axes: Axes) -> None:
     """The path of the hand, that of the body, and the body at a few times, between surfaces and obstacles."""
     hand, pose = run.frames["hand"], run.frames["pose"]
     axes.plot(hand[:, 0], hand[:, 1], color="tab:gray", linewidth=1, label="hand")
     axes.plot(pose[:, 0], pose[:, 1], color="tab:blue", linewidth=1, label="body")
-    for i in np.linspace(0, len(run) - 1, min(8, len(run))).astype(int):
+    for i in _instants(run, 8):
         x, y = _placed(run.scene.vertices, pose[i])
         axes.fill(x, y, facecolor="none", edgecolor="tab:blue", alpha=0.5)
-    for _, normal, offset in run.scene.surfaces:
-        foot = offset * np.asarray(normal)
-        axes.axline(foot, foot + [-normal[1], normal[0]], color="black", linewidth=1)
-    for _, corners in run.scene.obstacles:
-        x, y = np.asarray(corners).T
-        axes.fill(x, y, facecolor="lightgray", edgecolor="black")
+    surroundings(run, axes)
     axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
     axes.legend()
 
 
-def forces(run, axes):
+def forces(run: Run, axes: Axes) -> None:
     """Normal force and friction of all contacts together, and the hand's force, over time."""
-    t = run.frames["t"]
+    t, contacts = run.frames["t"], run.contacts
     for name, label in (("normal", "normal forces"), ("friction", "friction")):
-        total = np.zeros(len(run))
-        np.add.at(total, run.contacts["frame"], run.contacts[name])
+        total = np.bincount(contacts["frame"], weights=contacts[name], minlength=len(run))
         axes.plot(t, total, linewidth=1, label=label)
-    axes.plot(t, np.hypot(*run.frames["wrench"][:, :2].T), linewidth=1, label="hand")
+    axes.plot(t, np.hypot(*run.wrench[:, :2].T), linewidth=1, label="hand")
     axes.set(xlabel="t (s)", ylabel="force (N)")
     axes.legend()
 
 
-def motion(run, axes):
+def motion(run: Run, axes: npt.NDArray[Any]) -> None:
     """Hand and body over time: x, y and angle."""
     t = run.frames["t"]
     for i, (name, unit) in enumerate((("x", "m"), ("y", "m"), ("angle", "rad"))):
@@ -52,14 +72,31 @@ def motion(run, axes):
     axes[-1].set(xlabel="t (s)")
 
 
-def figure(run):
+def strip(run: Run, axes: npt.NDArray[Any]) -> None:
+    """The body at a few times, side by side, with the hand."""
+    reach = 2.0 * np.abs(run.scene.vertices).max() or 1.0
+    for here, i in zip(axes, _instants(run, SNAPSHOTS)):
+        frame = run.frames[i]
+        here.fill(*_placed(run.scene.vertices, frame["pose"]), facecolor="none", edgecolor="tab:blue")
+        here.plot(*frame["hand"][:2], color="tab:gray", marker="+")
+        surroundings(run, here)
+        x, y, _ = frame["pose"]
+        here.set(title=f"{frame['t']:.3g} s", aspect="equal", xticks=[], yticks=[])
+        here.set(xlim=(x - reach, x + reach), ylim=(y - reach, y + reach))
+
+
+def figure(run: Run) -> Figure:
     """All of them in one figure."""
     from matplotlib.figure import Figure
 
-    made = Figure(figsize=(10, 7), layout="constrained")
-    left, right = made.subfigures(1, 2)
+    if len(run) == 0:
+        raise ValueError("the run has no frames to plot")
+    made = Figure(figsize=(10, 9), layout="constrained")
+    above, below = made.subfigures(2, 1, height_ratios=(3, 1))
+    left, right = above.subfigures(1, 2)
     upper, lower = left.subplots(2, 1)
     trajectory(run, upper)
     forces(run, lower)
     motion(run, right.subplots(3, 1, sharex=True))
+    strip(run, below.subplots(1, SNAPSHOTS))
     return made

@@ -2,8 +2,27 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Mapping
+from typing import Any
 
+import numpy as np
+import numpy.typing as npt
+
+from . import _stiction
+
+Table = npt.NDArray[np.void]
+
+#: The contact states, in the order of their numbers.
+STATES: tuple[str, ...] = tuple(_stiction.STATES)
+#: What limited an answer, in the order of their numbers; the first one is "ok".
+STATUSES: tuple[str, ...] = tuple(_stiction.STATUSES)
+#: What happens in a frame, in the order of their numbers.
+EVENTS: tuple[str, ...] = tuple(_stiction.EVENTS)
+
+#: A frame: time `t` (s); `hand` x, y (m), phi (rad); `pose` of the body, x, y (m), theta (rad); `depth` coordinate (m); `wrench` of the
+#: hand on the body, force x, y (N) and moment about the holding point (N m); the longest slip that ended in it (m); the part of the hand's
+#: displacement that is left to follow, `behind`, 0 to 1, nan without a budget; how many slips ended; whether the hand held; numbers of
+#: `STATES` and `STATUSES`.
 FRAME = np.dtype(
     [
         ("t", "f8"),
@@ -20,6 +39,10 @@ FRAME = np.dtype(
     ],
     align=True,
 )
+#: A contact: the `point` (m, world frame); the unit normal towards the body, `direction`, nan in scenes without obstacles, where it is the
+#: surface's; the `normal` force, 0 or more, and the `friction` along t = (n_y, -n_x), on the body (N); the number of its `frame`; what
+#: touches what, by numbers from 0, -1 where there is none: vertex on surface, vertex on a side of an obstacle, or corner of an obstacle on a
+#: side of the body; `sliding` 0 where it sticks, 1 or -1 along t or against it.
 CONTACT = np.dtype(
     [
         ("point", "f8", 2),
@@ -27,32 +50,38 @@ CONTACT = np.dtype(
         ("normal", "f8"),
         ("friction", "f8"),
         ("frame", "u4"),
-        ("vertex", "i2"),
         ("surface", "i2"),
         ("obstacle", "i2"),
         ("side", "i2"),
         ("corner", "i2"),
-        ("body_side", "i2"),
+        ("vertex", "i1"),
+        ("body_side", "i1"),
         ("sliding", "i1"),
     ],
     align=True,
 )
+#: An event: the number of its `frame`, and a number of `EVENTS`.
 EVENT = np.dtype([("frame", "u4"), ("event", "u1")], align=True)
 
-# The names of the columns into which a field with several numbers is taken apart.
+#: The columns into which a field with several numbers is taken apart, named as in a CSV trace.
 PARTS = {
     "hand": ("hand_x", "hand_y", "hand_phi"),
-    "pose": ("x", "y", "theta"),
-    "wrench": ("fx", "fy", "moment"),
-    "point": ("point_x", "point_y"),
+    "pose": ("pose_x", "pose_y", "pose_theta"),
+    "wrench": ("wrench_x", "wrench_y", "wrench_moment"),
+    "point": ("x", "y"),
     "direction": ("direction_x", "direction_y"),
 }
 
 
-def columns(table):
+def names(dtype: np.dtype[Any]) -> tuple[str, ...]:
+    """The fields of a table."""
+    return dtype.names or ()
+
+
+def columns(table: Table) -> dict[str, npt.NDArray[Any]]:
     """A table as columns of plain numbers, by name."""
     taken = {}
-    for name in table.dtype.names:
+    for name in names(table.dtype):
         if name in PARTS:
             for i, part in enumerate(PARTS[name]):
                 taken[part] = table[name][:, i]
@@ -61,10 +90,10 @@ def columns(table):
     return taken
 
 
-def table(dtype, taken, length):
+def table(dtype: np.dtype[Any], taken: Mapping[str, Any], length: int) -> Table:
     """The table of a type from columns, the reverse of `columns`; a column that is missing is an error that names it."""
     made = np.zeros(length, dtype)
-    for name in dtype.names:
+    for name in names(dtype):
         for i, part in enumerate(PARTS.get(name, (name,))):
             if part not in taken:
                 raise ValueError(f"the column `{part}` is missing")
@@ -73,6 +102,15 @@ def table(dtype, taken, length):
     return made
 
 
-def as_bytes(table):
-    """The bytes of a table, as the compiled half takes them."""
-    return np.frombuffer(np.ascontiguousarray(table).tobytes(), np.uint8)
+def numbers(column: str, known: tuple[str, ...], given: Any) -> list[int]:
+    """Names as their numbers; one that is unknown is an error."""
+    unknown = set(given) - set(known)
+    if unknown:
+        raise ValueError(f"`{column}` has {sorted(map(str, unknown))}, allowed: {', '.join(known)}")
+    return [known.index(name) for name in given]
+
+
+def words(table: Table, dtype: np.dtype[Any]) -> npt.NDArray[np.uint64]:
+    """A copy of a table as the compiled half takes it."""
+    copy = np.array(table, dtype, ndmin=1)
+    return copy.view(np.uint64)

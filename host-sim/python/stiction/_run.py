@@ -1,0 +1,177 @@
+"""Runs: what a solver gave, as tables, judged, drawn, and taken elsewhere."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _parquet, _plot, _stiction, _tables, _trace
+from ._scene import Scene
+from ._tables import CONTACT, EVENT, EVENTS, FRAME, STATES, STATUSES, Table
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
+
+
+class Report(NamedTuple):
+    """What the judge found."""
+
+    #: Frames that break a law.
+    unlawful: int
+    #: The report as text, as `stiction check` prints it.
+    text: str
+
+    @property
+    def lawful(self) -> bool:
+        """No frame breaks a law."""
+        return self.unlawful == 0
+
+
+class Run:
+    """What a solver gave for a hand, as tables that cannot be written.
+
+    Attributes:
+        scene: the scene.
+        frames: a structured array of type `FRAME`, one row for each frame.
+        contacts: one of type `CONTACT`, one row for each contact of each frame, in the order of frames.
+        events: one of type `EVENT`, one row for each event, in order.
+    """
+
+    scene: Scene
+    frames: Table
+    contacts: Table
+    events: Table
+    _run: _stiction.Run
+
+    def __init__(self, scene: Scene, run: _stiction.Run) -> None:
+        """Made by `Solver.run` and `Run.from_...`."""
+        self.scene = scene
+        self._run = run
+        tables = (run.frames, FRAME), (run.contacts, CONTACT), (run.events, EVENT)
+        for words, _ in tables:
+            words.flags.writeable = False
+        self.frames, self.contacts, self.events = (words.view(dtype) for words, dtype in tables)
+
+    @property
+    def number(self) -> str:
+        """The number type of the solver: "f32", "f64" or "fixed"."""
+        return self._run.number
+
+    @property
+    def evolution(self) -> str:
+        """How frames were evolved: "path" or "frame"."""
+        return self._run.evolution
+
+    @property
+    def pose(self) -> npt.NDArray[np.float64]:
+        """The body, (N, 3): x, y (m), theta (rad)."""
+        return self.frames["pose"]
+
+    @property
+    def wrench(self) -> npt.NDArray[np.float64]:
+        """The hand's springs on the body, (N, 3): force x, y (N), moment about the holding point (N m)."""
+        return self.frames["wrench"]
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def __repr__(self) -> str:
+        return f"<stiction.Run of {len(self)} frames, {len(self.contacts)} contacts, {len(self.events)} events>"
+
+    @classmethod
+    def from_tables(
+        cls,
+        scene: Scene,
+        frames: Table,
+        contacts: Table,
+        events: Table,
+        number: str = "f32",
+        evolution: str = "path",
+    ) -> Run:
+        """Of structured arrays as a run has them, which are copied. Rows that no run has are a ValueError."""
+        tables = (frames, FRAME), (contacts, CONTACT), (events, EVENT)
+        copies = [_tables.words(table, dtype) for table, dtype in tables]
+        return cls(scene, _stiction.Run.of(scene._scene, (number, evolution), *copies))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        tables = (self.frames, self.contacts, self.events)
+        return (Run.from_tables, (self.scene, *tables, self.number, self.evolution))
+
+    def judge(self) -> Report:
+        """Judges every frame by the laws of statics and friction alone, as `stiction check` does; the hand's path is not compared."""
+        return Report(*self._run.judge())
+
+    def write_trace(self, path: str | os.PathLike[str]) -> None:
+        """Writes a trace, `.jsonl` or `.csv`, to the byte that of `stiction run --out`."""
+        self._run.write_trace(path)
+
+    @classmethod
+    def read_trace(
+        cls,
+        scene: Scene,
+        path: str | os.PathLike[str],
+        number: str = "f32",
+        evolution: str = "path",
+    ) -> Run:
+        """A trace of `stiction run --out`, `.jsonl`, of this scene. Traces do not have `longest_slip`: it is nan."""
+        return cls.from_tables(scene, *_trace.tables(scene, path, number), number, evolution)
+
+    def figures(self) -> dict[str, str]:
+        """The pictures of `stiction run --plot` by name, as SVG."""
+        return dict(self._run.figures())
+
+    def plot(self) -> Figure:
+        """A figure of matplotlib: paths in the plane, forces, motion, and a strip of snapshots."""
+        return _plot.figure(self)
+
+    def to_pandas(self) -> tuple[pandas.DataFrame, pandas.DataFrame, pandas.DataFrame]:
+        """Three data frames: frames, contacts, events; units as in `FRAME` and `CONTACT`, names in place of the numbers of states."""
+        import pandas
+
+        frames = pandas.DataFrame(_tables.columns(self.frames))
+        frames["state"] = pandas.Categorical.from_codes(self.frames["state"], categories=list(STATES))
+        frames["status"] = pandas.Categorical.from_codes(self.frames["status"], categories=list(STATUSES))
+        contacts = pandas.DataFrame(_tables.columns(self.contacts))
+        events = pandas.DataFrame(_tables.columns(self.events))
+        events["event"] = pandas.Categorical.from_codes(self.events["event"], categories=list(EVENTS))
+        return frames, contacts, events
+
+    @classmethod
+    def from_pandas(
+        cls,
+        scene: Scene,
+        frames: pandas.DataFrame,
+        contacts: pandas.DataFrame,
+        events: pandas.DataFrame,
+        number: str = "f32",
+        evolution: str = "path",
+    ) -> Run:
+        """The reverse of `to_pandas`. A missing column or an unknown name is a ValueError."""
+        taken: list[dict[str, Any]] = [dict(given.items()) for given in (frames, contacts, events)]  # type: ignore[arg-type]
+        coded = (taken[0], "state", STATES), (taken[0], "status", STATUSES), (taken[2], "event", EVENTS)
+        for columns, name, known in coded:
+            if name in columns:
+                columns[name] = _tables.numbers(name, known, columns[name])
+        tables = [
+            _tables.table(dtype, columns, len(given))
+            for dtype, columns, given in zip(
+                (FRAME, CONTACT, EVENT), taken, (frames, contacts, events)
+            )
+        ]
+        return cls.from_tables(scene, *tables, number, evolution)
+
+    def to_parquet(self, folder: str | os.PathLike[str]) -> None:
+        """Writes `frames.parquet`, `contacts.parquet` and `events.parquet`, as of `to_pandas`, into a folder; the scene is in their metadata."""
+        about = {"scene": self.scene.text, "number": self.number, "evolution": self.evolution}
+        _parquet.write(folder, self.to_pandas(), about)
+
+    @classmethod
+    def from_parquet(cls, folder: str | os.PathLike[str]) -> Run:
+        """The reverse of `to_parquet`."""
+        tables, about = _parquet.read(folder)
+        scene = Scene.from_text(about["scene"])
+        return cls.from_pandas(scene, *tables, about["number"], about["evolution"])
