@@ -9,20 +9,19 @@ WORKSPACE = pathlib.Path(__file__).resolve().parents[3]
 
 @pytest.fixture(scope="session")
 def program():
-    """The program `stiction`: that of STICTION, or what cargo has built for tests."""
-    named = os.environ.get("STICTION")
-    return pathlib.Path(named) if named else WORKSPACE / "target" / "debug" / "stiction"
+    """The program `stiction`: that of the variable STICTION, or what cargo has built for tests."""
+    target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", WORKSPACE / "target"))
+    return os.environ.get("STICTION", WORKSPACE / target / "debug" / "stiction")
 
 
-@pytest.fixture
-def stiction_run(program, tmp_path):
-    """Runs a scene by the program: the records of its trace."""
-    import json
+@pytest.fixture(scope="session")
+def stiction_run(program, tmp_path_factory):
+    """Runs a scene by the program: the file of its trace."""
 
     def run(scene, *options):
-        trace = tmp_path / "trace.jsonl"
+        trace = tmp_path_factory.mktemp("run") / "trace.jsonl"
         arguments = [program, "run", scene, "--out", trace, "--quiet", *options]
-        subprocess.run(arguments, check=True, stdout=subprocess.DEVNULL)
-        return [json.loads(line) for line in trace.read_text().splitlines()]
+        subprocess.run([os.fspath(argument) for argument in arguments], check=True)
+        return trace
 
     return run
