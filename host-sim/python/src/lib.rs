@@ -1,5 +1,5 @@
 //! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. What is only Python, from tables
-//! to plots, is in `stiction/`.
+//! to plots, is in `package/`.
 
 mod run;
 mod rows;
@@ -8,6 +8,9 @@ mod solver;
 mod tables;
 
 use pyo3::prelude::*;
+use stiction_core::Evolution;
+use stiction_host_sim::number::Number;
+use stiction_host_sim::options::{parse_evolution, parse_number};
 
 /// See `stiction`.
 #[pymodule]
@@ -35,6 +38,15 @@ mod _stiction {
 /// What is wrong with a value, for Python.
 fn refused(problem: impl ToString) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(problem.to_string())
+}
+
+/// A number type and an evolution by their names.
+fn kind(number: &str, evolution: &str) -> PyResult<(Number, Evolution)> {
+    let problem = |name, value| move |allowed| refused(format!("`{name}` is {value:?}, {allowed}"));
+    Ok((
+        parse_number(number).map_err(problem("number", number))?,
+        parse_evolution(evolution).map_err(problem("evolution", evolution))?,
+    ))
 }
 
 /// A number above 0.

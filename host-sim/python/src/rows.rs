@@ -1,4 +1,4 @@
-//! Frames, contacts and events as rows of numbers, which are the elements of numpy's structured arrays (`stiction/_tables.py`).
+//! Frames, contacts and events as rows of numbers, which are the elements of numpy's structured arrays (`package/stiction/_tables.py`).
 
 use bytemuck::{Pod, Zeroable};
 use stiction_core::{Event, StateKind, Status, Touch};

@@ -9,7 +9,6 @@ use pyo3::prelude::*;
 use stiction_core::Evolution;
 use stiction_host_sim::check::{Notes, judge, verdict};
 use stiction_host_sim::number::Number;
-use stiction_host_sim::options::{parse_evolution, parse_number};
 use stiction_host_sim::trace::{Format, TraceWriter};
 use stiction_host_sim::{plot, record};
 use stiction_judge::{Survey, Trace};
@@ -71,8 +70,7 @@ impl Run {
         contacts: Py<Words>,
         events: Py<Words>,
     ) -> PyResult<Self> {
-        let number = parse_number(&kind.0).map_err(refused)?;
-        let evolution = parse_evolution(&kind.1).map_err(refused)?;
+        let (number, evolution) = crate::kind(&kind.0, &kind.1)?;
         let file = scene.get().file_in(number).map_err(refused)?;
         let tables = Tables {
             frames,

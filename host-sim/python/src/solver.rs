@@ -6,14 +6,13 @@ use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use stiction_core::{Angle, Evolution, Hand, TrackerSample};
 use stiction_host_sim::number::Number;
-use stiction_host_sim::options::{parse_evolution, parse_number};
 use stiction_host_sim::session::Session;
 use stiction_scene::{LivePlacement, Sample, SceneFile};
 
 use crate::run::{Head, Run};
 use crate::scene::Scene;
 use crate::tables::{Filling, Room};
-use crate::{positive, refused};
+use crate::{kind, positive, refused};
 
 /// Samples per second where no times are given (Hz).
 const RATE: f64 = 1000.0;
@@ -43,12 +42,7 @@ impl Solver {
     #[new]
     #[pyo3(signature = (scene, *, number = "f32", evolution = "path", budget = None))]
     fn new(scene: &Scene, number: &str, evolution: &str, budget: Option<u32>) -> PyResult<Self> {
-        let problem = |name: &str, value: &str| {
-            let (name, value) = (name.to_owned(), value.to_owned());
-            move |allowed: String| refused(format!("`{name}` is {value:?}, {allowed}"))
-        };
-        let kind = parse_number(number).map_err(problem("number", number))?;
-        let evolution = parse_evolution(evolution).map_err(problem("evolution", evolution))?;
+        let (kind, evolution) = kind(number, evolution)?;
         if budget == Some(0) {
             return Err(refused("`budget` is 0, allowed: None, or a whole number above 0"));
         }
