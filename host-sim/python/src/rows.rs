@@ -43,8 +43,8 @@ pub(crate) struct ContactRow {
     padding: u8,
 }
 
-/// An event of a frame.
-#[repr(C)]
+/// An event of a frame. Aligned as the words in which numpy has it.
+#[repr(C, align(8))]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(crate) struct EventRow {
     frame: u32,

@@ -92,11 +92,12 @@ def figure(run: Run) -> Figure:
     if len(run) == 0:
         raise ValueError("the run has no frames to plot")
     made = Figure(figsize=(10, 9), layout="constrained")
-    above, below = made.subfigures(2, 1, height_ratios=(3, 1))
-    left, right = above.subfigures(1, 2)
+    # Typed as one figure, whatever their number.
+    halves: Any = made.subfigures(2, 1, height_ratios=(3, 1))
+    left, right = halves[0].subfigures(1, 2)
     upper, lower = left.subplots(2, 1)
     trajectory(run, upper)
     forces(run, lower)
     motion(run, right.subplots(3, 1, sharex=True))
-    strip(run, below.subplots(1, SNAPSHOTS))
+    strip(run, halves[1].subplots(1, SNAPSHOTS))
     return made

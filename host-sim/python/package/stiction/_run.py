@@ -133,11 +133,11 @@ class Run:
         import pandas
 
         frames = pandas.DataFrame(_tables.columns(self.frames))
-        frames["state"] = pandas.Categorical.from_codes(self.frames["state"], categories=list(STATES))
-        frames["status"] = pandas.Categorical.from_codes(self.frames["status"], categories=list(STATUSES))
+        frames["state"] = _tables.named(self.frames["state"], STATES)
+        frames["status"] = _tables.named(self.frames["status"], STATUSES)
         contacts = pandas.DataFrame(_tables.columns(self.contacts))
         events = pandas.DataFrame(_tables.columns(self.events))
-        events["event"] = pandas.Categorical.from_codes(self.events["event"], categories=list(EVENTS))
+        events["event"] = _tables.named(self.events["event"], EVENTS)
         return frames, contacts, events
 
     @classmethod
@@ -156,13 +156,13 @@ class Run:
         for columns, name, known in coded:
             if name in columns:
                 columns[name] = _tables.numbers(name, known, columns[name])
-        tables = [
+        made = [
             _tables.table(dtype, columns, len(given))
             for dtype, columns, given in zip(
                 (FRAME, CONTACT, EVENT), taken, (frames, contacts, events)
             )
         ]
-        return cls.from_tables(scene, *tables, number, evolution)
+        return cls.from_tables(scene, made[0], made[1], made[2], number, evolution)
 
     def to_parquet(self, folder: str | os.PathLike[str]) -> None:
         """Writes `frames.parquet`, `contacts.parquet` and `events.parquet`, as of `to_pandas`, into a folder; the scene is in their metadata."""

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _stiction
+
+if TYPE_CHECKING:
+    import pandas
 
 Table = npt.NDArray[np.void]
 
@@ -100,6 +103,13 @@ def table(dtype: np.dtype[Any], taken: Mapping[str, Any], length: int) -> Table:
             to = made[name][:, i] if name in PARTS else made[name]
             to[...] = np.asarray(taken[part])
     return made
+
+
+def named(given: npt.NDArray[Any], known: tuple[str, ...]) -> pandas.Categorical[str]:
+    """Numbers as their names, for pandas."""
+    import pandas
+
+    return pandas.Categorical.from_codes(given.astype(np.int8), categories=pandas.Index(known))
 
 
 def numbers(column: str, known: tuple[str, ...], given: Any) -> list[int]:
