@@ -14,9 +14,6 @@ use crate::scene::Scene;
 use crate::tables::{Filling, Room};
 use crate::{kind, positive, refused};
 
-/// Samples per second where no times are given (Hz).
-const RATE: f64 = 1000.0;
-
 /// A solver with its run.
 #[pyclass(module = "stiction._stiction")]
 pub(crate) struct Solver {
@@ -61,7 +58,7 @@ impl Solver {
     }
 
     /// One frame: the hand goes to x, y (m), phi (rad).
-    #[pyo3(signature = (x, y, phi, *, held = true, depth = 0.0, t = None))]
+    #[pyo3(signature = (x, y, phi, *, held, depth, t))]
     #[expect(clippy::too_many_arguments, reason = "Python names them")]
     fn step(
         &mut self,
@@ -71,10 +68,10 @@ impl Solver {
         phi: f64,
         held: bool,
         depth: f64,
-        t: Option<f64>,
+        t: f64,
     ) -> PyResult<Run> {
         let sample = Sample {
-            t: t.unwrap_or(self.samples as f64 / RATE),
+            t,
             hand: hand([x, y, phi], (held, depth)),
         };
         let frame = self.session.step(&sample);
@@ -84,7 +81,7 @@ impl Solver {
 
     /// All rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
     /// (x, y, z, w), placed as the scene's `[hand]` says. Nothing of the array is copied, and other threads run meanwhile.
-    #[pyo3(signature = (hand, *, t = None, held = None, rate = RATE))]
+    #[pyo3(signature = (hand, *, t, held, rate))]
     fn run(
         &mut self,
         py: Python<'_>,

@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parents[1]
 
 
 @pytest.mark.parametrize(
-    "command", [["mypy", "--strict", "-p", "stiction"], ["mypy.stubtest", "stiction"]], ids=["mypy", "stubtest"]
+    "command", [["mypy", "--strict", "-p", "stiction"], ["mypy.stubtest", "stiction._stiction"]], ids=["mypy", "stubtest"]
 )
 def test_types(command, tmp_path):
     config = ["--config-file" if command[0] == "mypy" else "--mypy-config-file", str(HERE / "pyproject.toml")]

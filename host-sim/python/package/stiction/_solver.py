@@ -13,6 +13,10 @@ from ._scene import Scene
 from ._tables import EVENTS, STATES, STATUSES, Table
 
 
+#: Samples per second where no times are given (Hz).
+RATE = 1000.0
+
+
 class Frame(NamedTuple):
     """The answer to a sample of the hand."""
 
@@ -68,10 +72,11 @@ class Solver:
     ) -> Frame:
         """One frame: the hand goes to x, y (m), phi (rad), world frame; the first one starts the scene.
 
-        held: whether the hand holds the body. depth: a coordinate that is handed through (m). t: the time (s), which changes nothing. A hand
+        held: whether the hand holds the body. depth: a coordinate that is handed through (m). t: the time (s), which changes nothing; None: at 1000 Hz. A hand
         that is not finite is no error: the status is "held-last", and the body stays.
         """
-        run = Run(self.scene, self._solver.step(x, y, phi, held=held, depth=depth, t=t))
+        time = len(self) / RATE if t is None else t
+        run = Run(self.scene, self._solver.step(x, y, phi, held=held, depth=depth, t=time))
         row = run.frames[0]
         return Frame(
             pose=row["pose"],
@@ -90,7 +95,7 @@ class Solver:
         *,
         t: npt.ArrayLike | None = None,
         held: npt.ArrayLike | None = None,
-        rate: float = 1000.0,
+        rate: float = RATE,
     ) -> Run:
         """All rows of an array, from the scene's start.
 

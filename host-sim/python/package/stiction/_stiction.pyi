@@ -5,7 +5,7 @@ from typing import final
 import numpy as np
 import numpy.typing as npt
 
-__all__: list[str]
+__all__ = ["EVENTS", "STATES", "STATUSES", "Run", "Scene", "Solver", "__version__"]
 __version__: str
 STATES: list[str]
 STATUSES: list[str]
@@ -70,17 +70,17 @@ class Solver:
         y: float,
         phi: float,
         *,
-        held: bool = True,
-        depth: float = 0.0,
-        t: float | None = None,
+        held: bool,
+        depth: float,
+        t: float,
     ) -> Run: ...
     def run(
         self,
         hand: npt.NDArray[np.float64],
         *,
-        t: npt.NDArray[np.float64] | None = None,
-        held: npt.NDArray[np.bool_] | None = None,
-        rate: float = 1000.0,
+        t: npt.NDArray[np.float64] | None,
+        held: npt.NDArray[np.bool_] | None,
+        rate: float,
     ) -> Run: ...
     def snapshot(self) -> Solver: ...
     def restore(self, snapshot: Solver) -> None: ...

@@ -1,0 +1,64 @@
+"""What `Solver.run` takes of a hand of a million frames, beside the solver alone: speed.py PROGRAM [REPEATS]
+
+PROGRAM is `stiction`, built in release. The hand is that of a bundled scene, again and again; the time of the solver is what `stiction run`
+says: measured around the solver's steps, without reading samples, recording answers and writing. Of both the least of several runs in
+turn. "memory" is by how much the process grew over its largest size before, less the tables of the run.
+"""
+
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+import stiction
+
+SCENES = ["locked", "box-flat", "vertex-stick-slip", "corner-stick-slip", "slide", "table-edge", "peg-in-hole"]
+FRAMES = 1_000_000
+
+
+def hand(scene):
+    """The scene's hand, forwards and backwards, so that it does not jump."""
+    once = scene.hand_array(rate=1000.0)
+    there_and_back = np.concatenate([once, once[::-1]])
+    return np.resize(there_and_back, (FRAMES, 3))
+
+
+def solver_time(program, name, file, number):
+    """Of the solver alone (ns per frame), by the program's summary."""
+    arguments = [program, "run", name, "--hand", file, "--number", number]
+    summary = subprocess.run(arguments, check=True, capture_output=True, text=True).stdout
+    return float(re.search(r"mean time\s+([\d.]+) ns", summary).group(1))
+
+
+def main():
+    program, repeats = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 5
+    print("| scene | number | solver (ns) | `Solver.run` (ns) | ratio | memory besides the tables (MB) |")
+    print("|---|---|---:|---:|---:|---:|")
+    for name in SCENES:
+        scene = stiction.Scene.bundled(name)
+        array = hand(scene)
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+            file.write("t,x,y,phi\n")
+            np.savetxt(file, np.column_stack([np.arange(FRAMES) / 1000.0, array]), "%.17g", ",")
+            file.flush()
+            for number in ("f32", "f64"):
+                alone, whole, memory = [], [], []
+                solver = stiction.Solver(scene, number=number)
+                for _ in range(repeats):
+                    alone.append(solver_time(program, name, file.name, number))
+                    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+                    begun = time.perf_counter()
+                    run = solver.run(array)
+                    whole.append((time.perf_counter() - begun) / FRAMES * 1e9)
+                    after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+                    tables = run.frames.nbytes + run.contacts.nbytes + run.events.nbytes
+                    memory.append((after - before) * 1024 - tables)
+                    del run
+                row = f"| {name} | {number} | {min(alone):.0f} | {min(whole):.0f} | {min(whole) / min(alone):.2f} |"
+                print(f"{row} {memory[0] / 1e6:.0f} |", flush=True)
+
+
+main()
