@@ -145,6 +145,21 @@ else
   node --test --test-concurrency=1 host-sim/tests/web/*.test.js
 fi
 
+stage 'the Python package'
+# Its wheel, as it is given away, in an environment of its own; the tests compare it with the program that the tests above have built.
+venv='apt-get install -y --no-install-recommends python3-venv'
+python3 -c 'import ensurepip' 2>/dev/null || { apt-get update && $venv; } || true
+if ! python3 -c 'import ensurepip' 2>/dev/null; then
+  missing 'venv of Python' "$venv"
+elif ! { python3 -m venv target/python && target/python/bin/pip install -q -r host-sim/python/tests/requirements.txt; }; then
+  missing 'the packages of the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
+else
+  rm -rf target/wheels
+  target/python/bin/maturin build --release --locked -m host-sim/python/Cargo.toml --out target/wheels
+  target/python/bin/pip install -q --force-reinstall --no-deps target/wheels/*.whl
+  target/python/bin/python -m pytest -q host-sim/python
+fi
+
 stage 'tests, release'
 cargo test --no-fail-fast "${release[@]}"
 

@@ -80,17 +80,18 @@ where
                 }
                 if under_way == 0 {
                     return;
-                };
+                }
                 let Ok(mut batch): Result<Batch<R>, _> = answered.recv() else {
                     return;
                 };
                 under_way -= 1;
-                for (t, state, output) in batch.answers.drain(..) {
+                for (t, state, output) in &batch.answers {
                     frame = frame
-                        .renewed(t, solver, &state, &output)
+                        .renewed(*t, solver, state, output)
                         .with_indices(indices);
                     take(&frame);
                 }
+                batch.answers.clear();
                 empty.push(batch);
             }
         };
