@@ -1,8 +1,8 @@
 //! The compiled half of the Python package `stiction`: scenes, solvers and runs of `stiction-host-sim`. What is only Python, from tables
 //! to plots, is in `package/`.
 
-mod run;
 mod rows;
+mod run;
 mod scene;
 mod solver;
 mod tables;

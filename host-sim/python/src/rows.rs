@@ -101,7 +101,10 @@ impl Rows<'_> {
         })
     }
 
-    fn frame_with(&self, (i, contacts, events): (usize, &[ContactRow], &[EventRow])) -> Option<Frame> {
+    fn frame_with(
+        &self,
+        (i, contacts, events): (usize, &[ContactRow], &[EventRow]),
+    ) -> Option<Frame> {
         let row = &self.frames[i];
         Some(Frame {
             t: row.t,
@@ -208,7 +211,8 @@ impl ContactRow {
                 obstacle,
                 side,
             } => {
-                (row.vertex, row.obstacle, row.side) = (small(vertex), small(obstacle), small(side));
+                (row.vertex, row.obstacle, row.side) =
+                    (small(vertex), small(obstacle), small(side));
             }
             Touch::Corner {
                 obstacle,

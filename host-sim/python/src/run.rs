@@ -115,7 +115,9 @@ impl Run {
     fn write_trace(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
         let Some(format) = Format::of(&path) else {
             let name = path.display();
-            return Err(refused(format!("{name}: allowed: a file name that ends in .jsonl or .csv")));
+            return Err(refused(format!(
+                "{name}: allowed: a file name that ends in .jsonl or .csv"
+            )));
         };
         let (head, read) = (&self.head, self.tables.read(py));
         let rows = read.rows()?;

@@ -41,7 +41,9 @@ impl Solver {
     fn new(scene: &Scene, number: &str, evolution: &str, budget: Option<u32>) -> PyResult<Self> {
         let (kind, evolution) = kind(number, evolution)?;
         if budget == Some(0) {
-            return Err(refused("`budget` is 0, allowed: None, or a whole number above 0"));
+            return Err(refused(
+                "`budget` is 0, allowed: None, or a whole number above 0",
+            ));
         }
         let file = scene.file_in(kind).map_err(refused)?;
         let session =
@@ -214,7 +216,9 @@ impl Solver {
 
     fn tracker(&self) -> PyResult<LivePlacement> {
         let live = self.file.hand.placement.live();
-        live.ok_or_else(|| refused("`plane` of the scene's [hand]: the axes are not two different ones"))
+        live.ok_or_else(|| {
+            refused("`plane` of the scene's [hand]: the axes are not two different ones")
+        })
     }
 }
 
