@@ -46,7 +46,7 @@ pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
 pub use emulate::EmulatedBoard;
 pub use error::BoardError;
-pub(crate) use live::{Fares, Identity, LiveBoard, Word};
+pub(crate) use live::{Identity, LiveBoard, Word};
 pub use tracker::{HoldButton, TrackerArgs};
 
 use crate::files::{self, Files};

@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use stiction_scene::{HandPath, InputError, Motion, SceneFile};
+use stiction_scene::{InputError, SceneFile};
+
+pub use stiction_live::input::open_path;
+use stiction_live::input::path_file;
 
 use crate::number::Number;
 use crate::scenes;
@@ -28,50 +31,4 @@ pub(crate) fn files<'a>(
     [Some(name), hand, path_file(scene, None)]
         .into_iter()
         .flatten()
-}
-
-/// The file that [`open_path`] reads, if it reads one.
-fn path_file<'a>(scene: &'a SceneFile, hand: Option<&'a Path>) -> Option<&'a Path> {
-    hand.or(match &scene.hand.motion {
-        Some(Motion::Recorded(file)) => Some(file),
-        _ => None,
-    })
-}
-
-/// The hand's path and the rate (Hz) to resample it to: a file, and a rate with what gives it, or else those of the scene.
-pub fn open_path(
-    scene: &SceneFile,
-    hand: Option<&Path>,
-    given: Option<(&str, f64)>,
-) -> Result<(HandPath, Option<f64>), InputError> {
-    let rate = given.map(|(_, rate)| rate).or(scene.hand.rate);
-    let path = match (path_file(scene, hand), &scene.hand.motion) {
-        (Some(file), _) => HandPath::read(file, &scene.hand.placement)?,
-        (None, Some(Motion::Keyframes(path))) if rate.is_some() => path.clone(),
-        (None, Some(Motion::Keyframes(_))) => {
-            let problem = "[hand] has `keyframes` but no `rate`, allowed: a rate there or --rate";
-            return Err(scene.source().error(problem));
-        }
-        (None, _) => {
-            let problem =
-                "[hand] has neither `keyframes` nor `path`, allowed: one of the two, or --hand";
-            return Err(scene.source().error(problem));
-        }
-    };
-    let count = path.frame_count(rate);
-    if count <= HandPath::LARGEST_COUNT {
-        return Ok((path, rate));
-    }
-    let problem = format!(
-        "{:?} Hz of `{}` and a path of {:?} s give {count} frames, allowed: at most {}",
-        rate.unwrap_or_default(),
-        given.map_or("hand.rate", |(by, _)| by),
-        path.seconds(),
-        HandPath::LARGEST_COUNT
-    );
-    Err(match path_file(scene, hand) {
-        Some(file) => HandPath::error_at_end(file, &problem),
-        None if given.is_some() => scene.source().error(&problem),
-        None => scene.error_at_rate(&problem),
-    })
 }

@@ -29,30 +29,27 @@
 
 mod balance;
 pub mod board;
-mod body;
 pub mod check;
 pub mod code;
 pub mod emulator;
 mod files;
 pub mod footprint;
 pub mod input;
-mod meter;
-pub mod number;
 pub mod options;
 pub mod plot;
 mod progress;
-pub mod record;
 mod recording;
 pub mod replay;
 pub mod report;
 pub mod run;
-pub mod scenes;
-pub mod session;
 mod settings;
-pub mod simulate;
 pub mod stop;
 mod summary;
 pub mod sweep;
 pub mod trace;
 pub mod trade;
 pub mod view;
+
+pub use stiction_live::{number, record, scenes, session, simulate};
+
+use stiction_live::{body, meter};

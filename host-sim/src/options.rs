@@ -3,35 +3,13 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use stiction_core::Evolution;
 
-use crate::number::Number;
+use stiction_live::number::evolution_named;
+pub use stiction_live::number::{parse_evolution, parse_number};
+
 use crate::trace::Format;
-
-/// The evolution of a name.
-fn evolution_named(name: &str) -> Option<Evolution> {
-    let mut all = Evolution::ALL.into_iter();
-    all.find(|evolution| evolution.name() == name)
-}
-
-/// A number type by its name.
-pub fn parse_number(text: &str) -> Result<Number, String> {
-    let allowed = |_| format!("allowed: {}", Number::ALL.map(Number::name).join(", "));
-    Number::from_str(text, false).map_err(allowed)
-}
-
-/// An evolution by its name.
-pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
-    let allowed = || {
-        format!(
-            "allowed: {}",
-            Evolution::ALL.map(Evolution::name).join(", ")
-        )
-    };
-    evolution_named(text).ok_or_else(allowed)
-}
 
 /// One of the evolutions.
 pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {

@@ -21,11 +21,16 @@ mod line;
 mod reader;
 mod writer;
 
+use std::path::PathBuf;
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 use stiction_core::Evolution;
-use stiction_scene::SceneFile;
+use stiction_scene::{SceneFile, Source};
 
+use crate::body::Setting;
 use crate::number::Number;
+use crate::options::{parse_evolution, parse_number};
 use crate::settings::Settings;
 
 pub(crate) use reader::{Line, Recording, RecordingError};
@@ -131,4 +136,26 @@ pub(crate) struct Change {
     pub(crate) evolution: String,
     /// The text of the scene file.
     pub(crate) scene: String,
+}
+
+impl Change {
+    /// The setting of these names and this text; `name`: of the scene.
+    ///
+    /// # Errors
+    /// A name stands for nothing, or the text is no scene.
+    pub(crate) fn setting(&self, name: PathBuf) -> Result<Setting, String> {
+        let refused =
+            |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");
+        let number = parse_number(&self.number)
+            .map_err(|allowed| refused("number", &self.number, allowed))?;
+        let evolution = parse_evolution(&self.evolution)
+            .map_err(|allowed| refused("evolution", &self.evolution, allowed))?;
+        let source = Source::new(name, self.scene.as_str());
+        let scene = SceneFile::parse(source, number.limit()).map_err(|error| error.to_string())?;
+        Ok(Setting {
+            scene: Arc::new(scene),
+            number,
+            evolution,
+        })
+    }
 }

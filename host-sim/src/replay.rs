@@ -153,7 +153,7 @@ impl Again {
 
     fn change(&mut self, recording: &Recording, change: &Change) -> Result<(), ReplayError> {
         let refused = |problem| recording.error(problem);
-        let setting = Setting::named(change, recording.scene_name()).map_err(refused)?;
+        let setting = change.setting(recording.scene_name()).map_err(refused)?;
         self.solver.change(&setting).map_err(refused)?;
         let run = Run::of(&setting.scene, setting.number, setting.evolution);
         (self.scenery, self.number) = (run.scenery(), run.number);
@@ -226,7 +226,10 @@ struct Boxed;
 impl Task for Boxed {
     type Done = Box<dyn Stepper>;
 
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    where
+        Running<R, M>: Send + Sync,
+    {
         Box::new(running)
     }
 }

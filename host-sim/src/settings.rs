@@ -70,7 +70,10 @@ struct Whole<I, F>(I, F);
 impl<I: Iterator<Item = Sample>, F: FnMut(Frame) -> Result<(), E>, E> Task for Whole<I, F> {
     type Done = Result<Duration, E>;
 
-    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done {
+    fn with<R: Real<Si: SiFloat>, M: HostModel>(self, running: Running<R, M>) -> Self::Done
+    where
+        Running<R, M>: Send + Sync,
+    {
         running.simulate(self.0, self.1)
     }
 }

@@ -1,12 +1,11 @@
 //! `stiction view`: the solver in real time, with a page, a socket and UDP around it, as `host-sim/VIEW.md` says.
 //!
 //! ```text
-//! page, programs ═ doors ─ server ─ client ─ hear ─┐ orders                 ┌─ say ─ client ═ page, programs
-//! trackers ═ outward ──────────────────────────────┴─ engine ─ pair ─ feed ─┴─ outward ═ renderers
-//!                                                      │        └ body: the solver; the f64 path reference
-//!                                                      ├─ guide, holder: the hand
-//!                                                      ├─ remote, answers, mirror: a board instead of the solver
-//!                                                      └─ recording, recorder, shelf, resume, replay
+//! page, programs ═ doors ─ server ─ client ─┐ orders          ┌─ client ═ page, programs
+//! trackers ═ outward ───────────────────────┴─ engine ─ feed ─┴─ outward ═ renderers
+//!                                                ├─ stiction-live: the solver, the reference beside it, the hand
+//!                                                ├─ remote, answers, mirror: a board instead of the solver
+//!                                                └─ recording, recorder, shelf, resume
 //! ```
 //!
 //! The engine has a thread of its own and waits for nobody. While it records, every tick is in the file before anybody sees it.
@@ -14,33 +13,22 @@
 mod answers;
 mod change;
 mod client;
-mod counts;
 mod doors;
-mod echo;
 mod ends;
 mod engine;
 mod feed;
-mod free;
-mod guide;
-mod hear;
-mod holder;
 mod kept;
 mod mirror;
 mod orders;
 mod outward;
 mod page;
-mod pair;
 mod publish;
 mod recorder;
 mod recording;
 mod remote;
-mod replay;
 mod resume;
-mod say;
 mod server;
 mod shelf;
-mod stage;
-mod step_times;
 mod upload;
 mod urgent;
 
@@ -55,6 +43,8 @@ use std::time::Duration;
 
 use clap::Args;
 use stiction_core::Evolution;
+use stiction_live::replay::Way;
+use stiction_live::stage::Stage;
 use stiction_scene::{HandPath, InputError};
 use tokio::sync::{mpsc, watch};
 
@@ -71,10 +61,8 @@ use engine::Engine;
 use feed::Feed;
 use kept::Kept;
 use remote::Remote;
-use replay::Way;
 use server::Hub;
 use shelf::Shelf;
-use stage::Stage;
 
 /// The scene where none is named.
 const SCENE: &str = "box-flat";
@@ -188,7 +176,7 @@ pub fn view(args: &ViewArgs) -> Result<(), ViewError> {
     let shelf = Shelf::new(args.recordings.clone());
     let (engine, feed) = prepared(args, (shelf.clone(), notes))?;
     let board = engine.board.as_ref().map(|board| board.identity().clone());
-    let scenes = orders::scene_names(engine.own.as_ref(), board.is_some());
+    let scenes = orders::scene_names(engine.live.own.as_ref(), board.is_some());
     let listener = listen(args.listen)?;
     let place = listener.local_addr()?;
     let (orders, inbox) = mpsc::channel(ORDERS);
@@ -263,7 +251,7 @@ fn prepared(
     let placement = stage.scene.hand.placement;
     let mut engine =
         Engine::new(stage, &setting, Arc::clone(&feed), records).map_err(ViewError::Scene)?;
-    engine.own = own;
+    engine.live.own = own;
     engine.board = board;
     if let Some(file) = &args.hand {
         let path = HandPath::read(file, &placement)?;
@@ -272,7 +260,9 @@ fn prepared(
             .map_err(|problem| HandPath::error_at_end(file, &problem))?;
         let name = name.unwrap_or_default().to_string_lossy();
         engine.upload = Some((name.into_owned(), way));
-        let follow = engine.upload().and_then(|change| engine.apply(change));
+        let follow = engine
+            .upload()
+            .and_then(|change| engine.apply(change.into()));
         follow.map_err(ViewError::Scene)?;
     }
     Ok((engine, feed))

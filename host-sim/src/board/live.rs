@@ -6,8 +6,8 @@ use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
 use stiction_core::Evolution;
+use stiction_live::say::{Fares, Source};
 use stiction_scene::{Sample, SceneFile};
 
 use super::address::{Address, ConnectArgs};
@@ -44,41 +44,6 @@ pub(crate) enum Word {
     End(String),
 }
 
-/// How a board fares.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub(crate) struct Fares {
-    pub(crate) connected: bool,
-    /// Answers in a second.
-    pub(crate) rate: f64,
-    /// From a sample to its answer (s), median of the last ones.
-    pub(crate) latency: Option<f64>,
-    /// Samples that a newer one overtook.
-    pub(crate) late: u64,
-    /// Samples without an answer.
-    pub(crate) lost: u64,
-    /// Ticks of the board that came too late.
-    pub(crate) missed: u64,
-    /// Garbled frames, of both sides.
-    pub(crate) faults: u64,
-    /// The longest step of its solver (s).
-    #[serde(skip)]
-    pub(crate) worst_step: Option<f64>,
-}
-
-impl Fares {
-    /// Of no board.
-    pub(crate) const NONE: Self = Self {
-        connected: false,
-        rate: 0.0,
-        latency: None,
-        late: 0,
-        lost: 0,
-        missed: 0,
-        faults: 0,
-        worst_step: None,
-    };
-}
-
 /// Who the board is.
 #[derive(Clone, Debug)]
 pub(crate) struct Identity {
@@ -91,6 +56,18 @@ pub(crate) struct Identity {
     pub(crate) tick_rate: u16,
     /// As it makes recordings.
     pub(crate) maker: Maker,
+}
+
+impl Identity {
+    /// As a client is told.
+    pub(crate) fn source(&self) -> Source<'_> {
+        Source::Board {
+            name: &self.name,
+            number: self.number.name(),
+            r#where: &self.place,
+            emulated: self.emulated,
+        }
+    }
 }
 
 /// A board that is followed.

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use super::engine::Engine;
+use super::mirror::Mirror;
 use super::remote::Remote;
 use crate::board::Word;
 use crate::record::Frame;
@@ -25,12 +26,12 @@ impl Engine {
                     }
                 }
                 // What it is told anew is what it was told before: there is nothing to refuse.
-                Word::Back => self.apply(self.anew())?,
+                Word::Back => self.apply(self.live.anew().into())?,
                 Word::Fares(fares) => {
                     if let Some(board) = &mut self.board {
                         board.fares = fares;
                     }
-                    self.pending.touch();
+                    self.live.pending.touch();
                 }
                 Word::End(why) => return Err(why),
             }
@@ -51,8 +52,11 @@ impl Engine {
         {
             self.end_recording();
         }
-        self.echoes.answer(frame.t);
-        self.pair.answered(frame);
-        self.pending.record(&self.pair.frame);
+        let live = &mut self.live;
+        live.echoes.answer(frame.t);
+        let mirror = Mirror::of(&frame, live.pair.present(), &live.pair.setting);
+        let hand = mirror.hand;
+        live.pair.answered(frame, Box::new(mirror), &hand);
+        live.pending.record(&live.pair.frame);
     }
 }

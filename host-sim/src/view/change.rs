@@ -1,60 +1,31 @@
-//! What becomes of the body where it is told to: it goes on under another setting, or another run begins. A board is asked
-//! first, and what it answers decides.
+//! What becomes of the body where it is told to: it goes on under another setting, or another run begins, perhaps with a
+//! recording. A board is asked first, and what it answers decides.
 
+use stiction_live::change::{Change, Run};
+use stiction_live::guide::{Guide, HandPose};
+use stiction_live::say;
 use tokio::sync::mpsc::Sender;
 
 use super::engine::Engine;
-use super::guide::{Guide, HandPose};
-use super::pair::Pair;
 use super::recording::Recording;
-use super::replay::{Replay, Way};
-use super::say;
-use super::stage::{Stage, reread};
 use crate::body::Setting;
 use crate::recording::Maker;
+use stiction_live::stage::reread;
 
-/// A change of the body.
+/// A change that is wanted.
 #[derive(Debug)]
-pub(super) enum Change {
-    /// Another setting of the same scene: the body stays where it is and settles.
-    Setting(Setting),
-    /// Another run.
-    Run(Box<Run>),
-}
-
-/// A run from the start of a scene.
-#[derive(Debug)]
-pub(super) struct Run {
-    pub(super) stage: Stage,
-    pub(super) setting: Setting,
-    /// A path that the hand follows, and its name.
-    pub(super) path: Option<(String, Way)>,
+pub(super) struct Wanted {
+    pub(super) change: Change,
     /// A recording, which begins with the run, and where the live hand is that goes on.
-    pub(super) recording: Option<(Recording, HandPose)>,
+    pub(super) recording: Option<Box<(Recording, HandPose)>>,
 }
 
-impl Change {
-    /// A run with a live hand.
-    pub(super) fn run(stage: Stage, setting: Setting) -> Self {
-        Self::Run(Box::new(Run {
-            stage,
-            setting,
-            path: None,
+impl From<Change> for Wanted {
+    fn from(change: Change) -> Self {
+        Self {
+            change,
             recording: None,
-        }))
-    }
-
-    /// What the body is under from then on.
-    pub(super) const fn setting(&self) -> &Setting {
-        match self {
-            Self::Setting(setting) => setting,
-            Self::Run(run) => &run.setting,
         }
-    }
-
-    /// Another run begins.
-    pub(super) const fn is_run(&self) -> bool {
-        matches!(self, Self::Run(_))
     }
 }
 
@@ -68,10 +39,8 @@ pub(super) struct Reply {
 impl Reply {
     /// Tells it.
     pub(super) fn send(&self, result: Result<(), String>) {
-        let answer = match (result, self.id) {
-            (Ok(()), None) => return,
-            (Ok(()), Some(id)) => say::done(id),
-            (Err(problem), id) => say::error(id, &problem),
+        let Some(answer) = say::answer(self.id, result) else {
+            return;
         };
         // A client that does not read loses answers.
         let _ = self.answers.try_send(answer);
@@ -80,11 +49,11 @@ impl Reply {
 
 impl Engine {
     /// Changes the body, or asks the board to.
-    pub(super) fn change(&mut self, change: Change, reply: Reply) {
+    pub(super) fn change(&mut self, wanted: Wanted, reply: Reply) {
         match &mut self.board {
-            Some(board) => board.ask(change, reply),
+            Some(board) => board.ask(wanted, reply),
             None => {
-                let result = self.apply(change);
+                let result = self.apply(wanted);
                 self.answers.push((reply, result));
             }
         }
@@ -92,10 +61,10 @@ impl Engine {
 
     /// # Errors
     /// The scene cannot be used, or the body cannot settle in it.
-    pub(super) fn apply(&mut self, change: Change) -> Result<(), String> {
-        match change {
+    pub(super) fn apply(&mut self, wanted: Wanted) -> Result<(), String> {
+        match wanted.change {
             Change::Setting(setting) => self.go_on(&setting),
-            Change::Run(run) => self.begin(*run),
+            Change::Run(run) => self.begin(*run, wanted.recording),
         }
     }
 
@@ -111,60 +80,50 @@ impl Engine {
         };
         let result = match self.board {
             // It has changed already, and its next answer shows what became of the body.
-            Some(_) => self.pair.changed(setting),
+            Some(_) => {
+                let result = self.live.pair.changed(setting);
+                self.live.has_changed();
+                result
+            }
             None => {
-                self.pair.change(setting)?;
-                self.pending.record(&self.pair.frame);
+                self.live.go_on(setting)?;
                 Ok(())
             }
         };
         if let Some(recording) = &mut self.recording {
             recording.change(setting);
         }
-        if let Some(replay) = &mut self.replay {
-            replay.forget();
-        }
-        self.changed = true;
         result
     }
 
-    fn begin(&mut self, run: Run) -> Result<(), String> {
-        let Run {
-            stage,
-            setting,
-            path,
-            recording,
-        } = run;
-        let (pair, replay) = match path {
-            Some((name, way)) => {
-                let (replay, pair) = Replay::begin(name, way, &setting)?;
-                (pair, Some(replay))
-            }
-            None => (Pair::start(&setting, 0.0, &stage.home)?, None),
-        };
-        let home = HandPose::of(&stage.home);
-        let (recording, guide) = match recording {
-            Some((mut recording, now)) => {
+    fn begin(
+        &mut self,
+        run: Run,
+        recording: Option<Box<(Recording, HandPose)>>,
+    ) -> Result<(), String> {
+        let home = HandPose::of(&run.stage.home);
+        let ready = run.ready()?;
+        let begun = match recording {
+            Some(begins) => {
+                let (mut recording, now) = *begins;
                 recording.open(&self.shelf, &self.maker())?;
-                recording.add(home, &pair.frame);
+                recording.add(home, &ready.pair.frame);
                 self.tell(format!("recording to {}\n", recording.place().display()));
-                let mut guide = match self.replay {
+                let mut guide = match self.live.replay {
                     Some(_) => Guide::at(now),
-                    None => self.guide.clone(),
+                    None => self.live.guide.clone(),
                 };
                 guide.leave_for(home);
-                (Some(recording), guide)
+                Some((recording, guide, self.live.stage.clone()))
             }
-            None => (None, Guide::at(home)),
+            None => None,
         };
         self.end_recording();
-        if recording.is_none() {
-            self.stage = stage;
-        }
-        (self.pair, self.replay, self.guide) = (pair, replay, guide);
-        self.recording = recording;
-        self.begin_run(home);
-        if self.recording.is_some() {
+        self.begin_run(ready);
+        if let Some((recording, guide, stage)) = begun {
+            // A reset goes back to where the scene begins, not the recording.
+            (self.live.guide, self.live.stage) = (guide, stage);
+            self.recording = Some(recording);
             self.wait_for_hold();
         }
         Ok(())

@@ -8,14 +8,16 @@ use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message as Wire, WebSocket};
 use futures_util::stream::{SplitSink, SplitStream};
 use futures_util::{FutureExt, SinkExt, StreamExt};
+use stiction_live::feed::Told;
+use stiction_live::hear::{self, LONGEST, Message, Said};
+use stiction_live::say::{self, Source};
 use tokio::sync::{mpsc, watch};
 use tokio::time::{Instant as Tick, sleep, sleep_until, timeout};
 
 use super::doors::Seat;
-use super::hear::{self, LONGEST, Message, Said};
 use super::orders::Order;
-use super::say::{self, News};
 use super::server::Hub;
+use crate::board::Identity;
 
 /// Messages of a client in a second. Longer ones than are read count more often.
 const MOST: usize = 2000;
@@ -160,11 +162,13 @@ impl Mouth<'_> {
         mut rate: watch::Receiver<f64>,
     ) -> Result<(), Gone> {
         let mut stop = self.hub.stop.clone();
-        let hello = say::hello(self.client, &self.hub.scenes, self.hub.board.as_ref());
+        let board = self.hub.board.as_ref();
+        let source = board.map_or(Source::Core, Identity::source);
+        let hello = say::hello(self.client, &self.hub.scenes, &source);
         self.send(Wire::Text(hello.into())).await?;
         let mut due = Tick::now();
         let mut ping = due;
-        let mut told = Told::new(self.hub);
+        let mut told = Told::new(&self.hub.feed.read());
         loop {
             tokio::select! {
                 biased;
@@ -191,7 +195,7 @@ impl Mouth<'_> {
 
     /// The state, if it is another one, and the frame, if it is.
     async fn tell(&mut self, told: &mut Told, with_frame: bool) -> Result<(), Gone> {
-        let (state, news) = told.look(self.hub, with_frame);
+        let (state, news) = told.look(&self.hub.feed.read(), with_frame);
         if let Some(state) = state {
             self.send(Wire::Text(state.as_ref().into())).await?;
         }
@@ -235,37 +239,4 @@ impl Mouth<'_> {
 pub(super) async fn ended(stop: &mut watch::Receiver<bool>) {
     // An end of the other side is one, too.
     let _ = stop.wait_for(|stop| *stop).await;
-}
-
-/// What a client knows.
-struct Told {
-    state: u64,
-    serial: u64,
-    /// The next record.
-    record: u64,
-}
-
-impl Told {
-    /// The records of before are not for this client.
-    fn new(hub: &Hub) -> Self {
-        let (_, record) = hub.feed.read().since(u64::MAX);
-        Self {
-            state: 0,
-            serial: 0,
-            record,
-        }
-    }
-
-    /// What is new.
-    fn look(&mut self, hub: &Hub, with_frame: bool) -> (Option<Arc<str>>, Option<News>) {
-        let shown = hub.feed.read();
-        let state = (shown.state_serial != self.state).then(|| Arc::clone(&shown.state));
-        self.state = shown.state_serial;
-        let mut news = None;
-        if with_frame && shown.serial != self.serial {
-            self.serial = shown.serial;
-            news = News::since(&shown, &mut self.record);
-        }
-        (state, news)
-    }
 }

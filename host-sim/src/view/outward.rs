@@ -12,11 +12,11 @@ use tokio::sync::mpsc::Sender;
 use tokio::time::{MissedTickBehavior, interval};
 
 use super::feed::Feed;
-use super::guide::HandPose;
-use super::hear::FARTHEST;
-use super::holder::Source;
 use super::orders::Order;
 use crate::record::Frame;
+use stiction_live::guide::HandPose;
+use stiction_live::hear::FARTHEST;
+use stiction_live::holder::Source;
 
 /// The longest packet that is read: short enough for what is nested in it.
 const PACKET: usize = 2048;

@@ -42,7 +42,7 @@ impl Engine {
         match self.recording.take() {
             Some(recording) if self.board.is_some() => {
                 self.closing = Some((recording, now + LAST_ANSWER));
-                self.changed = true;
+                self.live.changed = true;
             }
             recording => {
                 self.recording = recording;
@@ -59,8 +59,8 @@ impl Engine {
             self.tell(recording.farewell());
             let recording = Arc::new(recording);
             self.recorded = Some(Arc::clone(&recording));
-            self.pending.recorded(recording);
-            self.changed = true;
+            self.offered = Some(recording);
+            self.live.changed = true;
         }
     }
 
@@ -73,8 +73,8 @@ impl Engine {
         self.tell(format!("recorded before, {seconds:.3} s: {place}\n"));
         let recording = Arc::new(recording);
         self.recorded = Some(Arc::clone(&recording));
-        self.pending.recorded(recording);
-        self.changed = true;
+        self.offered = Some(recording);
+        self.live.changed = true;
     }
 
     /// Tells the terminal, which the engine does not wait for.

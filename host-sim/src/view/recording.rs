@@ -8,17 +8,18 @@ use std::io::{self, BufWriter, Seek, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use stiction_live::guide::HandPose;
+use stiction_live::replay::Recorded;
+use stiction_live::stage::Stage;
 use stiction_scene::Sample;
 
-use super::guide::HandPose;
 use super::shelf::Shelf;
-use super::stage::Stage;
 use crate::body::Setting;
 use crate::record::{Frame, Run};
 use crate::recording::{Change, Head, Line, LiveWriter, Maker, Recording as Reader};
 
 /// A recording ends by itself after so many ticks (ms).
-pub(super) const LONGEST: usize = 600_000;
+const LONGEST: usize = 600_000;
 /// Ticks that are stored together: what is stored is never moved.
 const CHUNK: usize = 4096;
 /// Samples that wait for the answer of a board: more than are on their way to it.
@@ -95,7 +96,7 @@ impl Recording {
             name,
             ..
         } = reader.head.clone();
-        let named = |change: &Change| Setting::named(change, PathBuf::from(&name));
+        let named = |change: &Change| change.setting(PathBuf::from(&name));
         let setting = named(&Change {
             number,
             evolution,
@@ -105,7 +106,7 @@ impl Recording {
         let mut recording: Option<Self> = None;
         let line = |reader: &mut Reader| reader.next().map_err(|error| error.to_string());
         while let Some(line) = line(&mut reader)? {
-            let known = recording.as_ref().map_or(0, Self::len);
+            let known = recording.as_ref().map_or(0, Self::count);
             match line {
                 Line::Sample(sample, _) if known <= LONGEST => {
                     if sample.t != known as f64 / RATE {
@@ -145,7 +146,7 @@ impl Recording {
     /// The hand of the next tick, and the answer to it; that of a board comes later.
     pub(super) fn add(&mut self, hand: HandPose, answer: &Frame) {
         let sample = Sample {
-            t: self.len() as f64 / RATE,
+            t: self.count() as f64 / RATE,
             hand: hand.hand(),
         };
         self.keep(hand);
@@ -178,7 +179,7 @@ impl Recording {
     pub(super) fn change(&mut self, setting: &Setting) {
         let unanswered = self.unanswered.as_ref().map_or(0, VecDeque::len);
         self.changes
-            .push((self.len() - unanswered, setting.clone()));
+            .push((self.count() - unanswered, setting.clone()));
         let change = Change {
             number: setting.number.name().to_owned(),
             evolution: setting.evolution.name().to_owned(),
@@ -208,7 +209,7 @@ impl Recording {
             Some(problem) => {
                 format!("the recording has ended after {seconds:.3} s: {problem}\n")
             }
-            None if self.len() > LONGEST => {
+            None if self.is_full() => {
                 format!("recorded {seconds:.3} s, the longest that is allowed: {place}\n")
             }
             None => format!("recorded {seconds:.3} s: {place}\n"),
@@ -243,29 +244,14 @@ impl Recording {
         }
     }
 
-    /// How many ticks.
-    pub(super) fn len(&self) -> usize {
-        let full = self.chunks.len().saturating_sub(1) * CHUNK;
-        full + self.chunks.last().map_or(0, Vec::len)
+    /// It has as many ticks as it may, and one.
+    pub(super) fn is_full(&self) -> bool {
+        self.count() > LONGEST
     }
 
     /// From the first tick to the last (s).
     pub(super) fn seconds(&self) -> f64 {
-        self.len().saturating_sub(1) as f64 / RATE
-    }
-
-    /// The hand of a tick.
-    pub(super) fn get(&self, k: usize) -> Option<&HandPose> {
-        self.chunks.get(k / CHUNK)?.get(k % CHUNK)
-    }
-
-    /// The setting that begins with a tick.
-    pub(super) fn change_at(&self, k: usize) -> Option<&Setting> {
-        // Of several the last one holds.
-        let mut changes = self.changes.iter().rev();
-        changes
-            .find(|(from, _)| *from == k)
-            .map(|(_, setting)| setting)
+        self.count().saturating_sub(1) as f64 / RATE
     }
 
     /// A recorded hand path with the digits that read back to the same values.
@@ -304,5 +290,24 @@ impl Recording {
     pub(super) fn file(&self) -> Result<File, String> {
         let opened = stiction_text::open(&self.place, u64::MAX);
         opened.map_err(|problem| format!("{}: {problem}", self.place.display()))
+    }
+}
+
+impl Recorded for Recording {
+    fn count(&self) -> usize {
+        let full = self.chunks.len().saturating_sub(1) * CHUNK;
+        full + self.chunks.last().map_or(0, Vec::len)
+    }
+
+    fn get(&self, k: usize) -> Option<&HandPose> {
+        self.chunks.get(k / CHUNK)?.get(k % CHUNK)
+    }
+
+    fn change_at(&self, k: usize) -> Option<&Setting> {
+        // Of several the last one holds.
+        let mut changes = self.changes.iter().rev();
+        changes
+            .find(|(from, _)| *from == k)
+            .map(|(_, setting)| setting)
     }
 }

@@ -4,9 +4,10 @@ use std::collections::VecDeque;
 
 use stiction_scene::Sample;
 
-use super::change::{Change, Reply};
-use super::hear::Message;
-use crate::board::{Fares, Identity, LiveBoard, Word};
+use super::change::{Reply, Wanted};
+use crate::board::{Identity, LiveBoard, Word};
+use stiction_live::hear::Message;
+use stiction_live::say::Fares;
 
 /// Periods of the engine in a second.
 const PERIODS: u32 = 1000;
@@ -19,7 +20,7 @@ const MOST_WAITING: usize = 64;
 pub(super) struct Remote {
     board: LiveBoard,
     /// A change that the board was asked for.
-    asked: Option<(Change, Reply)>,
+    asked: Option<(Wanted, Reply)>,
     /// What clients said meanwhile: it is of the body as it will be then.
     waiting: VecDeque<(u32, Message, Reply)>,
     pub(super) fares: Fares,
@@ -56,19 +57,19 @@ impl Remote {
     pub(super) fn is_ending(&self) -> bool {
         self.asked
             .as_ref()
-            .is_some_and(|(change, _)| change.is_run())
+            .is_some_and(|(wanted, _)| wanted.change.is_run())
     }
 
     /// Asks for a change; one at a time.
-    pub(super) fn ask(&mut self, change: Change, reply: Reply) {
-        let setting = change.setting();
+    pub(super) fn ask(&mut self, wanted: Wanted, reply: Reply) {
+        let (change, setting) = (&wanted.change, wanted.change.setting());
         self.board
             .wish(&setting.scene, setting.evolution, change.is_run());
-        self.asked = Some((change, reply));
+        self.asked = Some((wanted, reply));
     }
 
     /// What it was asked, which is answered now.
-    pub(super) fn answered(&mut self) -> Option<(Change, Reply)> {
+    pub(super) fn answered(&mut self) -> Option<(Wanted, Reply)> {
         self.asked.take()
     }
 

@@ -2,8 +2,8 @@
 
 use stiction_scene::SceneFile;
 
-use super::guide::HandPose;
 use crate::body::{Hold, Present, within_reach};
+use stiction_live::guide::HandPose;
 
 /// The scene that begins where the body of `present` is, and the hand of its first tick. A hand that took hold on the way does so
 /// again: it begins where it pulls at nothing, and comes back with the next tick. `now`: where the hand is.

@@ -18,10 +18,10 @@ use tokio::task::spawn_blocking;
 use tokio::time::timeout;
 
 use super::doors::PIECE;
-use super::feed::Latest;
 use super::orders::Order;
-use super::replay::Way;
 use super::server::{Hub, problem};
+use stiction_live::feed::Latest;
+use stiction_live::replay::Way;
 
 /// The largest path (bytes).
 const LARGEST: usize = 16 << 20;

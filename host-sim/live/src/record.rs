@@ -61,13 +61,13 @@ impl Run {
     }
 
     /// The obstacles and corners of them that are touched in any frame.
-    pub(crate) fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
+    pub fn touched_corners(&self) -> BTreeSet<[usize; 2]> {
         let contacts = self.frames.iter().flat_map(|frame| &frame.contacts);
         contacts.filter_map(ContactRecord::corner).collect()
     }
 
     /// What its trace has of the scene.
-    pub(crate) fn scenery(&self) -> Scenery {
+    pub fn scenery(&self) -> Scenery {
         Scenery {
             names: Names::of(&self.surfaces, &self.obstacles),
             meter: self.meter.clone(),
@@ -77,21 +77,25 @@ impl Run {
 
 /// What a trace has of the scene: names, and the meter of a peg in a hole.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Scenery {
-    pub(crate) names: Names,
-    pub(crate) meter: Option<Meter>,
+pub struct Scenery {
+    /// The names.
+    pub names: Names,
+    /// Whitney's meter, where there is a peg and a hole.
+    pub meter: Option<Meter>,
 }
 
 /// The names of surfaces and obstacles.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Names {
-    pub(crate) surfaces: Vec<String>,
-    pub(crate) obstacles: Vec<String>,
+pub struct Names {
+    /// Of the surfaces, in the order of the scene.
+    pub surfaces: Vec<String>,
+    /// Of the obstacles, in the order of the scene.
+    pub obstacles: Vec<String>,
 }
 
 impl Names {
     /// Of those of a scene.
-    pub(crate) fn of(surfaces: &[SurfaceInfo], obstacles: &[ObstacleInfo]) -> Self {
+    pub fn of(surfaces: &[SurfaceInfo], obstacles: &[ObstacleInfo]) -> Self {
         let surfaces = surfaces.iter().map(|surface| surface.name.clone());
         let obstacles = obstacles.iter().map(|obstacle| obstacle.name.clone());
         Self {
@@ -152,7 +156,7 @@ pub struct ContactRecord {
 
 impl ContactRecord {
     /// The vertex of the body, where it is one that touches.
-    pub(crate) fn vertex(&self) -> Option<usize> {
+    pub fn vertex(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { vertex, .. } | Touch::Side { vertex, .. } => Some(vertex),
             Touch::Corner { .. } => None,
@@ -160,7 +164,7 @@ impl ContactRecord {
     }
 
     /// The surface, where it is one that is touched.
-    pub(crate) fn surface(&self) -> Option<usize> {
+    pub fn surface(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { surface, .. } => Some(surface),
             Touch::Side { .. } | Touch::Corner { .. } => None,
@@ -168,7 +172,7 @@ impl ContactRecord {
     }
 
     /// The obstacle, where it is one that is touched.
-    pub(crate) fn obstacle(&self) -> Option<usize> {
+    pub fn obstacle(&self) -> Option<usize> {
         match self.touch {
             Touch::Surface { .. } => None,
             Touch::Side { obstacle, .. } | Touch::Corner { obstacle, .. } => Some(obstacle),
@@ -176,7 +180,7 @@ impl ContactRecord {
     }
 
     /// The obstacle and its corner, where it is one that touches.
-    pub(crate) fn corner(&self) -> Option<[usize; 2]> {
+    pub fn corner(&self) -> Option<[usize; 2]> {
         match self.touch {
             Touch::Corner {
                 obstacle, corner, ..
@@ -186,7 +190,7 @@ impl ContactRecord {
     }
 
     /// The unit normal n towards the body.
-    pub(crate) fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
+    pub fn normal_among(&self, surfaces: &[SurfaceInfo]) -> [f64; 2] {
         let of_surface = || Some(surfaces.get(self.surface()?)?.normal);
         self.direction.or_else(of_surface).unwrap_or_default()
     }
@@ -252,7 +256,7 @@ impl Frame {
     }
 
     /// With the indices of the scene file, where the solver's obstacles have others.
-    pub(crate) fn with_indices(mut self, indices: Option<&Indices>) -> Self {
+    pub fn with_indices(mut self, indices: Option<&Indices>) -> Self {
         if let Some(indices) = indices {
             for contact in &mut self.contacts {
                 contact.touch = indices.touch(contact.touch);
@@ -262,7 +266,7 @@ impl Frame {
     }
 
     /// The holding point in the world while the hand holds the body: p_h - F / k_h (m).
-    pub(crate) fn holding_point(&self, stiffness_translation: f64) -> [f64; 2] {
+    pub fn holding_point(&self, stiffness_translation: f64) -> [f64; 2] {
         [0, 1].map(|axis| self.hand[axis] - self.wrench[axis] / stiffness_translation)
     }
 }

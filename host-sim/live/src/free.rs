@@ -11,15 +11,16 @@ const STEPS: usize = 8;
 
 /// Both, while the body is held.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Springs {
-    pub(super) holding: Option<[f64; 2]>,
+pub struct Springs {
+    /// Where the hand holds the body (m), in the world.
+    pub holding: Option<[f64; 2]>,
     /// x, y (m), theta (rad).
-    pub(super) ghost: Option<[f64; 3]>,
+    pub ghost: Option<[f64; 3]>,
 }
 
 impl Springs {
     /// Of a record.
-    pub(super) fn of(scene: &SceneFile, frame: &Frame) -> Self {
+    pub fn of(scene: &SceneFile, frame: &Frame) -> Self {
         if !frame.held {
             return Self::default();
         }

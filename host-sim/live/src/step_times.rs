@@ -9,7 +9,7 @@ const EVERY: usize = 100;
 
 /// How long the steps of the last second took (s).
 #[derive(Clone, Debug)]
-pub(super) struct StepTimes {
+pub struct StepTimes {
     times: Vec<f32>,
     next: usize,
     sorted: Vec<f32>,
@@ -31,7 +31,7 @@ impl Default for StepTimes {
 
 impl StepTimes {
     /// A step.
-    pub(super) fn add(&mut self, time: Duration) {
+    pub fn add(&mut self, time: Duration) {
         let time = time.as_secs_f32();
         match self.times.get_mut(self.next) {
             Some(old) => *old = time,
@@ -48,7 +48,7 @@ impl StepTimes {
     }
 
     /// The median and the worst.
-    pub(super) const fn summary(&self) -> [f32; 2] {
+    pub const fn summary(&self) -> [f32; 2] {
         [self.median, self.worst]
     }
 }

@@ -7,14 +7,13 @@ use serde_json::{Number as JsonNumber, json};
 use stiction_insertion::Meter;
 use stiction_scene::{ObstacleInfo, SurfaceInfo};
 
-use super::counts::Counts;
-use super::feed::{Latest, Shown};
 use super::free::Springs;
-use super::pair::{Comparison, Pair, SlipMark};
-use super::stage::Stage;
-use crate::board::{Fares, Identity};
+use crate::counts::Counts;
+use crate::feed::{Latest, Shown};
 use crate::meter;
+use crate::pair::{Comparison, Pair, SlipMark};
 use crate::record::{Frame, Names, Scenery};
+use crate::stage::Stage;
 use crate::trace::Record;
 
 /// Of the protocol.
@@ -22,18 +21,63 @@ const VERSION: u32 = 1;
 /// The most ticks of a strip.
 const STRIP: usize = 64;
 
-/// The first message to a client.
-pub(super) fn hello(client: u32, scenes: &[String], board: Option<&Identity>) -> String {
-    let source = match board {
-        None => json!({"kind": "core"}),
-        Some(board) => json!({
-            "kind": "board",
-            "name": board.name,
-            "number": board.number.name(),
-            "where": board.place,
-            "emulated": board.emulated,
-        }),
+/// How a board fares.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Fares {
+    /// It is there.
+    pub connected: bool,
+    /// Answers in a second.
+    pub rate: f64,
+    /// From a sample to its answer (s), median of the last ones.
+    pub latency: Option<f64>,
+    /// Samples that a newer one overtook.
+    pub late: u64,
+    /// Samples without an answer.
+    pub lost: u64,
+    /// Ticks of the board that came too late.
+    pub missed: u64,
+    /// Garbled frames, of both sides.
+    pub faults: u64,
+    /// The longest step of its solver (s).
+    #[serde(skip)]
+    pub worst_step: Option<f64>,
+}
+
+impl Fares {
+    /// Of no board.
+    pub const NONE: Self = Self {
+        connected: false,
+        rate: 0.0,
+        latency: None,
+        late: 0,
+        lost: 0,
+        missed: 0,
+        faults: 0,
+        worst_step: None,
     };
+}
+
+/// Who has the solver.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Source<'a> {
+    /// The program or the page itself.
+    Core,
+    /// A board.
+    Board {
+        /// What it calls itself.
+        name: &'a str,
+        /// Its number type.
+        number: &'a str,
+        /// Where it is.
+        r#where: &'a str,
+        /// In an emulator on this computer.
+        emulated: bool,
+    },
+}
+
+/// The first message to a client.
+pub fn hello(client: u32, scenes: &[String], source: &Source<'_>) -> String {
     json!({
         "type": "hello",
         "version": VERSION,
@@ -45,13 +89,21 @@ pub(super) fn hello(client: u32, scenes: &[String], board: Option<&Identity>) ->
     .to_string()
 }
 
+/// The answer to a message; none where nobody waits for one.
+pub fn answer(id: Option<i64>, result: Result<(), String>) -> Option<String> {
+    match (result, id) {
+        (Ok(()), id) => id.map(done),
+        (Err(problem), id) => Some(error(id, &problem)),
+    }
+}
+
 /// The answer to a message that was carried out.
-pub(super) fn done(id: i64) -> String {
+pub fn done(id: i64) -> String {
     json!({"type": "done", "id": id}).to_string()
 }
 
 /// The answer to one that was not.
-pub(super) fn error(id: Option<i64>, problem: &str) -> String {
+pub fn error(id: Option<i64>, problem: &str) -> String {
     match id {
         Some(id) => json!({"type": "error", "id": id, "message": problem}),
         None => json!({"type": "error", "message": problem}),
@@ -61,44 +113,56 @@ pub(super) fn error(id: Option<i64>, problem: &str) -> String {
 
 /// What the state says besides scene and setting.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Status {
-    pub(super) paused: bool,
-    pub(super) speed: f64,
+pub struct Status {
+    /// Time stands still.
+    pub paused: bool,
+    /// Of the solver's time: 1 is real time.
+    pub speed: f64,
     /// Seconds so far.
-    pub(super) recording: Option<f64>,
+    pub recording: Option<f64>,
     /// The file that they go to.
-    pub(super) recording_file: Option<String>,
-    pub(super) recorded: Option<Recorded>,
-    pub(super) replay: Option<Replayed>,
-    pub(super) hand: By,
-    pub(super) clients: usize,
+    pub recording_file: Option<String>,
+    /// What can be downloaded.
+    pub recorded: Option<Recorded>,
+    /// The path that the hand follows.
+    pub replay: Option<Replayed>,
+    /// Who holds the hand.
+    pub hand: By,
+    /// How many there are.
+    pub clients: usize,
 }
 
 /// A recording that is there.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Recorded {
-    pub(super) seconds: f64,
-    pub(super) frames: usize,
+pub struct Recorded {
+    /// From its first tick to its last (s).
+    pub seconds: f64,
+    /// How many records.
+    pub frames: usize,
     /// Where it is on the computer of this program.
-    pub(super) file: String,
+    pub file: String,
     /// Made before this program was started.
-    pub(super) earlier: bool,
+    pub earlier: bool,
     /// Why it is not in its file as a whole.
-    pub(super) problem: Option<String>,
+    pub problem: Option<String>,
 }
 
 /// A path that is followed.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Replayed {
-    pub(super) what: String,
-    pub(super) seconds: f64,
+pub struct Replayed {
+    /// What the path is called.
+    pub what: String,
+    /// From its first tick to its last (s).
+    pub seconds: f64,
 }
 
 /// Who holds the hand.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct By {
-    pub(super) by: Option<&'static str>,
-    pub(super) client: Option<u32>,
+pub struct By {
+    /// By what.
+    pub by: Option<&'static str>,
+    /// The number of the client, where it is one.
+    pub client: Option<u32>,
 }
 
 #[derive(Serialize)]
@@ -113,7 +177,7 @@ struct State<'a> {
 }
 
 /// The state.
-pub(super) fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
+pub fn state(stage: &Stage, pair: &Pair, status: &Status) -> String {
     let setting = &pair.setting;
     let scene = &setting.scene;
     let of_surface = scene.surfaces.first().map(|surface| {
@@ -249,14 +313,14 @@ impl StepTime {
 
 /// The newest record with what led to it, for one client.
 #[derive(Debug)]
-pub(super) struct News {
+pub struct News {
     latest: Latest,
     since: Vec<Arc<Frame>>,
 }
 
 impl News {
     /// The records since `next`, which goes on to the next one to come.
-    pub(super) fn since(shown: &Shown, next: &mut u64) -> Option<Self> {
+    pub fn since(shown: &Shown, next: &mut u64) -> Option<Self> {
         let latest = shown.latest.clone()?;
         let (records, now) = shown.since(*next);
         *next = now;
@@ -269,7 +333,7 @@ impl News {
     }
 
     /// The message for a client that lost `skipped` frames.
-    pub(super) fn message(&self, client: u32, skipped: u64) -> String {
+    pub fn message(&self, client: u32, skipped: u64) -> String {
         let latest = &self.latest;
         let scene = &latest.scene;
         let scenery = Scenery {

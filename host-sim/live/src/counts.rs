@@ -10,18 +10,20 @@ const EVENTS: usize = Event::ALL.len();
 
 /// Counts since the reset.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Counts {
-    pub(super) ticks: u64,
+pub struct Counts {
+    /// Ticks.
+    pub ticks: u64,
     /// Ticks that began more than a period late. Not set back by a seek.
-    pub(super) missed: u64,
-    pub(super) slips: u64,
+    pub missed: u64,
+    /// Slips that ended.
+    pub slips: u64,
     transitions: [[u64; STATES]; STATES],
     events: [u64; EVENTS],
 }
 
 impl Counts {
     /// A record, and the state before it.
-    pub(super) fn add(&mut self, before: Option<StateKind>, frame: &Frame) {
+    pub fn add(&mut self, before: Option<StateKind>, frame: &Frame) {
         self.slips += u64::from(frame.slips);
         let place = |kind| StateKind::ALL.iter().position(|known| *known == kind);
         if let (Some(from), Some(to)) = (before.and_then(place), place(frame.state))

@@ -14,15 +14,18 @@ const SWITCHES: usize = 8;
 
 /// x, y (m), phi (rad), depth (m) and the hold switch of a live hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct HandPose {
-    pub(super) pose: [f64; 3],
-    pub(super) depth: f64,
-    pub(super) held: bool,
+pub struct HandPose {
+    /// x, y (m), phi (rad).
+    pub pose: [f64; 3],
+    /// Depth coordinate (m).
+    pub depth: f64,
+    /// The hold switch.
+    pub held: bool,
 }
 
 impl HandPose {
     /// Of a hand.
-    pub(super) fn of(hand: &Hand<f64>) -> Self {
+    pub fn of(hand: &Hand<f64>) -> Self {
         let [x, y] = hand.position;
         Self {
             // Without a minus before a zero, which a recorded path would lose.
@@ -33,7 +36,7 @@ impl HandPose {
     }
 
     /// As the solver takes it, and as it is read from a file with these numbers.
-    pub(super) fn hand(&self) -> Hand<f64> {
+    pub fn hand(&self) -> Hand<f64> {
         let [x, y, phi] = self.pose;
         Hand {
             position: [x, y],
@@ -47,7 +50,7 @@ impl HandPose {
 
 /// Leads the hand from sample to sample.
 #[derive(Clone, Debug)]
-pub(super) struct Guide {
+pub struct Guide {
     now: HandPose,
     target: HandPose,
     /// Ticks until the target.
@@ -58,7 +61,7 @@ pub(super) struct Guide {
 
 impl Guide {
     /// A hand at rest.
-    pub(super) const fn at(pose: HandPose) -> Self {
+    pub const fn at(pose: HandPose) -> Self {
         Self {
             now: pose,
             target: pose,
@@ -68,7 +71,7 @@ impl Guide {
     }
 
     /// A sample; `since`: the time since the one before.
-    pub(super) fn lead(&mut self, target: HandPose, since: Duration) {
+    pub fn lead(&mut self, target: HandPose, since: Duration) {
         let ticks = (since.as_secs_f64() * 1e3).round().clamp(LEAST, MOST);
         if target.held != self.target.held {
             if self.switches.len() == SWITCHES {
@@ -81,7 +84,7 @@ impl Guide {
     }
 
     /// The hand is taken to another place, and comes back with the next tick to go on from there.
-    pub(super) fn leave_for(&mut self, pose: HandPose) {
+    pub fn leave_for(&mut self, pose: HandPose) {
         if self.now != pose {
             self.switches.push_front(self.now);
             self.now = pose;
@@ -89,12 +92,12 @@ impl Guide {
     }
 
     /// Where the hand is.
-    pub(super) const fn now(&self) -> HandPose {
+    pub const fn now(&self) -> HandPose {
         self.now
     }
 
     /// Where the hand is at the next tick.
-    pub(super) fn next(&mut self) -> HandPose {
+    pub fn advance(&mut self) -> HandPose {
         if let Some(switch) = self.switches.pop_front() {
             self.now = switch;
             return self.now;
@@ -132,7 +135,7 @@ mod tests {
     fn the_hand_goes_straight_in_the_time_between_samples() {
         let mut guide = Guide::at(pose(0.0));
         guide.lead(pose(8.0), Duration::from_millis(4));
-        let way: Vec<f64> = (0..6).map(|_| guide.next().pose[0]).collect();
+        let way: Vec<f64> = (0..6).map(|_| guide.advance().pose[0]).collect();
         assert_eq!(way, [2.0, 4.0, 6.0, 8.0, 8.0, 8.0]);
     }
 
@@ -141,7 +144,7 @@ mod tests {
         for (since, ticks) in [(0, 1), (1, 1), (20, 20), (5000, 20)] {
             let mut guide = Guide::at(pose(0.0));
             guide.lead(pose(1.0), Duration::from_millis(since));
-            let count = (1..).find(|_| guide.next() == pose(1.0));
+            let count = (1..).find(|_| guide.advance() == pose(1.0));
             assert_eq!(count, Some(ticks), "{since} ms");
         }
     }
@@ -157,9 +160,9 @@ mod tests {
             let mut guide = Guide::at(open(0.0));
             guide.lead(pose(10.0), Duration::from_millis(15));
             guide.lead(pose(30.0), Duration::from_millis(ms));
-            assert_eq!(guide.next(), pose(10.0), "{ms} ms");
+            assert_eq!(guide.advance(), pose(10.0), "{ms} ms");
             let ticks = ms.max(1);
-            let way: Vec<HandPose> = (0..ticks).map(|_| guide.next()).collect();
+            let way: Vec<HandPose> = (0..ticks).map(|_| guide.advance()).collect();
             assert_eq!(way[0], pose(10.0 + 20.0 / ticks as f64));
             assert_eq!(way.last(), Some(&pose(30.0)));
         }
@@ -168,7 +171,7 @@ mod tests {
         for to in [open(0.0), pose(5.0), pose(6.0)] {
             guide.lead(to, Duration::ZERO);
         }
-        let way = [(); 3].map(|()| guide.next());
+        let way = [(); 3].map(|()| guide.advance());
         assert_eq!(way, [open(0.0), pose(5.0), pose(6.0)]);
     }
 
@@ -181,8 +184,8 @@ mod tests {
         }
         assert_eq!(guide.switches.len(), SWITCHES);
         // The last one opens.
-        assert!((0..SWITCHES).all(|k| guide.next().held == (k % 2 == 0)));
-        assert!(!guide.next().held);
+        assert!((0..SWITCHES).all(|k| guide.advance().held == (k % 2 == 0)));
+        assert!(!guide.advance().held);
     }
 
     #[test]
@@ -193,6 +196,6 @@ mod tests {
             ..pose(1.0)
         };
         guide.lead(open, Duration::from_millis(10));
-        assert!(!guide.next().held);
+        assert!(!guide.advance().held);
     }
 }

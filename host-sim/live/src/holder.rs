@@ -1,22 +1,24 @@
 //! Who holds the hand: one at a time, the first to send a sample, until it goes, lets go, or is silent.
 
-use std::time::{Duration, Instant};
+use web_time::{Duration, Instant};
 
 /// Whoever is silent for so long does not hold the hand any more.
 const SILENCE: Duration = Duration::from_secs(10);
 
 /// Where samples come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub enum Source {
     /// A client of the socket, by its number.
     Client(u32),
+    /// A program by OSC.
     Osc,
+    /// OpenTrack.
     OpenTrack,
 }
 
 impl Source {
     /// What the state calls it.
-    pub(super) const fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Client(_) => "page",
             Self::Osc => "osc",
@@ -25,7 +27,7 @@ impl Source {
     }
 
     /// The number of a client.
-    pub(super) const fn client(self) -> Option<u32> {
+    pub const fn client(self) -> Option<u32> {
         match self {
             Self::Client(number) => Some(number),
             _ => None,
@@ -35,13 +37,13 @@ impl Source {
 
 /// Who holds the hand, and since when it has been silent.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Holder {
+pub struct Holder {
     by: Option<(Source, Instant)>,
 }
 
 impl Holder {
     /// Who it is.
-    pub(super) fn source(&self) -> Option<Source> {
+    pub fn source(&self) -> Option<Source> {
         self.by.map(|(source, _)| source)
     }
 
@@ -49,7 +51,7 @@ impl Holder {
     ///
     /// # Errors
     /// Somebody else holds it.
-    pub(super) fn sample(&mut self, source: Source, now: Instant) -> Result<Duration, String> {
+    pub fn sample(&mut self, source: Source, now: Instant) -> Result<Duration, String> {
         match self.by {
             Some((other, _)) if other != source => Err(match other.client() {
                 Some(number) => format!("client {number} holds the hand, allowed: when it lets go"),
@@ -68,7 +70,7 @@ impl Holder {
     }
 
     /// `source` lets go, or is gone. Whether it held the hand.
-    pub(super) fn leave(&mut self, source: Source) -> bool {
+    pub fn leave(&mut self, source: Source) -> bool {
         let held = self.source() == Some(source);
         if held {
             self.by = None;
@@ -77,7 +79,7 @@ impl Holder {
     }
 
     /// Whoever is silent lets go. Whether somebody was.
-    pub(super) fn expire(&mut self, now: Instant) -> bool {
+    pub fn expire(&mut self, now: Instant) -> bool {
         let silent = |(_, then)| now.saturating_duration_since(then) >= SILENCE;
         let expired = self.by.is_some_and(silent);
         if expired {

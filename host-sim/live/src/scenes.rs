@@ -9,7 +9,7 @@ pub const DEFAULT: &str = "vertex-stick-slip";
 
 macro_rules! bundled {
     ($($name:literal),* $(,)?) => {
-        &[$(($name, include_str!(concat!("../scenes/", $name, ".toml")))),*]
+        &[$(($name, include_str!(concat!("../../scenes/", $name, ".toml")))),*]
     };
 }
 
@@ -46,7 +46,7 @@ pub fn with_obstacles() -> impl Iterator<Item = &'static (&'static str, &'static
 }
 
 /// Whether a bundled scene has obstacles.
-pub(crate) fn has_obstacles((_, text): &(&str, &str)) -> bool {
+pub fn has_obstacles((_, text): &(&str, &str)) -> bool {
     text.contains("\n[[obstacle]]")
 }
 

@@ -6,7 +6,7 @@ use stiction_scene::WrittenScene;
 use crate::record::{Frame, Run};
 
 /// The meter of a scene that has a peg and a hole.
-pub(crate) fn of_scene(scene: &WrittenScene) -> Option<Meter> {
+pub fn of_scene(scene: &WrittenScene) -> Option<Meter> {
     let surfaces: Vec<_> = (scene.surfaces.iter())
         .map(|surface| (surface.normal, surface.offset))
         .collect();
@@ -25,7 +25,7 @@ pub(crate) fn of_scene(scene: &WrittenScene) -> Option<Meter> {
 }
 
 /// The reading of a frame; none where the peg is not in its hole.
-pub(crate) fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
+pub fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
     let contacts: Vec<Reaction> = (frame.contacts.iter())
         // Among obstacles every contact has its direction.
         .filter_map(|contact| {
@@ -41,7 +41,7 @@ pub(crate) fn read(meter: &Meter, frame: &Frame) -> Option<Insertion> {
 }
 
 /// F_z by Whitney's formulas at the depth of a frame (m) while a hand holds the body.
-pub(crate) fn small_angles(
+pub fn small_angles(
     (meter, depth): (&Meter, f64),
     frame: &Frame,
     [translation, rotation]: [f64; 2],
@@ -61,7 +61,7 @@ pub(crate) fn small_angles(
 
 impl Run {
     /// The frames in which the peg is in its hole, with their readings.
-    pub(crate) fn readings(&self) -> impl Iterator<Item = (&Frame, Insertion)> {
+    pub fn readings(&self) -> impl Iterator<Item = (&Frame, Insertion)> {
         let frames = self.meter.iter().flat_map(|_| &self.frames);
         frames.filter_map(|frame| Some((frame, read(self.meter.as_ref()?, frame)?)))
     }

@@ -1,13 +1,14 @@
 //! A path that the hand follows, tick by tick, with snapshots on the way: a seek goes on from the nearest one before.
 
+use std::fmt::Debug;
 use std::sync::Arc;
 
 use stiction_scene::{HandPath, Sample};
 
-use super::pair::Pair;
-use super::recording::Recording;
-use super::step_times::StepTimes;
 use crate::body::Setting;
+use crate::guide::HandPose;
+use crate::pair::Pair;
+use crate::step_times::StepTimes;
 
 /// Ticks from one snapshot to the next.
 const SNAPSHOT_EVERY: usize = 500;
@@ -16,34 +17,44 @@ const LONGEST: f64 = 3600.0;
 /// Hertz.
 const RATE: f64 = 1000.0;
 
+/// A hand that was recorded tick by tick, with the settings on the way.
+pub trait Recorded: Debug + Send + Sync {
+    /// How many ticks.
+    fn count(&self) -> usize;
+    /// The hand of a tick.
+    fn get(&self, k: usize) -> Option<&HandPose>;
+    /// The setting that begins with a tick.
+    fn change_at(&self, k: usize) -> Option<&Setting>;
+}
+
 /// The hand at every tick.
 #[derive(Clone, Debug)]
-pub(super) enum Way {
+pub enum Way {
     /// Resampled at the ticks.
     Path(Arc<HandPath>),
     /// As it was recorded.
-    Recorded(Arc<Recording>),
+    Recorded(Arc<dyn Recorded>),
 }
 
 impl Way {
     /// How many ticks.
-    pub(super) fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         match self {
             Self::Path(path) => path.frame_count(Some(RATE)),
-            Self::Recorded(recording) => recording.len(),
+            Self::Recorded(recording) => recording.count(),
         }
     }
 
     /// From its first tick to its last (s).
-    pub(super) fn seconds(&self) -> f64 {
-        self.len().saturating_sub(1) as f64 / RATE
+    pub fn seconds(&self) -> f64 {
+        self.count().saturating_sub(1) as f64 / RATE
     }
 
     /// Whether it can be followed.
     ///
     /// # Errors
     /// It is too long.
-    pub(super) fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), String> {
         match self.seconds() {
             ..=LONGEST => Ok(()),
             seconds => Err(format!(
@@ -64,12 +75,14 @@ impl Way {
 }
 
 /// A path that is followed.
-pub(super) struct Replay {
+#[derive(Debug)]
+pub struct Replay {
     /// What the state calls it.
-    pub(super) what: String,
-    pub(super) way: Way,
+    pub what: String,
+    /// The path.
+    pub way: Way,
     /// The tick that the body is at.
-    pub(super) at: usize,
+    pub at: usize,
     /// The tick that is sought.
     sought: Option<usize>,
     /// At ticks 0, n, 2 n ... as far as the path was followed.
@@ -83,7 +96,7 @@ impl Replay {
     ///
     /// # Errors
     /// The scene cannot be used.
-    pub(super) fn begin(what: String, way: Way, setting: &Setting) -> Result<(Self, Pair), String> {
+    pub fn begin(what: String, way: Way, setting: &Setting) -> Result<(Self, Pair), String> {
         let sample = way
             .sample(0)
             .ok_or("the path is empty, allowed: at least one sample")?;
@@ -100,49 +113,49 @@ impl Replay {
     }
 
     /// From its first tick to its last (s).
-    pub(super) fn seconds(&self) -> f64 {
+    pub fn seconds(&self) -> f64 {
         self.way.seconds()
     }
 
     /// Where it is (s).
-    pub(super) fn position(&self) -> f64 {
+    pub fn position(&self) -> f64 {
         self.at as f64 / RATE
     }
 
     fn last(&self) -> usize {
-        self.way.len().saturating_sub(1)
+        self.way.count().saturating_sub(1)
     }
 
     /// It is at the end.
-    pub(super) fn is_over(&self) -> bool {
+    pub fn is_over(&self) -> bool {
         self.at >= self.last() && !self.is_seeking()
     }
 
     /// There is a tick to go to.
-    pub(super) fn is_seeking(&self) -> bool {
+    pub fn is_seeking(&self) -> bool {
         self.sought.is_some()
     }
 
     /// The hand where it is.
-    pub(super) fn sample(&self) -> Option<Sample> {
+    pub fn sample(&self) -> Option<Sample> {
         self.way.sample(self.at)
     }
 
     /// Goes to the next tick; nothing at the end.
-    pub(super) fn next(&mut self) -> Option<Sample> {
+    pub fn go_on(&mut self) -> Option<Sample> {
         let sample = self.way.sample(self.at + 1)?;
         self.at += 1;
         Some(sample)
     }
 
     /// Whether the setting has changed since this was asked last.
-    pub(super) fn takes_change(&mut self) -> bool {
+    pub fn takes_change(&mut self) -> bool {
         std::mem::take(&mut self.changed)
     }
 
-    /// As [`Self::next`], and the body follows.
-    pub(super) fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> Option<Sample> {
-        let sample = self.next()?;
+    /// As [`Self::go_on`], and the body follows.
+    pub fn advance(&mut self, pair: &mut Pair, times: &mut StepTimes) -> Option<Sample> {
+        let sample = self.go_on()?;
         if let Way::Recorded(recording) = &self.way
             && let Some(setting) = recording.change_at(self.at)
         {
@@ -160,7 +173,7 @@ impl Replay {
     ///
     /// # Errors
     /// The scene cannot be used.
-    pub(super) fn seek(&mut self, seconds: f64, pair: &mut Pair) -> Result<(), String> {
+    pub fn seek(&mut self, seconds: f64, pair: &mut Pair) -> Result<(), String> {
         let tick = (seconds * RATE).round().clamp(0.0, self.last() as f64) as usize;
         if self.snapshots.is_empty() {
             let first = self.way.sample(0).ok_or("the path is empty")?;
@@ -180,7 +193,7 @@ impl Replay {
     }
 
     /// One tick towards the one that is sought.
-    pub(super) fn approach(&mut self, pair: &mut Pair, times: &mut StepTimes) {
+    pub fn approach(&mut self, pair: &mut Pair, times: &mut StepTimes) {
         let arrived =
             self.advance(pair, times).is_none() || self.sought.is_none_or(|tick| self.at >= tick);
         if arrived {
@@ -189,7 +202,7 @@ impl Replay {
     }
 
     /// The setting has changed: the snapshots are of another one.
-    pub(super) fn forget(&mut self) {
+    pub fn forget(&mut self) {
         self.snapshots.clear();
     }
 }

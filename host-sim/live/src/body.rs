@@ -2,23 +2,21 @@
 
 mod carry;
 
-use std::path::PathBuf;
+use std::fmt::Debug;
 use std::sync::Arc;
 
 use stiction_core::{
     Angle, Evolution, Fixed, Full, Hand, Output, Real, SiFloat, Solver, State, Wrench, narrow_hand,
 };
-use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFile, Source};
+use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFile};
 
 use crate::number::Number;
-use crate::options::{parse_evolution, parse_number};
 use crate::record::Frame;
-use crate::recording::Change;
 use carry::{Carried, carried};
-pub(crate) use carry::{Hold, Present, within_reach};
+pub use carry::{Hold, Present, within_reach};
 
 /// A body in a hand.
-pub(crate) trait Body: Send {
+pub trait Body: Debug + Send {
     /// The hand goes to a pose and the body follows.
     fn step(&mut self, hand: &Hand<f64>);
     /// The record after the last step, at time `t` (s).
@@ -31,35 +29,18 @@ pub(crate) trait Body: Send {
 
 /// Scene, number type and evolution.
 #[derive(Clone, Debug)]
-pub(crate) struct Setting {
-    pub(crate) scene: Arc<SceneFile>,
-    pub(crate) number: Number,
-    pub(crate) evolution: Evolution,
+pub struct Setting {
+    /// The scene.
+    pub scene: Arc<SceneFile>,
+    /// The number type.
+    pub number: Number,
+    /// The evolution within a frame.
+    pub evolution: Evolution,
 }
 
 impl Setting {
-    /// A setting by the names and the text of a recording; `name`: of the scene.
-    ///
-    /// # Errors
-    /// A name stands for nothing, or the text is no scene.
-    pub(crate) fn named(change: &Change, name: PathBuf) -> Result<Self, String> {
-        let refused =
-            |key: &str, value: &str, allowed: String| format!("`{key}` is {value:?}, {allowed}");
-        let number = parse_number(&change.number)
-            .map_err(|allowed| refused("number", &change.number, allowed))?;
-        let evolution = parse_evolution(&change.evolution)
-            .map_err(|allowed| refused("evolution", &change.evolution, allowed))?;
-        let source = Source::new(name, change.scene.as_str());
-        let scene = SceneFile::parse(source, number.limit()).map_err(|error| error.to_string())?;
-        Ok(Self {
-            scene: Arc::new(scene),
-            number,
-            evolution,
-        })
-    }
-
     /// What every other setting is compared with.
-    pub(crate) fn reference(&self) -> Self {
+    pub fn reference(&self) -> Self {
         Self {
             number: Number::F64,
             evolution: Evolution::Path,
@@ -68,12 +49,18 @@ impl Setting {
     }
 
     /// The body at its start, with the hand at its first pose: record 0 of a trace.
-    pub(crate) fn start(&self, hand: &Hand<f64>) -> Result<Box<dyn Body>, String> {
+    ///
+    /// # Errors
+    /// The scene cannot be used in this number type.
+    pub fn start(&self, hand: &Hand<f64>) -> Result<Box<dyn Body>, String> {
         self.solved(&Way::Start(hand))
     }
 
     /// A body that goes on from where it is.
-    pub(crate) fn carry(&self, present: &Present) -> Result<Box<dyn Body>, String> {
+    ///
+    /// # Errors
+    /// It cannot be there.
+    pub fn carry(&self, present: &Present) -> Result<Box<dyn Body>, String> {
         self.solved(&Way::Carry(present))
     }
 
@@ -103,7 +90,7 @@ enum Way<'a> {
 ///
 /// # Errors
 /// It does not: the key and the line.
-pub(crate) fn check(scene: &SceneFile) -> Result<(), InputError> {
+pub fn check(scene: &SceneFile) -> Result<(), InputError> {
     match scene.obstacles.is_empty() {
         true => <Full as HostModel>::scene::<f64>(scene).map(|_| ()),
         false => <Among as HostModel>::scene::<f64>(scene).map(|_| ()),
@@ -114,10 +101,11 @@ pub(crate) fn check(scene: &SceneFile) -> Result<(), InputError> {
 ///
 /// # Errors
 /// It is not: the key and the line.
-pub(crate) fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
+pub fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
     scene.scene::<f64>().map(|_| ())
 }
 
+#[derive(Debug)]
 struct Solved<R: Real, M: HostModel> {
     solver: Arc<HostSolver<R, M>>,
     /// What the solver's indices of obstacles are in the file, where they differ.

@@ -2,50 +2,52 @@
 //! apart.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use serde::Serialize;
 use stiction_core::Hand;
 use stiction_insertion::Meter;
+use web_time::Instant;
 
-use super::counts::Counts;
-use super::mirror::Mirror;
-use super::step_times::StepTimes;
 use crate::body::{Body, Present, Setting};
+use crate::counts::Counts;
 use crate::meter;
 use crate::record::Frame;
+use crate::step_times::StepTimes;
 
 /// The newest slips that are kept.
 const SLIPS: usize = 32;
 
 /// Where a slip ended.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub(super) struct SlipMark {
+pub struct SlipMark {
     /// How many there were, with this one.
-    pub(super) n: u64,
-    pub(super) t: f64,
+    pub n: u64,
+    /// When (s).
+    pub t: f64,
     /// The foot (m).
-    pub(super) point: [f64; 2],
+    pub point: [f64; 2],
     /// The unit normal there, in a scene with obstacles.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) direction: Option<[f64; 2]>,
+    pub direction: Option<[f64; 2]>,
     /// The longest slip of the tick (m).
-    pub(super) length: f64,
+    pub length: f64,
 }
 
 /// The reference beside the solver.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-pub(super) struct Comparison {
-    pub(super) pose: [f64; 3],
-    pub(super) state: &'static str,
+pub struct Comparison {
+    /// Where it is: x, y (m), theta (rad).
+    pub pose: [f64; 3],
+    /// Its contact state, by its name.
+    pub state: &'static str,
     /// Now: of the body's origin (m), of the angle (rad).
-    pub(super) error: [f64; 2],
+    pub error: [f64; 2],
     /// The worst since then.
-    pub(super) worst: [f64; 2],
+    pub worst: [f64; 2],
     /// Ticks in another state.
-    pub(super) differ: u64,
+    pub differ: u64,
     /// Ticks.
-    pub(super) since: u64,
+    pub since: u64,
 }
 
 fn meter_of(setting: &Setting) -> Option<Arc<Meter>> {
@@ -53,17 +55,22 @@ fn meter_of(setting: &Setting) -> Option<Arc<Meter>> {
 }
 
 /// Two bodies in one hand.
-pub(super) struct Pair {
-    pub(super) setting: Setting,
+#[derive(Debug)]
+pub struct Pair {
+    /// Scene, number type and evolution.
+    pub setting: Setting,
     body: Box<dyn Body>,
     reference: Box<dyn Body>,
     /// The last record; shared with those that show it.
-    pub(super) frame: Arc<Frame>,
-    pub(super) comparison: Comparison,
-    pub(super) counts: Counts,
-    pub(super) slips: Arc<[SlipMark]>,
+    pub frame: Arc<Frame>,
+    /// How far the two are apart.
+    pub comparison: Comparison,
+    /// What was counted so far.
+    pub counts: Counts,
+    /// The newest slips.
+    pub slips: Arc<[SlipMark]>,
     /// Whitney's meter, where the scene has a peg and a hole.
-    pub(super) meter: Option<Arc<Meter>>,
+    pub meter: Option<Arc<Meter>>,
     /// Where the contact with the largest N is, and where it faces.
     foot: ([f64; 2], Option<[f64; 2]>),
 }
@@ -73,7 +80,7 @@ impl Pair {
     ///
     /// # Errors
     /// The scene cannot be used in this number type.
-    pub(super) fn start(setting: &Setting, t: f64, hand: &Hand<f64>) -> Result<Self, String> {
+    pub fn start(setting: &Setting, t: f64, hand: &Hand<f64>) -> Result<Self, String> {
         let body = setting.start(hand)?;
         let reference = setting.reference().start(hand)?;
         let mut pair = Self {
@@ -93,7 +100,7 @@ impl Pair {
     }
 
     /// The hand goes to a pose, and both follow.
-    pub(super) fn step(&mut self, t: f64, hand: &Hand<f64>, times: &mut StepTimes) {
+    pub fn step(&mut self, t: f64, hand: &Hand<f64>, times: &mut StepTimes) {
         let begun = Instant::now();
         self.body.step(hand);
         times.add(begun.elapsed());
@@ -103,11 +110,10 @@ impl Pair {
         self.look(true);
     }
 
-    /// A board's answer to a sample: the body is where the board says, and the reference follows the same hand.
-    pub(super) fn answered(&mut self, frame: Frame) {
-        let mirror = Mirror::of(&frame, self.body.present(), &self.setting);
-        self.reference.step(&mirror.hand);
-        self.body = Box::new(mirror);
+    /// A board's answer to the sample `hand`: the body is the board's, and the reference follows the same hand.
+    pub fn answered(&mut self, frame: Frame, body: Box<dyn Body>, hand: &Hand<f64>) {
+        self.reference.step(hand);
+        self.body = body;
         self.counts.ticks += 1;
         self.show(frame);
         self.look(true);
@@ -117,7 +123,7 @@ impl Pair {
     ///
     /// # Errors
     /// The reference cannot follow: it and the comparison go on as they were.
-    pub(super) fn changed(&mut self, setting: &Setting) -> Result<(), String> {
+    pub fn changed(&mut self, setting: &Setting) -> Result<(), String> {
         self.setting = setting.clone();
         self.meter = meter_of(setting);
         let reference = setting.reference().carry(&self.body.present());
@@ -133,7 +139,7 @@ impl Pair {
     ///
     /// # Errors
     /// What is refused changes nothing.
-    pub(super) fn change(&mut self, setting: &Setting) -> Result<(), String> {
+    pub fn change(&mut self, setting: &Setting) -> Result<(), String> {
         let present = self.body.present();
         let body = setting.carry(&present)?;
         let reference = setting.reference().carry(&present)?;
@@ -148,12 +154,12 @@ impl Pair {
     }
 
     /// Where the body is.
-    pub(super) fn present(&self) -> Present {
+    pub fn present(&self) -> Present {
         self.body.present()
     }
 
     /// A copy of all of it.
-    pub(super) fn snapshot(&self) -> Self {
+    pub fn snapshot(&self) -> Self {
         Self {
             setting: self.setting.clone(),
             body: self.body.copy(),

@@ -13,12 +13,13 @@ const LEAST_REACH: f64 = 1e-4;
 
 /// A scene with its hand.
 #[derive(Clone, Debug)]
-pub(super) struct Stage {
-    pub(super) scene: Arc<SceneFile>,
+pub struct Stage {
+    /// The scene.
+    pub scene: Arc<SceneFile>,
     /// The path of its hand, where it has one.
-    pub(super) path: Option<Arc<HandPath>>,
+    pub path: Option<Arc<HandPath>>,
     /// The hand at the beginning.
-    pub(super) home: Hand<f64>,
+    pub home: Hand<f64>,
 }
 
 impl Stage {
@@ -26,7 +27,7 @@ impl Stage {
     ///
     /// # Errors
     /// Its path cannot be read.
-    pub(super) fn new(mut scene: SceneFile) -> Result<Self, InputError> {
+    pub fn new(mut scene: SceneFile) -> Result<Self, InputError> {
         let reach = graspable(&scene);
         scene.written.reach = reach;
         let path = match &scene.hand.motion {
@@ -67,7 +68,7 @@ fn at_start(scene: &SceneFile) -> Hand<f64> {
 }
 
 /// A scene as a file without its hand, in the digits that read back to the same values.
-pub(super) fn written(scene: &SceneFile) -> String {
+pub fn written(scene: &SceneFile) -> String {
     let pair = |[x, y]: [f64; 2]| format!("[{x:?}, {y:?}]");
     let vertices: Vec<String> = scene.vertices.iter().map(|&vertex| pair(vertex)).collect();
     let [x, y, theta] = scene.start;
@@ -122,7 +123,7 @@ fn quoted(text: &str) -> String {
 ///
 /// # Errors
 /// The parameters are not those of a scene.
-pub(super) fn reread(setting: &Setting) -> Result<Setting, String> {
+pub fn reread(setting: &Setting) -> Result<Setting, String> {
     let scene = &setting.scene;
     let source = Source::new(format!("{}.toml", scene.title), written(scene));
     let read = SceneFile::parse(source, setting.number.limit());

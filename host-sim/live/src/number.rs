@@ -1,10 +1,11 @@
-//! The number types that a run can use, and how large their numbers may be.
+//! The number types that a run can use, and how large their numbers may be; number types and evolutions by their names.
 
-use clap::ValueEnum;
+use stiction_core::Evolution;
 use stiction_core::frame::NumberType;
 
 /// A number type of the solver.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Number {
     /// Single precision: the type of the product.
     F32,
@@ -36,7 +37,7 @@ impl Number {
     }
 
     /// Whether results are f32 values, to be printed with the digits of f32.
-    pub(crate) const fn is_single(self) -> bool {
+    pub const fn is_single(self) -> bool {
         matches!(self, Self::F32 | Self::Fixed)
     }
 }
@@ -49,4 +50,34 @@ impl From<NumberType> for Number {
             NumberType::Fixed => Self::Fixed,
         }
     }
+}
+
+/// The evolution of a name.
+pub fn evolution_named(name: &str) -> Option<Evolution> {
+    let mut all = Evolution::ALL.into_iter();
+    all.find(|evolution| evolution.name() == name)
+}
+
+/// A number type by its name.
+///
+/// # Errors
+/// Those that are allowed.
+pub fn parse_number(text: &str) -> Result<Number, String> {
+    let mut all = Number::ALL.into_iter();
+    let allowed = || format!("allowed: {}", Number::ALL.map(Number::name).join(", "));
+    all.find(|number| number.name() == text).ok_or_else(allowed)
+}
+
+/// An evolution by its name.
+///
+/// # Errors
+/// Those that are allowed.
+pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
+    let allowed = || {
+        format!(
+            "allowed: {}",
+            Evolution::ALL.map(Evolution::name).join(", ")
+        )
+    };
+    evolution_named(text).ok_or_else(allowed)
 }

@@ -3,19 +3,18 @@
 
 mod pipeline;
 
-use std::time::{Duration, Instant};
-
 use stiction_core::{
     Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,
 };
 use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, Sample, SceneFile};
+use web_time::{Duration, Instant};
 
 use crate::number::Number;
 use crate::record::Frame;
 
 /// A solver with the state of its run.
-#[derive(Clone)]
-pub(crate) struct Running<R: Real, M: Model = Full> {
+#[derive(Clone, Debug)]
+pub struct Running<R: Real, M: Model = Full> {
     solver: HostSolver<R, M>,
     state: Option<State<R>>,
     indices: Option<Indices>,
@@ -23,7 +22,7 @@ pub(crate) struct Running<R: Real, M: Model = Full> {
 
 impl<R: Real, M: Model> Running<R, M> {
     /// Before its first hand.
-    pub(crate) const fn new(solver: HostSolver<R, M>) -> Self {
+    pub const fn new(solver: HostSolver<R, M>) -> Self {
         Self {
             solver,
             state: None,
@@ -32,7 +31,7 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 
     /// The answer to the next hand, with the solver and the state after it; the first hand starts the scene.
-    pub(crate) fn step(
+    pub fn step(
         &mut self,
         hand: Hand<R::Si>,
     ) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
@@ -62,11 +61,7 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
     ///
     /// # Errors
     /// The scene is refused.
-    pub(crate) fn of(
-        scene: &SceneFile,
-        evolution: Evolution,
-        budget: u32,
-    ) -> Result<Self, InputError> {
+    pub fn of(scene: &SceneFile, evolution: Evolution, budget: u32) -> Result<Self, InputError> {
         let (scene, indices) = M::scene::<R>(scene)?;
         Ok(Self {
             indices,
@@ -75,7 +70,7 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
     }
 
     /// The frame of the next sample.
-    pub(crate) fn frame(&mut self, sample: &Sample) -> Frame {
+    pub fn frame(&mut self, sample: &Sample) -> Frame {
         let (solver, state, output) = self.step(narrow_hand(&sample.hand));
         let frame = Frame::new(sample.t, solver, state, &output);
         frame.with_indices(self.indices.as_ref())
@@ -86,7 +81,7 @@ impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
     ///
     /// # Errors
     /// The first error of `sink`.
-    pub(crate) fn simulate<E>(
+    pub fn simulate<E>(
         mut self,
         samples: impl Iterator<Item = Sample>,
         mut sink: impl FnMut(Frame) -> Result<(), E>,
@@ -131,7 +126,7 @@ pub fn simulate<R: Real<Si: SiFloat>, E>(
 }
 
 /// What is done with a solver, whatever its type.
-pub(crate) trait Task {
+pub trait Task {
     /// What it gives.
     type Done;
     /// Does it.
@@ -141,7 +136,7 @@ pub(crate) trait Task {
 }
 
 /// A number of the solver that threads share.
-pub(crate) trait Shared: Real<Si: SiFloat + Send + Sync> + Send + Sync {}
+pub trait Shared: Real<Si: SiFloat + Send + Sync> + Send + Sync {}
 
 impl<R: Real<Si: SiFloat + Send + Sync> + Send + Sync> Shared for R {}
 
@@ -149,7 +144,7 @@ impl<R: Real<Si: SiFloat + Send + Sync> + Send + Sync> Shared for R {}
 ///
 /// # Errors
 /// The scene is refused.
-pub(crate) fn with_solver<T: Task>(
+pub fn with_solver<T: Task>(
     scene: &SceneFile,
     (number, evolution, budget): (Number, Evolution, u32),
     task: T,
@@ -166,7 +161,11 @@ fn with_model<R: Shared, T: Task>(
     scene: &SceneFile,
     (evolution, budget): (Evolution, u32),
     task: T,
-) -> Result<T::Done, InputError> {
+) -> Result<T::Done, InputError>
+where
+    Running<R, Full>: Send + Sync,
+    Running<R, Among>: Send + Sync,
+{
     Ok(if scene.obstacles.is_empty() {
         task.with(Running::<R, Full>::of(scene, evolution, budget)?)
     } else {

@@ -5,65 +5,92 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Number as JsonNumber, Value};
 use stiction_core::Evolution;
 
-use crate::number::Number;
-use crate::options::{parse_evolution, parse_number};
+use crate::number::{Number, parse_evolution, parse_number};
 
 /// The longest message that is read.
-pub(super) const LONGEST: usize = 4096;
+pub const LONGEST: usize = 4096;
 /// The farthest hand (m), and the most that it is turned (rad).
-pub(super) const FARTHEST: f64 = 1e6;
+pub const FARTHEST: f64 = 1e6;
 
 /// A message of a client.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
-pub(super) enum Message {
+pub enum Message {
+    /// A sample of the hand.
     Hand {
+        /// x, y (m), phi (rad).
         pose: [f64; 3],
+        /// The hold switch.
         held: bool,
+        /// To be given back with the frame that contains it.
         sent: Option<JsonNumber>,
     },
+    /// Another client may hold the hand.
     LetGo {},
+    /// Another scene.
     Scene {
+        /// Its name.
         name: String,
     },
+    /// Other parameters.
     Set {
+        /// Those that change.
         parameters: Parameters,
     },
+    /// Another number type.
     Number {
+        /// Which one.
         #[serde(deserialize_with = "number")]
         value: Number,
     },
+    /// Another evolution.
     Evolution {
+        /// Which one.
         #[serde(deserialize_with = "evolution")]
         value: Evolution,
     },
+    /// Time stands still, or goes on.
     Pause {
+        /// Which.
         value: bool,
     },
+    /// Ticks while paused.
     Step {
+        /// How many.
         ticks: u32,
     },
+    /// Slow motion.
     Speed {
+        /// How much.
         value: f64,
     },
+    /// Body and hand as at the beginning.
     Reset {},
+    /// A recording begins or ends.
     Record {
+        /// Which.
         value: bool,
     },
+    /// The hand follows a path, or is live.
     Replay {
+        /// Which one.
         what: Option<Path>,
     },
+    /// To a place of the path.
     Seek {
+        /// From its beginning (s).
         seconds: f64,
     },
+    /// Frames a second.
     Rate {
+        /// How much.
         value: f64,
     },
 }
 
 impl Message {
     /// It concerns the body, and waits where a change of it is under way.
-    pub(super) const fn is_of_body(&self) -> bool {
+    pub const fn is_of_body(&self) -> bool {
         !matches!(
             self,
             Self::Hand { .. }
@@ -97,16 +124,20 @@ fn named<'de, D: Deserializer<'de>, T>(
 /// The parameters that are to change.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Parameters {
-    pub(super) stiffness_translation: Option<f64>,
-    pub(super) stiffness_rotation: Option<f64>,
+pub struct Parameters {
+    /// k_h (N/m).
+    pub stiffness_translation: Option<f64>,
+    /// k_theta (N·m/rad).
+    pub stiffness_rotation: Option<f64>,
+    /// mu_s.
     #[serde(rename = "static")]
-    pub(super) friction_static: Option<f64>,
+    pub friction_static: Option<f64>,
+    /// mu_d.
     #[serde(rename = "dynamic")]
-    pub(super) friction_dynamic: Option<f64>,
+    pub friction_dynamic: Option<f64>,
     /// Null stands for the length of a scene that gives none.
     #[serde(default, deserialize_with = "given")]
-    pub(super) memory: Option<Option<f64>>,
+    pub memory: Option<Option<f64>>,
 }
 
 /// What is there, null as well.
@@ -117,21 +148,26 @@ fn given<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Option<f64>>, D::
 /// A path that can be replayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Path {
+pub enum Path {
+    /// That of the scene.
     Scene,
+    /// The newest recording.
     Recording,
+    /// The one that was sent.
     Upload,
 }
 
 /// A message, and the number under which it is to be answered.
 #[derive(Clone, Debug)]
-pub(super) struct Said {
-    pub(super) id: Option<i64>,
-    pub(super) message: Result<Message, String>,
+pub struct Said {
+    /// To be answered under it, where there is one.
+    pub id: Option<i64>,
+    /// The message, or what is wrong with it.
+    pub message: Result<Message, String>,
 }
 
 /// Reads a message.
-pub(super) fn read(text: &str) -> Said {
+pub fn read(text: &str) -> Said {
     if text.len() > LONGEST {
         return refused(None, format!("{} bytes, allowed: {LONGEST}", text.len()));
     }

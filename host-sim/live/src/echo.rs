@@ -8,11 +8,11 @@ use serde_json::Number as JsonNumber;
 const MOST_MOVED: usize = 64;
 
 /// A client, and what it sent with a sample.
-pub(super) type Echo = (u32, JsonNumber);
+pub type Echo = (u32, JsonNumber);
 
 /// The echoes on their way.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Echoes {
+pub struct Echoes {
     /// Of the newest sample, on which the hand has not moved yet.
     said: Option<Echo>,
     /// The hand has moved at these times (s), and the board has not answered.
@@ -22,17 +22,17 @@ pub(super) struct Echoes {
 
 impl Echoes {
     /// A sample; none where its client wants no echo.
-    pub(super) fn say(&mut self, echo: Option<Echo>) {
+    pub fn say(&mut self, echo: Option<Echo>) {
         self.said = echo;
     }
 
     /// The hand moves on the newest sample, and so does the body.
-    pub(super) fn move_now(&mut self) {
+    pub fn move_now(&mut self) {
         self.shown = self.said.take().or(self.shown.take());
     }
 
     /// The hand moves at a time (s), which a board will answer.
-    pub(super) fn move_at(&mut self, t: f64) {
+    pub fn move_at(&mut self, t: f64) {
         if let Some(echo) = self.said.take()
             && self.moved.len() < MOST_MOVED
         {
@@ -41,7 +41,7 @@ impl Echoes {
     }
 
     /// The board has answered the hand of a time (s).
-    pub(super) fn answer(&mut self, answered: f64) {
+    pub fn answer(&mut self, answered: f64) {
         while let Some((_, t)) = self.moved.front()
             && *t <= answered
         {
@@ -50,7 +50,7 @@ impl Echoes {
     }
 
     /// What the newest frame contains.
-    pub(super) const fn shown(&self) -> &Option<Echo> {
+    pub const fn shown(&self) -> &Option<Echo> {
         &self.shown
     }
 }

@@ -17,7 +17,7 @@ const OUT_OF_REACH: &str = "the hand would lose its hold, allowed: what keeps it
 
 /// How the hand came to hold the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Hold {
+pub enum Hold {
     /// Not yet.
     Never,
     /// At the scene's holding point.
@@ -28,7 +28,7 @@ pub(crate) enum Hold {
 
 impl Hold {
     /// After a step with these events, that left the body `held`.
-    pub(crate) fn after(self, events: &[Event], held: bool) -> Self {
+    pub fn after(self, events: &[Event], held: bool) -> Self {
         match self {
             _ if events.contains(&Event::Grasp) => Self::Taken,
             Self::Never if held => Self::Given,
@@ -39,25 +39,26 @@ impl Hold {
 
 /// Where a body and its hand are, SI units.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Present {
+pub struct Present {
     /// Position of the body's origin (m).
-    pub(crate) position: [f64; 2],
+    pub position: [f64; 2],
     /// Its orientation.
-    pub(crate) angle: Angle<f64>,
+    pub angle: Angle<f64>,
     /// The hand holds it.
-    pub(crate) held: bool,
-    pub(crate) hold: Hold,
+    pub held: bool,
+    /// How it came to.
+    pub hold: Hold,
     /// The hand, turned back by the body's whole turns.
-    pub(crate) hand: Hand<f64>,
+    pub hand: Hand<f64>,
     /// Of the hand on the body.
-    pub(crate) wrench: Wrench<f64>,
+    pub wrench: Wrench<f64>,
     /// k_h (N/m), k_theta (N·m/rad) of that wrench.
-    pub(crate) stiffness: [f64; 2],
+    pub stiffness: [f64; 2],
 }
 
 impl Present {
     /// The hand where it would pull at nothing, as it was at the moment of the grasp.
-    pub(crate) fn idle(&self) -> Hand<f64> {
+    pub fn idle(&self) -> Hand<f64> {
         let Wrench { force, moment } = self.wrench;
         let ([x, y], [fx, fy]) = (self.hand.position, force);
         let [k_h, k_theta] = self.stiffness;
@@ -72,7 +73,7 @@ impl Present {
 }
 
 /// The reach with which a point is taken again that was within `reach` (m): its rounding must not put it outside.
-pub(crate) fn within_reach(scene: &WrittenScene, reach: f64) -> f64 {
+pub fn within_reach(scene: &WrittenScene, reach: f64) -> f64 {
     let coordinates = scene.vertices.iter().flatten();
     reach + ROUNDING * coordinates.fold(0.0, |size: f64, x| size.max(x.abs()))
 }

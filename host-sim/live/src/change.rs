@@ -1,0 +1,125 @@
+//! What becomes of the body where it is told to: it goes on under another setting, or another run begins.
+
+use crate::body::Setting;
+use crate::guide::{Guide, HandPose};
+use crate::live::Live;
+use crate::pair::Pair;
+use crate::replay::{Replay, Way};
+use crate::stage::Stage;
+
+/// A change of the body.
+#[derive(Debug)]
+pub enum Change {
+    /// Another setting of the same scene: the body stays where it is and settles.
+    Setting(Setting),
+    /// Another run.
+    Run(Box<Run>),
+}
+
+/// A run from the start of a scene.
+#[derive(Debug)]
+pub struct Run {
+    /// The scene.
+    pub stage: Stage,
+    /// What the body is under.
+    pub setting: Setting,
+    /// A path that the hand follows, and its name.
+    pub path: Option<(String, Way)>,
+}
+
+/// A run that can begin.
+#[derive(Debug)]
+pub struct Ready {
+    stage: Stage,
+    /// The body at its start, and the reference beside it.
+    pub pair: Pair,
+    replay: Option<Replay>,
+}
+
+impl Change {
+    /// A run with a live hand.
+    pub fn run(stage: Stage, setting: Setting) -> Self {
+        Self::Run(Box::new(Run {
+            stage,
+            setting,
+            path: None,
+        }))
+    }
+
+    /// What the body is under from then on.
+    pub const fn setting(&self) -> &Setting {
+        match self {
+            Self::Setting(setting) => setting,
+            Self::Run(run) => &run.setting,
+        }
+    }
+
+    /// Another run begins.
+    pub const fn is_run(&self) -> bool {
+        matches!(self, Self::Run(_))
+    }
+}
+
+impl Run {
+    /// With the body at its start.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub fn ready(self) -> Result<Ready, String> {
+        let (pair, replay) = match self.path {
+            Some((name, way)) => {
+                let (replay, pair) = Replay::begin(name, way, &self.setting)?;
+                (pair, Some(replay))
+            }
+            None => (Pair::start(&self.setting, 0.0, &self.stage.home)?, None),
+        };
+        Ok(Ready {
+            stage: self.stage,
+            pair,
+            replay,
+        })
+    }
+}
+
+impl Live {
+    /// Changes the body.
+    ///
+    /// # Errors
+    /// The scene cannot be used, or the body cannot settle in it.
+    pub fn apply(&mut self, change: Change) -> Result<(), String> {
+        match change {
+            Change::Setting(setting) => self.go_on(&setting),
+            Change::Run(run) => {
+                self.begin(run.ready()?);
+                Ok(())
+            }
+        }
+    }
+
+    /// The body goes on under another setting.
+    ///
+    /// # Errors
+    /// It cannot settle there. What is refused changes nothing.
+    pub fn go_on(&mut self, setting: &Setting) -> Result<(), String> {
+        self.pair.change(setting)?;
+        self.pending.record(&self.pair.frame);
+        self.has_changed();
+        Ok(())
+    }
+
+    /// The body is under another setting.
+    pub fn has_changed(&mut self) {
+        if let Some(replay) = &mut self.replay {
+            replay.forget();
+        }
+        self.changed = true;
+    }
+
+    /// Another run begins.
+    pub fn begin(&mut self, ready: Ready) {
+        let home = HandPose::of(&ready.stage.home);
+        (self.stage, self.pair, self.replay) = (ready.stage, ready.pair, ready.replay);
+        self.guide = Guide::at(home);
+        self.begin_run(home);
+    }
+}

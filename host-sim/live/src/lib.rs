@@ -1,0 +1,39 @@
+//! The solver in a hand, for a program that has threads, sockets and files, and for a page that has none: from a scene and the
+//! hand's samples to records, and from a client's messages to what it is told.
+//!
+//! ```text
+//! samples ─ session ─ frames                                   (a path at once)
+//!
+//! messages ─ hear ─ orders ─ live ─ pair ─ feed ─ say ─ messages (tick by tick)
+//!                     │        │      └ body: the solver; the f64 path reference
+//!                     │        └ guide, holder: the hand; replay: a path of it
+//!                     └ change: another setting, another run
+//! ```
+//!
+//! What is said and taken is in `host-sim/VIEW.md`. `stiction view` adds boards, recordings and clients; the static page has
+//! this alone.
+
+pub mod body;
+pub mod change;
+pub mod counts;
+pub mod echo;
+pub mod feed;
+pub mod free;
+pub mod guide;
+pub mod hear;
+pub mod holder;
+pub mod input;
+pub mod live;
+pub mod meter;
+pub mod number;
+pub mod orders;
+pub mod pair;
+pub mod record;
+pub mod replay;
+pub mod say;
+pub mod scenes;
+pub mod session;
+pub mod simulate;
+pub mod stage;
+pub mod step_times;
+pub mod trace;

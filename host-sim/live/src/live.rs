@@ -1,0 +1,272 @@
+//! The solver tick by tick, with the hand that leads it: what passes in a millisecond, and what there is to show then.
+
+use std::sync::Arc;
+
+use stiction_scene::Sample;
+use web_time::{Duration, Instant};
+
+use crate::body::Setting;
+use crate::echo::Echoes;
+use crate::feed::{Latest, Pending};
+use crate::guide::{Guide, HandPose};
+use crate::holder::Holder;
+use crate::pair::Pair;
+use crate::replay::Replay;
+use crate::say::{self, By, Fares, Replayed, Status};
+use crate::stage::Stage;
+use crate::step_times::StepTimes;
+
+/// From one tick to the next.
+pub const PERIOD: Duration = Duration::from_millis(1);
+/// Whoever is later than this does not catch up.
+const PATIENCE: Duration = Duration::from_millis(100);
+/// Time in a tick for a seek.
+const SEEKING: Duration = Duration::from_micros(500);
+
+/// The solver with its hand.
+#[derive(Debug)]
+pub struct Live {
+    /// What waits to be shown.
+    pub pending: Pending,
+    /// The scene as it is at a reset.
+    pub stage: Stage,
+    /// The solver, and the reference beside it.
+    pub pair: Pair,
+    /// The hand of the newest tick.
+    pub sample: Sample,
+    /// How long the steps take.
+    pub times: StepTimes,
+    /// Where the hand goes.
+    pub guide: Guide,
+    /// Who holds it.
+    pub holder: Holder,
+    /// The path that it follows instead.
+    pub replay: Option<Replay>,
+    /// A scene besides the bundled ones.
+    pub own: Option<Stage>,
+    /// The number of the newest tick.
+    pub tick: u64,
+    /// Time stands still.
+    pub paused: bool,
+    /// Ticks that are still to be made while paused.
+    pub steps: u32,
+    /// Of the solver's time: 1 is real time.
+    pub speed: f64,
+    /// Parts of a tick that have passed.
+    phase: f64,
+    /// How many clients there are.
+    pub clients: usize,
+    /// What clients sent with their samples.
+    pub echoes: Echoes,
+    /// The state is another one.
+    pub changed: bool,
+}
+
+impl Live {
+    /// With a scene, the body at its start.
+    ///
+    /// # Errors
+    /// The scene cannot be used.
+    pub fn new(stage: Stage, setting: &Setting) -> Result<Self, String> {
+        let pair = Pair::start(setting, 0.0, &stage.home)?;
+        let mut live = Self {
+            pending: Pending::default(),
+            guide: Guide::at(HandPose::of(&stage.home)),
+            sample: Sample {
+                t: 0.0,
+                hand: stage.home,
+            },
+            stage,
+            pair,
+            times: StepTimes::default(),
+            holder: Holder::default(),
+            replay: None,
+            own: None,
+            tick: 0,
+            paused: false,
+            steps: 0,
+            speed: 1.0,
+            phase: 0.0,
+            clients: 0,
+            echoes: Echoes::default(),
+            changed: true,
+        };
+        live.pending.record(&live.pair.frame);
+        Ok(live)
+    }
+
+    /// Counts a tick that begins more than `allowed` late. When it was due; where that is too long ago, now.
+    pub fn late(&mut self, due: Instant, now: Instant, allowed: Duration) -> Instant {
+        let late = now.saturating_duration_since(due);
+        let skips = late > PATIENCE;
+        if self.moves() && late > allowed {
+            self.pair.counts.missed += if skips { late.as_millis() as u64 } else { 1 };
+        }
+        if skips { now } else { due }
+    }
+
+    /// Ticks are made.
+    fn moves(&self) -> bool {
+        let ended = self.replay.as_ref().is_some_and(Replay::is_over);
+        !self.paused && !ended
+    }
+
+    /// A period passes. `advance` makes a tick, and says whether another one may follow in the same period.
+    pub fn pass(&mut self, advance: &mut dyn FnMut(&mut Self) -> bool) {
+        if self.replay.as_ref().is_some_and(Replay::is_seeking) {
+            self.approach();
+        } else if self.steps > 0 {
+            // As many as there is time for.
+            let begun = Instant::now();
+            while self.steps > 0 && begun.elapsed() < SEEKING {
+                self.steps -= 1;
+                if !advance(self) {
+                    break;
+                }
+            }
+        } else if !self.paused {
+            self.phase += self.speed;
+            if self.phase >= 1.0 {
+                self.phase -= 1.0;
+                advance(self);
+            }
+        }
+    }
+
+    fn approach(&mut self) {
+        let begun = Instant::now();
+        if let Some(replay) = &mut self.replay {
+            while replay.is_seeking() && begun.elapsed() < SEEKING {
+                replay.approach(&mut self.pair, &mut self.times);
+                self.changed |= replay.takes_change();
+                self.pending.record(&self.pair.frame);
+            }
+            self.tick = replay.at as u64;
+        }
+    }
+
+    /// The hand goes on along the path that it follows; `follows`: the body goes with it here. Nothing where there is no path or it
+    /// is at its end.
+    pub fn follow(&mut self, follows: bool) -> Option<()> {
+        let replay = self.replay.as_mut()?;
+        let sample = match follows {
+            false => replay.go_on(),
+            true => replay.advance(&mut self.pair, &mut self.times),
+        };
+        self.changed |= replay.takes_change();
+        (self.sample, self.tick) = (sample?, replay.at as u64);
+        if follows {
+            self.pending.record(&self.pair.frame);
+        }
+        Some(())
+    }
+
+    /// The hand of the next tick is `hand`.
+    pub fn move_hand(&mut self, hand: HandPose) -> Sample {
+        self.tick += 1;
+        self.sample = Sample {
+            t: self.tick as f64 / 1000.0,
+            hand: hand.hand(),
+        };
+        self.sample
+    }
+
+    /// The body follows the newest hand.
+    pub fn step(&mut self) {
+        let Sample { t, hand } = self.sample;
+        self.echoes.move_now();
+        self.pair.step(t, &hand, &mut self.times);
+        self.pending.record(&self.pair.frame);
+    }
+
+    /// One tick of a body that nobody records.
+    pub fn advance(&mut self) {
+        if self.replay.is_some() {
+            self.follow(true);
+        } else {
+            let hand = self.guide.advance();
+            self.move_hand(hand);
+            self.step();
+        }
+    }
+
+    /// What is shown from now on is of another run, which the hand begins at `home`.
+    pub fn begin_run(&mut self, home: HandPose) {
+        self.tick = self.replay.as_ref().map_or(0, |replay| replay.at as u64);
+        let first = self.replay.as_ref().and_then(Replay::sample);
+        self.sample = first.unwrap_or(Sample {
+            t: 0.0,
+            hand: home.hand(),
+        });
+        self.phase = 0.0;
+        self.steps = 0;
+        self.echoes = Echoes::default();
+        self.pending.clear();
+        self.pending.record(&self.pair.frame);
+        self.changed = true;
+    }
+
+    /// The hand as the newest frame has it.
+    pub fn shown_hand(&self) -> HandPose {
+        let frame = &self.pair.frame;
+        HandPose {
+            pose: frame.hand.map(|value| value + 0.0),
+            depth: frame.depth,
+            held: frame.held,
+        }
+    }
+
+    /// The state, with this status, waits to be shown.
+    pub fn tell(&mut self, status: &Status) {
+        let message = say::state(&self.stage, &self.pair, status);
+        self.pending.state(message);
+        self.changed = false;
+    }
+
+    /// What the state says of time, hand and clients; without recordings.
+    pub fn status(&self) -> Status {
+        let hand = match (&self.replay, self.holder.source()) {
+            (Some(_), _) => By {
+                by: Some("replay"),
+                client: None,
+            },
+            (None, source) => By {
+                by: source.map(|source| source.name()),
+                client: source.and_then(|source| source.client()),
+            },
+        };
+        let replay = self.replay.as_ref().map(|replay| Replayed {
+            what: replay.what.clone(),
+            seconds: replay.seconds(),
+        });
+        Status {
+            paused: self.paused,
+            speed: self.speed,
+            recording: None,
+            recording_file: None,
+            recorded: None,
+            replay,
+            hand,
+            clients: self.clients,
+        }
+    }
+
+    /// The newest there is; `board`: how the board fares that has the solver.
+    pub fn latest(&self, board: Option<Fares>) -> Latest {
+        let pair = &self.pair;
+        Latest {
+            tick: self.tick,
+            frame: Arc::clone(&pair.frame),
+            scene: Arc::clone(&pair.setting.scene),
+            meter: pair.meter.clone(),
+            single: pair.setting.number.is_single(),
+            echo: self.echoes.shown().clone(),
+            reference: pair.comparison,
+            counts: pair.counts,
+            slips: Arc::clone(&pair.slips),
+            step: board.is_none().then(|| self.times.summary()),
+            board,
+            position: self.replay.as_ref().map(Replay::position),
+        }
+    }
+}

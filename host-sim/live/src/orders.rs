@@ -1,0 +1,243 @@
+//! What a client says, and what is made of it: a change of the setting, another run, or what concerns the hand and the time
+//! alone. What is refused changes nothing.
+
+use std::path::Path as FilePath;
+use std::sync::Arc;
+
+use serde_json::Number as JsonNumber;
+use stiction_core::Evolution;
+use stiction_scene::SceneFile;
+use web_time::Instant;
+
+use crate::body::Setting;
+use crate::change::{Change, Run};
+use crate::guide::{Guide, HandPose};
+use crate::hear::{Message, Parameters, Path};
+use crate::holder::Source;
+use crate::live::Live;
+use crate::number::Number;
+use crate::replay::Way;
+use crate::scenes;
+use crate::stage::Stage;
+
+/// Steps that wait at most.
+const MOST_STEPS: u32 = 100_000;
+
+impl Live {
+    /// Does what a client says.
+    ///
+    /// # Errors
+    /// It cannot be done.
+    pub fn take(&mut self, client: u32, message: Message, now: Instant) -> Result<(), String> {
+        match self.carry_out(client, message, now)? {
+            Some(change) => self.apply(change),
+            None => Ok(()),
+        }
+    }
+
+    /// Does what can be done at once; a change of the body is given back. There are no recordings and no uploads here.
+    ///
+    /// # Errors
+    /// It cannot be done.
+    pub fn carry_out(
+        &mut self,
+        client: u32,
+        message: Message,
+        now: Instant,
+    ) -> Result<Option<Change>, String> {
+        match message {
+            Message::Hand { pose, held, sent } => {
+                let pose = HandPose {
+                    pose: pose.map(|value| value + 0.0),
+                    depth: 0.0,
+                    held,
+                };
+                self.hand(Source::Client(client), pose, sent, now)?;
+            }
+            Message::LetGo {} => {
+                self.changed |= self.holder.leave(Source::Client(client));
+            }
+            Message::Scene { name } => return self.scene(&name).map(Some),
+            Message::Set { parameters } => return Ok(Some(self.set(&parameters))),
+            Message::Number { value } => return Ok(Some(self.number(value))),
+            Message::Evolution { value } => return Ok(Some(self.evolution(value))),
+            Message::Pause { value } => {
+                self.paused = value;
+                self.steps = 0;
+                self.changed = true;
+            }
+            Message::Step { ticks } => self.add_steps(ticks)?,
+            Message::Speed { value } => {
+                self.speed = value;
+                self.changed = true;
+            }
+            Message::Reset {} => return Ok(Some(self.anew())),
+            Message::Replay { what: None } => self.release(),
+            Message::Replay {
+                what: Some(Path::Scene),
+            } => return self.scene_path().map(Some),
+            Message::Seek { seconds } => self.seek(seconds)?,
+            Message::Rate { .. } => {}
+            Message::Record { .. } | Message::Replay { .. } => {
+                return Err(
+                    "there are no recordings and no uploads without the program, allowed: stiction view".to_owned(),
+                );
+            }
+        }
+        Ok(None)
+    }
+
+    /// A sample of the hand.
+    ///
+    /// # Errors
+    /// Somebody else holds it, or it follows a path.
+    pub fn hand(
+        &mut self,
+        source: Source,
+        pose: HandPose,
+        sent: Option<JsonNumber>,
+        now: Instant,
+    ) -> Result<(), String> {
+        if self.replay.is_some() {
+            return Err("the hand follows a path, allowed: a sample while it is live".to_owned());
+        }
+        let before = self.holder.source();
+        let since = self.holder.sample(source, now)?;
+        self.guide.lead(pose, since);
+        self.echoes.say(source.client().zip(sent));
+        self.changed |= before != Some(source);
+        Ok(())
+    }
+
+    fn scene(&self, name: &str) -> Result<Change, String> {
+        let own = self.own.as_ref().filter(|own| own.scene.title == name);
+        let number = self.pair.setting.number;
+        let stage = match (own, scenes::find(FilePath::new(name))) {
+            (Some(own), _) => own.clone(),
+            (None, Some(source)) => {
+                let scene = SceneFile::parse(source, number.limit());
+                let stage = scene.and_then(Stage::new);
+                stage.map_err(|error| error.to_string())?
+            }
+            (None, None) => {
+                return Err(format!("no scene {name:?}, allowed: {}", scenes::names()));
+            }
+        };
+        let setting = Setting {
+            scene: Arc::clone(&stage.scene),
+            ..self.pair.setting.clone()
+        };
+        Ok(Change::run(stage, setting))
+    }
+
+    /// Body and hand as at the beginning; a path from its beginning. A recording may have begun elsewhere.
+    pub fn anew(&self) -> Change {
+        let mut setting = self.pair.setting.clone();
+        let (written, of_stage) = (
+            &mut Arc::make_mut(&mut setting.scene).written,
+            &self.stage.scene,
+        );
+        (written.start, written.holding_point) = (of_stage.start, of_stage.holding_point);
+        written.reach = of_stage.reach;
+        Change::Run(Box::new(Run {
+            stage: self.stage.clone(),
+            setting,
+            path: self
+                .replay
+                .as_ref()
+                .map(|replay| (replay.what.clone(), replay.way.clone())),
+        }))
+    }
+
+    fn number(&self, number: Number) -> Change {
+        Change::Setting(Setting {
+            number,
+            ..self.pair.setting.clone()
+        })
+    }
+
+    fn evolution(&self, evolution: Evolution) -> Change {
+        Change::Setting(Setting {
+            evolution,
+            ..self.pair.setting.clone()
+        })
+    }
+
+    fn add_steps(&mut self, ticks: u32) -> Result<(), String> {
+        if !self.paused {
+            return Err("it is not paused, allowed: a step while paused".to_owned());
+        }
+        self.steps = self.steps.saturating_add(ticks).min(MOST_STEPS);
+        Ok(())
+    }
+
+    fn set(&self, parameters: &Parameters) -> Change {
+        let mut setting = self.pair.setting.clone();
+        let scene = Arc::make_mut(&mut setting.scene);
+        let written = &mut scene.written;
+        let put = |place: &mut f64, value: Option<f64>| *place = value.unwrap_or(*place);
+        put(
+            &mut written.stiffness_translation,
+            parameters.stiffness_translation,
+        );
+        put(
+            &mut written.stiffness_rotation,
+            parameters.stiffness_rotation,
+        );
+        for surface in &mut written.surfaces {
+            put(&mut surface.friction_static, parameters.friction_static);
+            put(&mut surface.friction_dynamic, parameters.friction_dynamic);
+            surface.memory = parameters.memory.unwrap_or(surface.memory);
+        }
+        for obstacle in &mut written.obstacles {
+            put(&mut obstacle.friction_static, parameters.friction_static);
+            put(&mut obstacle.friction_dynamic, parameters.friction_dynamic);
+            obstacle.memory = parameters.memory.unwrap_or(obstacle.memory);
+        }
+        Change::Setting(setting)
+    }
+
+    /// The scene's path, from its beginning.
+    fn scene_path(&self) -> Result<Change, String> {
+        match &self.stage.path {
+            Some(path) => self.path("scene".to_owned(), Way::Path(Arc::clone(path))),
+            None => Err(missing("path in the scene", "in a scene with one")),
+        }
+    }
+
+    /// The hand follows a path in the scene as it is.
+    ///
+    /// # Errors
+    /// The path is too long.
+    pub fn path(&self, name: String, way: Way) -> Result<Change, String> {
+        way.check()?;
+        Ok(Change::Run(Box::new(Run {
+            stage: self.stage.clone(),
+            setting: self.pair.setting.clone(),
+            path: Some((name, way)),
+        })))
+    }
+
+    /// The hand is live again, and stays where it is.
+    fn release(&mut self) {
+        if self.replay.take().is_some() {
+            self.guide = Guide::at(self.shown_hand());
+            self.changed = true;
+            self.pending.touch();
+        }
+    }
+
+    fn seek(&mut self, seconds: f64) -> Result<(), String> {
+        let Some(replay) = &mut self.replay else {
+            return Err("there is no replay, allowed: a seek while replaying".to_owned());
+        };
+        replay.seek(seconds, &mut self.pair)?;
+        self.begin_run(HandPose::of(&self.stage.home));
+        Ok(())
+    }
+}
+
+/// What is told where there is no such path to replay.
+pub fn missing(what: &str, allowed: &str) -> String {
+    format!("there is no {what} to replay, allowed: {allowed}")
+}

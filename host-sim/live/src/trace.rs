@@ -1,0 +1,189 @@
+//! A record of the trace: a frame as JSON, every number with the fewest digits that read back to the same value of the number
+//! type.
+
+use serde::{Serialize, Serializer};
+use stiction_core::Touch;
+use stiction_insertion::Insertion;
+
+use crate::meter;
+use crate::record::{ContactRecord, Frame, Scenery};
+
+/// A value of the run's number type, printed with the digits of that type.
+#[derive(Clone, Copy, Debug)]
+pub struct Value {
+    /// Without loss.
+    pub value: f64,
+    /// It is one of f32.
+    pub single: bool,
+}
+
+impl Serialize for Value {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.single {
+            serializer.serialize_f32(self.value as f32)
+        } else {
+            serializer.serialize_f64(self.value)
+        }
+    }
+}
+
+/// A record of a trace.
+#[derive(Debug, Serialize)]
+pub struct Record<'a> {
+    /// Time (s).
+    pub t: f64,
+    /// x, y (m), phi (rad).
+    pub hand: [Value; 3],
+    /// The hand holds the body.
+    pub held: bool,
+    /// x, y (m), theta (rad).
+    pub pose: [Value; 3],
+    /// Depth coordinate (m).
+    pub depth: Value,
+    /// By its name.
+    pub state: &'static str,
+    /// In the order of the solver.
+    pub contacts: Vec<ContactEntry<'a>>,
+    /// Force (N), moment (N·m) of the hand on the body.
+    pub wrench: [Value; 3],
+    /// Slips that ended.
+    pub slips: u32,
+    /// By their names.
+    pub events: Vec<&'static str>,
+    /// By its name.
+    pub status: &'static str,
+    /// Where a frame has a budget.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub behind: Option<Value>,
+    /// While a peg is in its hole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub insertion: Option<InsertionEntry>,
+}
+
+/// A reading of Whitney's meter; `lambda` and `margin` are null where there is none.
+#[derive(Debug, Serialize)]
+pub struct InsertionEntry {
+    /// How deep the peg is in its hole (m).
+    pub depth: Value,
+    /// Across the hole, in the peg's frame (N).
+    pub fx: Value,
+    /// Along it (N).
+    pub fz: Value,
+    /// Moment about the tip (N·m).
+    pub m: Value,
+    /// Depth by what keeps a peg from jamming.
+    pub lambda: Option<Value>,
+    /// To jamming.
+    pub margin: Option<Value>,
+    /// By its name.
+    pub verdict: &'static str,
+}
+
+impl InsertionEntry {
+    fn new(insertion: &Insertion, single: bool) -> Self {
+        let value = |value| Value { value, single };
+        Self {
+            depth: value(insertion.depth),
+            fx: value(insertion.fx),
+            fz: value(insertion.fz),
+            m: value(insertion.m),
+            lambda: insertion.lambda.map(value),
+            margin: insertion.margin.map(value),
+            verdict: insertion.verdict.name(),
+        }
+    }
+}
+
+/// A vertex on a surface, a vertex on a side of an obstacle, or a corner of one on a side of the body.
+#[derive(Debug, Serialize)]
+pub struct ContactEntry<'a> {
+    /// Of the body.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vertex: Option<usize>,
+    /// Of the obstacle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<usize>,
+    /// By its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface: Option<&'a str>,
+    /// By its name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<&'a str>,
+    /// Of the obstacle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub side: Option<usize>,
+    /// Of the body.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body_side: Option<usize>,
+    /// Where they touch (m).
+    pub point: [Value; 2],
+    /// Reaction N (N).
+    pub normal: Value,
+    /// Friction T (N).
+    pub friction: Value,
+    /// 1, -1, or 0 where it sticks.
+    pub sliding: i8,
+    /// In a scene with obstacles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<[Value; 2]>,
+}
+
+impl<'a> ContactEntry<'a> {
+    fn new(contact: &ContactRecord, scenery: &'a Scenery, single: bool) -> Self {
+        let value = |value| Value { value, single };
+        let (side, corner, body_side) = match contact.touch {
+            Touch::Surface { .. } => (None, None, None),
+            Touch::Side { side, .. } => (Some(side), None, None),
+            Touch::Corner {
+                corner, body_side, ..
+            } => (None, Some(corner), Some(body_side)),
+        };
+        Self {
+            vertex: contact.vertex(),
+            corner,
+            surface: contact.surface().map(|k| name(&scenery.names.surfaces, k)),
+            obstacle: contact
+                .obstacle()
+                .map(|k| name(&scenery.names.obstacles, k)),
+            side,
+            body_side,
+            point: contact.point.map(value),
+            normal: value(contact.normal),
+            friction: value(contact.friction),
+            sliding: contact.sliding,
+            direction: contact.direction.map(|direction| direction.map(value)),
+        }
+    }
+}
+
+fn name(names: &[String], index: usize) -> &str {
+    names.get(index).map_or("", String::as_str)
+}
+
+impl<'a> Record<'a> {
+    /// Of a frame; `single`: the numbers have the digits of f32.
+    pub fn new(frame: &Frame, scenery: &'a Scenery, single: bool) -> Self {
+        let value = |value| Value { value, single };
+        let contacts = frame.contacts.iter();
+        let contacts = contacts.map(|contact| ContactEntry::new(contact, scenery, single));
+        let insertion = scenery
+            .meter
+            .as_ref()
+            .and_then(|meter| meter::read(meter, frame));
+        Self {
+            t: frame.t,
+            hand: frame.hand.map(value),
+            held: frame.held,
+            pose: frame.pose.map(value),
+            depth: value(frame.depth),
+            state: frame.state.name(),
+            contacts: contacts.collect(),
+            wrench: frame.wrench.map(value),
+            slips: frame.slips,
+            events: frame.events.iter().map(|event| event.name()).collect(),
+            status: frame.status.name(),
+            behind: frame.behind.map(value),
+            insertion: insertion.map(|found| InsertionEntry::new(&found, single)),
+        }
+    }
+}
