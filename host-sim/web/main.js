@@ -1,4 +1,5 @@
-// The page: what shows and what asks, put together around one feed, which is the server or a board on Web Serial.
+// The page: what shows and what asks, put together around one feed, which is the server, a board on Web Serial, or, where no server
+// has the solver, the page itself.
 
 import { Charts } from "./charts.js";
 import { Controls } from "./controls.js";
@@ -35,8 +36,13 @@ let insertion = null;
 let connected = false;
 let framesReceived = 0;
 
+/** No server has the solver. */
+const isAlone = document.body.dataset.alone !== undefined;
+/** The address, where it says what the page shows. @type {import("./address.js").Address | null} */
+let address = null;
+
 /** @type {() => Feed} */
-const feed = () => board ?? link;
+const feed = () => board ?? source;
 /** True if this browser can talk to a serial port. */
 const canSerial = () => navigator.serial !== undefined;
 const grip = new Grip(feed, note, handRefusal, () => { byId("hint").hidden = true; });
@@ -83,6 +89,7 @@ function showState(message) {
   controls.show(message);
   transport.show(message);
   readout.setState(message);
+  address?.setState(message);
   showPeg(message.scene);
   if (message.replay) byId("hint").hidden = true;
 }
@@ -211,10 +218,13 @@ byId("help-close").addEventListener("click", () => help.close());
 byId("let-go").addEventListener("click", () => controls.ask({ type: "let-go" }));
 byId("serial").addEventListener("click", () => toggleBoard());
 for (const box of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[data-layer]"))) {
-  box.addEventListener("change", () => {
-    stage.layers[/** @type {import("./stage.js").Layer} */ (box.dataset.layer)] = box.checked;
-    stage.ask();
-  });
+  box.addEventListener("change", () => showLayer(box));
+}
+
+/** Draws a layer or not, as its box says. @param {HTMLInputElement} box */
+function showLayer(box) {
+  stage.layers[/** @type {import("./stage.js").Layer} */ (box.dataset.layer)] = box.checked;
+  stage.ask();
 }
 showBoardButton();
 
@@ -232,4 +242,16 @@ Object.defineProperty(window, "stiction", {
   }),
 });
 
-const link = new Link(eventsFor(false));
+/** What is asked unless a board is there. @type {Feed} */
+const source = isAlone ? await startAlone() : new Link(eventsFor(false));
+
+/** The solver in the page itself, and the address that says what it shows. */
+async function startAlone() {
+  const [{ Alone }, { Address }] = await Promise.all([import("./alone.js"), import("./address.js")]);
+  address = new Address(stage, (message) => controls.ask(message), (layer, shown) => {
+    const box = /** @type {HTMLInputElement} */ (document.querySelector(`input[data-layer="${layer}"]`));
+    box.checked = shown;
+    showLayer(box);
+  }, note);
+  return new Alone(eventsFor(false));
+}

@@ -16,6 +16,8 @@ const PICTURE: &str = "image/svg+xml";
 const TEXT: &str = "text/plain; charset=utf-8";
 
 const FILES: &[File] = files![
+    "address.js": SCRIPT,
+    "alone.js": SCRIPT,
     "board-model.js": SCRIPT,
     "board.js": SCRIPT,
     "charts.js": SCRIPT,
@@ -43,6 +45,7 @@ const FILES: &[File] = files![
     "stage.js": SCRIPT,
     "strip.js": SCRIPT,
     "style.css": CSS,
+    "talk.js": SCRIPT,
     "theme.js": SCRIPT,
     "trails.js": SCRIPT,
     "transport.js": SCRIPT,

@@ -1,0 +1,87 @@
+//! Builds what a browser needs to have the solver itself: from `host-sim/wasm` and `host-sim/web` to
+//!
+//! * a folder that any web host serves, and in it `stiction.html`, the same page in one file, for `file://`,
+//! * the folder of the npm package `stiction`.
+//!
+//! ```sh
+//! rustup target add wasm32-unknown-unknown
+//! cargo run --release -p stiction-page -- --out page --npm package
+//! ```
+
+mod folder;
+mod module;
+mod one_file;
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use module::Module;
+
+/// What is built, and where.
+#[derive(Debug, Parser)]
+#[command(version, about, long_about = None)]
+struct Arguments {
+    /// Folder of the page
+    #[arg(long, value_name = "DIR", required_unless_present = "npm")]
+    out: Option<PathBuf>,
+    /// Folder of the npm package
+    #[arg(long, value_name = "DIR")]
+    npm: Option<PathBuf>,
+}
+
+/// Why it is not built.
+#[derive(Debug, thiserror::Error)]
+enum BuildError {
+    /// The compiler failed, and said why.
+    #[error("cargo failed, allowed: where the target is there, rustup target add wasm32-unknown-unknown")]
+    Cargo,
+    /// wasm-bindgen does not take what the compiler made.
+    #[error("wasm-bindgen: {0}")]
+    Bindgen(String),
+    /// A file cannot be read or written.
+    #[error("{}: {error}", .place.display())]
+    File {
+        /// Which one.
+        place: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// A file of the page is not as this program takes it apart.
+    #[error("{0}")]
+    Page(String),
+}
+
+/// Says which file it was.
+fn of(place: &Path) -> impl Fn(io::Error) -> BuildError + '_ {
+    |error| BuildError::File {
+        place: place.to_owned(),
+        error,
+    }
+}
+
+fn main() -> ExitCode {
+    match build(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn build(arguments: &Arguments) -> Result<(), BuildError> {
+    let module = Module::compile()?;
+    if let Some(out) = &arguments.out {
+        let files = folder::page(&module)?;
+        folder::write(out, &files)?;
+        let whole = one_file::page(&files)?;
+        folder::write(out, &[("stiction.html".to_owned(), whole.into_bytes())])?;
+    }
+    if let Some(npm) = &arguments.npm {
+        folder::write(npm, &folder::package(&module)?)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,124 @@
+//! The page in one file: a browser that opens a file loads no module, no worker and no wasm beside it. The modules are in an import
+//! map, as `data:` URLs; the worker and the wasm are packed into a script that the browser does not run.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::GzEncoder;
+use serde_json::{Map, Value, json};
+
+use crate::BuildError;
+use crate::folder::File;
+
+/// What stands before a name of a module in the import map.
+const BARE: &str = "stiction/";
+
+/// The page.
+pub(crate) fn page(files: &[File]) -> Result<String, BuildError> {
+    let mut page = text(files, "index.html")?;
+    put(
+        &mut page,
+        r#"<link rel="icon" href="icon.svg" type="image/svg+xml">"#,
+        &format!(
+            r#"<link rel="icon" href="data:image/svg+xml;base64,{}">"#,
+            STANDARD.encode(find(files, "icon.svg")?)
+        ),
+    )?;
+    for name in ["uplot/uplot.min.css", "style.css", "panels.css"] {
+        let link = format!(r#"<link rel="stylesheet" href="{name}">"#);
+        put(&mut page, &link, &element("style", &text(files, name)?)?)?;
+    }
+    put(
+        &mut page,
+        r#"<script defer src="uplot/uplot.min.js"></script>"#,
+        &element("script", &text(files, "uplot/uplot.min.js")?)?,
+    )?;
+    let mut modules = modules(files)?;
+    let packed = json!({
+        "worker": packed(find(files, "worker.js")?),
+        "wasm": packed(find(files, "stiction.wasm")?),
+    });
+    let style = STANDARD.encode(find(files, "insertion.css")?);
+    if let Some(code) = modules.get_mut("insertion.js") {
+        let data = format!("\"data:text/css;base64,{style}\"");
+        put(code, "\"insertion.css\"", &data)?;
+    }
+    let mut scripts = String::new();
+    let main = modules.remove("main.js").unwrap_or_default();
+    let imports: Map<String, Value> = modules
+        .into_iter()
+        .map(|(name, code)| {
+            let url = format!("data:text/javascript;base64,{}", STANDARD.encode(code));
+            (format!("{BARE}{name}"), url.into())
+        })
+        .collect();
+    let map = json!({ "imports": imports });
+    let _ = write!(
+        scripts,
+        "<script type=\"importmap\">{map}</script>\n\
+         <script type=\"application/json\" id=\"packed\">{packed}</script>\n\
+         <script type=\"module\">{}</script>",
+        closed(&main)?
+    );
+    put(
+        &mut page,
+        r#"<script type="module" src="main.js"></script>"#,
+        &scripts,
+    )?;
+    Ok(page)
+}
+
+/// The modules, by their names, which ask for each other by bare names.
+fn modules(files: &[File]) -> Result<std::collections::BTreeMap<String, String>, BuildError> {
+    let scripts = files.iter().filter(|(name, _)| {
+        name.ends_with(".js") && name != "worker.js" && !name.contains('/')
+    });
+    scripts
+        .map(|(name, _)| {
+            let code = text(files, name)?;
+            Ok((name.clone(), code.replace("\"./", &format!("\"{BARE}"))))
+        })
+        .collect()
+}
+
+fn find<'a>(files: &'a [File], name: &str) -> Result<&'a [u8], BuildError> {
+    let found = files.iter().find(|(known, _)| known == name);
+    let found = found.ok_or_else(|| BuildError::Page(format!("there is no {name}")))?;
+    Ok(&found.1)
+}
+
+fn text(files: &[File], name: &str) -> Result<String, BuildError> {
+    Ok(String::from_utf8_lossy(find(files, name)?).into_owned())
+}
+
+/// Puts something in the place of a part of the page.
+fn put(page: &mut String, part: &str, other: &str) -> Result<(), BuildError> {
+    if !page.contains(part) {
+        return Err(BuildError::Page(format!("index.html has no {part}")));
+    }
+    *page = page.replacen(part, other, 1);
+    Ok(())
+}
+
+fn element(name: &str, content: &str) -> Result<String, BuildError> {
+    Ok(format!("<{name}>{}</{name}>", closed(content)?))
+}
+
+/// Content of an element that does not end it.
+fn closed(content: &str) -> Result<&str, BuildError> {
+    match content.contains("</s") {
+        true => Err(BuildError::Page("a script or style has </s in it".to_owned())),
+        false => Ok(content),
+    }
+}
+
+/// Compressed, as text.
+fn packed(bytes: &[u8]) -> String {
+    let mut packer = GzEncoder::new(Vec::new(), Compression::best());
+    // Writing into memory does not fail.
+    let _ = packer.write_all(bytes);
+    STANDARD.encode(packer.finish().unwrap_or_default())
+}

@@ -1,0 +1,135 @@
+//! What `stiction view` is to its page, for a page that no server serves: the solver in real time, and the messages of
+//! `host-sim/VIEW.md` in and out. It runs in a worker, which calls [`Page::turn`] every millisecond or two.
+
+use std::path::Path;
+
+use stiction_core::Evolution;
+use stiction_live::body::Setting;
+use stiction_live::feed::{Shown, Told};
+use stiction_live::hear::{self, Message, Said};
+use stiction_live::live::{Live, PERIOD};
+use stiction_live::number::Number;
+use stiction_live::say::{self, Source};
+use stiction_live::scenes;
+use stiction_live::stage::Stage;
+use stiction_scene::SceneFile;
+use wasm_bindgen::prelude::*;
+use web_time::{Duration, Instant};
+
+/// The scene of the beginning.
+const SCENE: &str = "box-flat";
+/// The number of the only client.
+const CLIENT: u32 = 1;
+/// Frames a second, unless the page asks for others.
+const RATE: f64 = 60.0;
+/// A tick may be so late: a browser wakes a worker every millisecond at best, and tells the time to 0.1 ms.
+const ALLOWED: Duration = Duration::from_millis(2);
+/// Ticks are made for so long, before the page is heard again.
+const LONGEST_TURN: Duration = Duration::from_millis(8);
+
+/// The solver behind a page.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Page {
+    live: Live,
+    shown: Shown,
+    told: Told,
+    /// Answers that wait until what they are about is shown.
+    answers: Vec<String>,
+    /// The next tick, and the next frame message.
+    due: Instant,
+    frame_due: Instant,
+    /// Between two frame messages.
+    period: Duration,
+}
+
+#[wasm_bindgen]
+impl Page {
+    /// With its first scene, whose first tick is due now.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Result<Self, JsError> {
+        let source = scenes::find(Path::new(SCENE)).ok_or_else(|| JsError::new(SCENE))?;
+        let number = Number::F32;
+        let scene = SceneFile::parse(source, number.limit()).and_then(Stage::new);
+        let stage = scene.map_err(|error| JsError::new(&error.to_string()))?;
+        let setting = Setting {
+            scene: stage.scene.clone(),
+            number,
+            evolution: Evolution::Path,
+        };
+        let mut live = Live::new(stage, &setting).map_err(|problem| JsError::new(&problem))?;
+        live.clients = 1;
+        let (shown, now) = (Shown::default(), Instant::now());
+        Ok(Self {
+            told: Told::new(&shown),
+            live,
+            shown,
+            answers: Vec::new(),
+            due: now,
+            frame_due: now,
+            period: Duration::from_secs_f64(1.0 / RATE),
+        })
+    }
+
+    /// The message that comes first.
+    pub fn hello(&self) -> String {
+        let scenes: Vec<String> = scenes::ALL
+            .iter()
+            .map(|(name, _)| (*name).to_owned())
+            .collect();
+        say::hello(CLIENT, &scenes, &Source::Core)
+    }
+
+    /// Does what the page says.
+    pub fn take(&mut self, text: &str) {
+        let Said { id, message } = hear::read(text);
+        let now = Instant::now();
+        let result = match message {
+            Ok(Message::Rate { value }) => {
+                self.period = Duration::from_secs_f64(1.0 / value);
+                self.frame_due = now;
+                Ok(())
+            }
+            Ok(message) => self.live.take(CLIENT, message, now),
+            Err(problem) => Err(problem),
+        };
+        self.answers.extend(say::answer(id, result));
+    }
+
+    /// Makes the ticks that are due, and gives the messages for the page.
+    pub fn turn(&mut self) -> Vec<String> {
+        let begun = Instant::now();
+        let mut now = begun;
+        while self.due <= now && now.duration_since(begun) < LONGEST_TURN {
+            self.due = self.live.late(self.due, now, ALLOWED);
+            self.live.changed |= self.live.holder.expire(now);
+            self.live.pass(&mut |live| {
+                live.advance();
+                true
+            });
+            self.due += PERIOD;
+            now = Instant::now();
+        }
+        self.publish();
+        let mut messages = std::mem::take(&mut self.answers);
+        let with_frame = now >= self.frame_due;
+        if with_frame {
+            self.frame_due = (self.frame_due + self.period).max(now);
+        }
+        let (state, news) = self.told.look(&self.shown, with_frame);
+        messages.extend(state.map(|state| state.to_string()));
+        messages.extend(news.map(|news| news.message(CLIENT, 0)));
+        messages
+    }
+
+    fn publish(&mut self) {
+        if self.live.changed {
+            let status = self.live.status();
+            self.live.tell(&status);
+        }
+        if !self.live.pending.is_shown() {
+            let latest = self.live.latest(None);
+            self.shown.show(&mut self.live.pending, latest);
+        }
+    }
+}

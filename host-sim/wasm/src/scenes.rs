@@ -1,0 +1,70 @@
+//! The bundled scenes, and the hand's path of a scene.
+
+use std::path::Path;
+
+use js_sys::Float64Array;
+use stiction_live::input::open_path;
+use stiction_live::number::Number;
+use stiction_live::scenes;
+use stiction_scene::{SceneFile, Source};
+use wasm_bindgen::prelude::*;
+
+/// A scene by the name of a bundled one, or by its text.
+pub(crate) fn read(scene: &str, number: Number) -> Result<SceneFile, JsError> {
+    let source = match scenes::find(Path::new(scene)) {
+        Some(source) => source,
+        // A name has no line breaks, a scene has some.
+        None if !scene.contains('\n') => {
+            let problem = format!(
+                "no scene {scene:?}, allowed: the text of a scene file, or one of {}",
+                scenes::names()
+            );
+            return Err(JsError::new(&problem));
+        }
+        None => Source::new("scene.toml", scene),
+    };
+    SceneFile::parse(source, number.limit()).map_err(|error| JsError::new(&error.to_string()))
+}
+
+/// The names of the bundled scenes.
+#[wasm_bindgen(js_name = sceneNames)]
+pub fn scene_names() -> Vec<String> {
+    let all = scenes::ALL.iter();
+    all.map(|(name, _)| (*name).to_owned()).collect()
+}
+
+/// The text of a bundled scene, as a scene file has it (TOML, SI units).
+///
+/// Throws where there is no scene of that name.
+#[wasm_bindgen(js_name = sceneText)]
+pub fn scene_text(name: &str) -> Result<String, JsError> {
+    let source = scenes::find(Path::new(name));
+    let source = source.ok_or_else(|| {
+        let problem = format!("no scene {name:?}, allowed: {}", scenes::names());
+        JsError::new(&problem)
+    })?;
+    Ok(source.text().to_owned())
+}
+
+/// The path of the hand that a scene has, as rows for `Solver.run`: t (s), x, y (m), phi (rad, unwrapped), held (0 or 1).
+///
+/// `scene`: the name of a bundled scene, or the text of a scene file. `rate`: rows a second (Hz); that of the scene where it is
+/// absent.
+///
+/// Throws where the scene is refused, or has no path.
+#[wasm_bindgen(js_name = scenePath)]
+pub fn scene_path(scene: &str, rate: Option<f64>) -> Result<Float64Array, JsError> {
+    if rate.is_some_and(|rate| !(rate.is_finite() && rate > 0.0)) {
+        return Err(JsError::new(
+            "`rate` is none, allowed: a finite number above 0",
+        ));
+    }
+    let scene = read(scene, Number::F64)?;
+    let path = open_path(&scene, None, rate.map(|rate| ("rate", rate)));
+    let (path, rate) = path.map_err(|error| JsError::new(&error.to_string()))?;
+    let rows = path.frames(rate).flat_map(|sample| {
+        let ([x, y], phi) = (sample.hand.position, sample.hand.angle.radians());
+        [sample.t, x, y, phi, f64::from(u8::from(sample.hand.held))]
+    });
+    Ok(Float64Array::from(rows.collect::<Vec<f64>>().as_slice()))
+}

@@ -1,0 +1,139 @@
+// The address of a page without a server: scene, parameters and window, so that a link shows what its sender saw. What is as the
+// scene's file has it is left out.
+//
+//     #scene=ladder&k_h=800&mu_s=0.4&number=fixed&evolution=frame&view=0.1,0.2,0.5&hide=ghost,trails
+
+/** Names in the address of what `set` takes. */
+const PARAMETERS = /** @type {const} */ ({
+  k_h: "stiffness_translation", k_theta: "stiffness_rotation", mu_s: "static", mu_d: "dynamic", memory: "memory",
+});
+/** What a page begins with. */
+const NUMBER = "f32";
+const EVOLUTION = "path";
+/** Between two changes of the address: a browser takes 200 in 30 s (ms). */
+const PAUSE = 250;
+
+export class Address {
+  /**
+   * @param {Stage} stage @param {Ask} ask
+   * @param {(layer: string, shown: boolean) => void} showLayer @param {(text: string) => void} tell
+   */
+  constructor(stage, ask, showLayer, tell) {
+    this.stage = stage;
+    this.ask = ask;
+    this.showLayer = showLayer;
+    this.tell = tell;
+    /** The parameters that a scene begins with, by its name. @type {Map<string, SceneParameters>} */
+    this.own = new Map();
+    /** The window that is wanted: its middle and its width (m). @type {number[] | null} */
+    this.view = null;
+    /** The address is being followed. */
+    this.busy = false;
+    this.timer = 0;
+    window.addEventListener("hashchange", () => this.follow());
+    stage.also.push(() => this.drawn());
+  }
+
+  /** Scene and setting, whenever they change; the first time, the address is followed. @param {StateMessage} state */
+  setState({ scene, parameters }) {
+    const first = this.own.size === 0;
+    if (!this.own.has(scene.title)) this.own.set(scene.title, parameters);
+    if (first && location.hash.length > 1) this.follow();
+    else this.later();
+  }
+
+  /** Does what the address says. */
+  async follow() {
+    const { state } = this.stage;
+    if (!state || this.busy) return;
+    this.busy = true;
+    const wanted = new URLSearchParams(location.hash.slice(1));
+    const name = wanted.get("scene") ?? state.scene.title;
+    if (await this.ask({ type: "scene", name })) {
+      await this.ask({ type: "number", value: wanted.get("number") ?? NUMBER });
+      await this.ask({ type: "evolution", value: wanted.get("evolution") ?? EVOLUTION });
+      const parameters = this.parameters(wanted);
+      if (Object.keys(parameters).length > 0) await this.ask({ type: "set", parameters });
+      this.layers((wanted.get("hide") ?? "").split(","));
+      this.view = this.numbers(wanted, "view", 3);
+    }
+    this.busy = false;
+    this.stage.ask();
+    this.later();
+  }
+
+  /** What `set` is to be told. @param {URLSearchParams} wanted */
+  parameters(wanted) {
+    /** @type {Partial<SceneParameters>} */
+    const parameters = {};
+    for (const [key, name] of Object.entries(PARAMETERS)) {
+      const [value] = this.numbers(wanted, key, 1) ?? [];
+      if (value !== undefined) parameters[name] = value;
+    }
+    return parameters;
+  }
+
+  /**
+   * Numbers of the address, or null.
+   * @param {URLSearchParams} wanted @param {string} key @param {number} count
+   */
+  numbers(wanted, key, count) {
+    const text = wanted.get(key);
+    if (text === null) return null;
+    const values = text.split(",").map((part) => (part.trim() === "" ? NaN : Number(part)));
+    if (values.length === count && values.every(Number.isFinite)) return values;
+    this.tell(`${key}=${text} in the address: allowed ${count === 1 ? "is a number" : `are ${count} numbers`}.`);
+    return null;
+  }
+
+  /** Draws all layers but these. @param {string[]} hidden */
+  layers(hidden) {
+    for (const layer of Object.keys(this.stage.layers)) this.showLayer(layer, !hidden.includes(layer));
+  }
+
+  /** After a drawing: the window that is wanted, once there is one; and the address follows. */
+  drawn() {
+    const { stage, view: wanted } = this;
+    if (wanted && !this.busy && stage.fitted) {
+      const [x, y, across] = wanted;
+      this.view = null;
+      stage.adjusted = true;
+      Object.assign(stage.view, { x, y, scale: stage.view.width / across });
+      stage.ask();
+    }
+    this.later();
+  }
+
+  /** Writes the address soon. */
+  later() {
+    if (!this.timer) this.timer = window.setTimeout(() => this.write(), PAUSE);
+  }
+
+  /** Writes the address, unless it is being followed. */
+  write() {
+    this.timer = 0;
+    const { state } = this.stage;
+    if (this.busy || this.view || !state) return;
+    const hash = `#${this.text(state)}`;
+    if (hash !== location.hash) history.replaceState(null, "", hash);
+  }
+
+  /** What the page shows, as the address has it. @param {StateMessage} state */
+  text({ scene, parameters, number, evolution }) {
+    const { stage } = this;
+    const parts = [`scene=${encodeURIComponent(scene.title)}`];
+    for (const [key, name] of Object.entries(PARAMETERS)) {
+      const value = parameters[name];
+      if (value !== null && value !== this.own.get(scene.title)?.[name]) parts.push(`${key}=${value}`);
+    }
+    if (number !== NUMBER) parts.push(`number=${number}`);
+    if (evolution !== EVOLUTION) parts.push(`evolution=${evolution}`);
+    if (stage.adjusted) {
+      const { x, y, width, scale } = stage.view;
+      parts.push(`view=${[x, y, width / scale].map((value) => Number(value.toPrecision(5))).join(",")}`);
+    }
+    const hidden = Object.entries(stage.layers).filter(([, shown]) => !shown);
+    if (hidden.length > 0) parts.push(`hide=${hidden.map(([layer]) => layer).join(",")}`);
+    return parts.join("&");
+  }
+}

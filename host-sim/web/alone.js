@@ -1,0 +1,73 @@
+// The solver in the page itself, where no server has it: a worker that says and takes what the server would. What a page
+// without a program cannot do is hidden.
+
+import { byId } from "./dom.js";
+import { Talk } from "./talk.js";
+
+/** What needs a program: recordings, uploads, other pages. */
+const HIDDEN = ["record", "upload", "recording-section", "let-go", "clients", "holder"];
+const CHOICES = ["recording", "upload"];
+
+export class Alone extends Talk {
+  /** @param {FeedEvents} events */
+  constructor(events) {
+    super(events);
+    /** @type {Worker | null} */
+    this.worker = null;
+    /** It has said something. */
+    this.running = false;
+    for (const id of HIDDEN) byId(id).hidden = true;
+    for (const value of CHOICES) document.querySelector(`#replay [value=${value}]`)?.setAttribute("hidden", "");
+    this.start().catch((why) => events.error(`The solver cannot be started here: ${why.message}`));
+  }
+
+  /** Starts the worker; in a page of one file, with what is packed in it. */
+  async start() {
+    const packed = document.querySelector("#packed")?.textContent;
+    const files = packed ? await unpacked(packed) : { worker: "worker.js", wasm: new URL("stiction.wasm", location.href).href };
+    const worker = new Worker(files.worker);
+    worker.addEventListener("message", ({ data }) => this.hear(data));
+    worker.addEventListener("error", ({ message }) => this.failed(message || "the worker could not be loaded"));
+    worker.postMessage({ wasm: files.wasm });
+    this.worker = worker;
+    this.askRate();
+  }
+
+  /** What the worker says: messages, or why there is nothing to say. @param {string[] | {problem: string}} data */
+  hear(data) {
+    if (!Array.isArray(data)) return this.failed(data.problem);
+    if (!this.running) this.events.connected(true);
+    this.running = true;
+    for (const text of data) this.take(text);
+  }
+
+  /** The solver is gone. @param {string} why */
+  failed(why) {
+    this.worker?.terminate();
+    this.worker = null;
+    this.running = false;
+    this.giveUp("The solver has stopped.");
+    this.events.connected(false);
+    this.events.error(`The solver has stopped: ${why}`);
+  }
+
+  /** @param {object} message @returns {boolean} */
+  send(message) {
+    this.worker?.postMessage(JSON.stringify(message));
+    return this.worker !== null;
+  }
+}
+
+/** Script and wasm of a page of one file. @param {string} packed */
+async function unpacked(packed) {
+  const { worker, wasm } = JSON.parse(packed);
+  const script = new Blob([await bytes(worker)], { type: "text/javascript" });
+  return { worker: URL.createObjectURL(script), wasm: await bytes(wasm) };
+}
+
+/** Bytes that were compressed and written as text. @param {string} text */
+function bytes(text) {
+  const raw = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([raw]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).arrayBuffer();
+}
