@@ -1,40 +1,71 @@
-// The worker of a page without a server: the solver in real time. What wasm-bindgen made stands before this.
+// The worker of a page without a server: the solver in real time. What wasm-bindgen made stands before this. It begins with the
+// solver for scenes without obstacles, a third of all, and loads the whole one when a scene needs it.
 // A browser wakes a worker that sleeps 4 ms later at the earliest, unless it was woken by something else than a timer before:
 // so a message stands between two timers, which then wait for 1 ms.
 
-/* global wasm_bindgen */
+/* global wasm_bindgen, stiction_whole */
 
-/** Messages that came before the solver was there. @type {string[]} */
-const early = [];
+/** Messages that wait until a solver is there. @type {string[]} */
+let waiting = [];
 /** @type {import("./types").Page | null} */
 let page = null;
+/** The whole solver, where this is a part of it. @type {{script: string, wasm: string} | undefined} */
+let whole;
 
 self.addEventListener("message", ({ data }) => {
-  if (typeof data !== "string") start(data.wasm);
-  else if (page) page.take(data);
-  else early.push(data);
+  if (typeof data === "string") take(data);
+  else start(data);
 });
 
-/** Starts the solver, and its time. @param {string | ArrayBuffer} wasm */
-async function start(wasm) {
+/** Starts the solver, and its time. @param {{wasm: string | ArrayBuffer, whole?: {script: string, wasm: string}}} files */
+async function start(files) {
   try {
-    await wasm_bindgen({ module_or_path: wasm });
-    const solver = new wasm_bindgen.Page();
-    page = solver;
-    self.postMessage([solver.hello()]);
-    early.forEach((text) => solver.take(text));
+    whole = files.whole;
+    await wasm_bindgen({ module_or_path: files.wasm });
+    page = new wasm_bindgen.Page();
+    self.postMessage([page.hello()]);
+    takeWaiting();
     const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => setTimeout(() => turn(solver, port2), 1);
+    port1.onmessage = () => setTimeout(() => turn(port2), 1);
     port2.postMessage(0);
   } catch (why) {
     stop(why);
   }
 }
 
-/** Makes the ticks that are due. @param {import("./types").Page} solver @param {MessagePort} port */
-function turn(solver, port) {
+/** A message of the page. @param {string} text */
+function take(text) {
+  if (!page) waiting.push(text);
+  else if (whole && page.isBeyond(text)) grow(whole, page, text).catch(stop);
+  else page.take(text);
+}
+
+function takeWaiting() {
+  const texts = waiting;
+  waiting = [];
+  texts.forEach(take);
+}
+
+/**
+ * The whole solver goes on where the part of it is, with this message. What comes meanwhile waits.
+ * @param {{script: string, wasm: string}} files @param {import("./types").Page} part @param {string} text
+ */
+async function grow(files, part, text) {
+  whole = undefined;
+  page = null;
+  importScripts(files.script);
+  await stiction_whole({ module_or_path: files.wasm });
+  page = new stiction_whole.Page();
+  for (const message of part.handedOver()) page.take(message);
+  part.free();
+  page.take(text);
+  takeWaiting();
+}
+
+/** Makes the ticks that are due. @param {MessagePort} port */
+function turn(port) {
   try {
-    const messages = solver.turn();
+    const messages = page?.turn() ?? [];
     if (messages.length > 0) self.postMessage(messages);
     port.postMessage(0);
   } catch (why) {

@@ -8,6 +8,9 @@ import { Talk } from "./talk.js";
 const HIDDEN = ["record", "upload", "recording-section", "let-go", "clients", "holder"];
 const CHOICES = ["recording", "upload"];
 
+/** What is beside the page: the solver for scenes without obstacles, and the whole one. */
+const BESIDE = { script: "worker.js", wasm: "part.wasm", whole: { script: "whole.js", wasm: "whole.wasm" } };
+
 export class Alone extends Talk {
   /** @param {FeedEvents} events */
   constructor(events) {
@@ -24,11 +27,11 @@ export class Alone extends Talk {
   /** Starts the worker; in a page of one file, with what is packed in it. */
   async start() {
     const packed = document.querySelector("#packed")?.textContent;
-    const files = packed ? await unpacked(packed) : { worker: "worker.js", wasm: new URL("stiction.wasm", location.href).href };
-    const worker = new Worker(files.worker);
+    const { script, ...files } = packed ? await unpacked(packed) : BESIDE;
+    const worker = new Worker(script);
     worker.addEventListener("message", ({ data }) => this.hear(data));
     worker.addEventListener("error", ({ message }) => this.failed(message || "the worker could not be loaded"));
-    worker.postMessage({ wasm: files.wasm });
+    worker.postMessage(files);
     this.worker = worker;
     this.askRate();
   }
@@ -62,7 +65,7 @@ export class Alone extends Talk {
 async function unpacked(packed) {
   const { worker, wasm } = JSON.parse(packed);
   const script = new Blob([await bytes(worker)], { type: "text/javascript" });
-  return { worker: URL.createObjectURL(script), wasm: await bytes(wasm) };
+  return { script: URL.createObjectURL(script), wasm: await bytes(wasm) };
 }
 
 /** Bytes that were compressed and written as text. @param {string} text */

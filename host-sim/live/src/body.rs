@@ -2,7 +2,6 @@
 
 mod carry;
 
-use std::fmt::Debug;
 use std::sync::Arc;
 
 use stiction_core::{
@@ -12,11 +11,12 @@ use stiction_scene::{Among, HostModel, HostSolver, Indices, InputError, SceneFil
 
 use crate::number::Number;
 use crate::record::Frame;
+use crate::simulate::{OBSTACLES, has_solver};
 use carry::{Carried, carried};
 pub use carry::{Hold, Present, within_reach};
 
 /// A body in a hand.
-pub trait Body: Debug + Send {
+pub trait Body: Send {
     /// The hand goes to a pose and the body follows.
     fn step(&mut self, hand: &Hand<f64>);
     /// The record after the last step, at time `t` (s).
@@ -66,7 +66,8 @@ impl Setting {
 
     /// By the solver that the scene needs: with obstacles only where it has some.
     fn solved(&self, way: &Way<'_>) -> Result<Box<dyn Body>, String> {
-        let has_obstacles = !self.scene.obstacles.is_empty();
+        has_solver(&self.scene).map_err(|error| error.to_string())?;
+        let has_obstacles = OBSTACLES && !self.scene.obstacles.is_empty();
         Ok(match (self.number, has_obstacles) {
             (Number::F32, false) => Box::new(Solved::<f32, Full>::new(self, way)?),
             (Number::F64, false) => Box::new(Solved::<f64, Full>::new(self, way)?),
@@ -105,7 +106,6 @@ pub fn without_obstacles(scene: &SceneFile) -> Result<(), InputError> {
     scene.scene::<f64>().map(|_| ())
 }
 
-#[derive(Debug)]
 struct Solved<R: Real, M: HostModel> {
     solver: Arc<HostSolver<R, M>>,
     /// What the solver's indices of obstacles are in the file, where they differ.

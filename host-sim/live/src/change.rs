@@ -28,7 +28,6 @@ pub struct Run {
 }
 
 /// A run that can begin.
-#[derive(Debug)]
 pub struct Ready {
     stage: Stage,
     /// The body at its start, and the reference beside it.

@@ -24,7 +24,6 @@ const PATIENCE: Duration = Duration::from_millis(100);
 const SEEKING: Duration = Duration::from_micros(500);
 
 /// The solver with its hand.
-#[derive(Debug)]
 pub struct Live {
     /// What waits to be shown.
     pub pending: Pending,

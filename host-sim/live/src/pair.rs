@@ -55,7 +55,6 @@ fn meter_of(setting: &Setting) -> Option<Arc<Meter>> {
 }
 
 /// Two bodies in one hand.
-#[derive(Debug)]
 pub struct Pair {
     /// Scene, number type and evolution.
     pub setting: Setting,

@@ -75,7 +75,6 @@ impl Way {
 }
 
 /// A path that is followed.
-#[derive(Debug)]
 pub struct Replay {
     /// What the state calls it.
     pub what: String,

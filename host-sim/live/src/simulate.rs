@@ -13,7 +13,7 @@ use crate::number::Number;
 use crate::record::Frame;
 
 /// A solver with the state of its run.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Running<R: Real, M: Model = Full> {
     solver: HostSolver<R, M>,
     state: Option<State<R>>,
@@ -157,6 +157,21 @@ pub fn with_solver<T: Task>(
     }
 }
 
+/// The solver with obstacles is built in.
+pub const OBSTACLES: bool = cfg!(feature = "obstacles");
+
+/// Whether the solver of a scene is built in.
+///
+/// # Errors
+/// It has obstacles, and the feature `obstacles` is off.
+pub fn has_solver(scene: &SceneFile) -> Result<(), InputError> {
+    if OBSTACLES || scene.obstacles.is_empty() {
+        return Ok(());
+    }
+    let problem = "a scene with obstacles, allowed in this build: one without";
+    Err(scene.source().error(problem))
+}
+
 fn with_model<R: Shared, T: Task>(
     scene: &SceneFile,
     (evolution, budget): (Evolution, u32),
@@ -166,7 +181,8 @@ where
     Running<R, Full>: Send + Sync,
     Running<R, Among>: Send + Sync,
 {
-    Ok(if scene.obstacles.is_empty() {
+    has_solver(scene)?;
+    Ok(if !OBSTACLES || scene.obstacles.is_empty() {
         task.with(Running::<R, Full>::of(scene, evolution, budget)?)
     } else {
         task.with(Running::<R, Among>::of(scene, evolution, budget)?)

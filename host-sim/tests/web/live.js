@@ -222,6 +222,8 @@ export class Live {
 
   /** A request goes to the program, and nowhere else. @param {string} url */
   stays(url) {
+    // What a page makes itself is not asked for anywhere.
+    if (/^(data|blob):/.test(url)) return;
     if (new URL(url).origin !== this.origin) this.faults.push(`elsewhere: ${url}`);
   }
 
@@ -447,14 +449,24 @@ let browser = null;
 
 /** Before the first test of a file the browser starts, after the last one it ends. */
 function shareBrowser() {
-  if (missing || shared) return;
-  shared = true;
+  if (!browserFile || isShared) return;
+  isShared = true;
   before(async () => {
     browser = await startBrowser();
   });
   after(() => browser?.close());
 }
-let shared = false;
+let isShared = false;
+
+/** The browser, for tests without a program. */
+export function shared() {
+  shareBrowser();
+  const get = () => {
+    assert.ok(browser);
+    return browser;
+  };
+  return { missing: browserFile ? false : "no Chromium: set CHROMIUM, or install it", get };
+}
 
 /**
  * A test in the browser, with a program of its own.

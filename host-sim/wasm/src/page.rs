@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use serde_json::json;
 use stiction_core::Evolution;
 use stiction_live::body::Setting;
 use stiction_live::feed::{Shown, Told};
@@ -11,6 +12,7 @@ use stiction_live::live::{Live, PERIOD};
 use stiction_live::number::Number;
 use stiction_live::say::{self, Source};
 use stiction_live::scenes;
+use stiction_live::simulate;
 use stiction_live::stage::Stage;
 use stiction_scene::SceneFile;
 use wasm_bindgen::prelude::*;
@@ -29,7 +31,6 @@ const LONGEST_TURN: Duration = Duration::from_millis(8);
 
 /// The solver behind a page.
 #[wasm_bindgen]
-#[derive(Debug)]
 pub struct Page {
     live: Live,
     shown: Shown,
@@ -78,6 +79,31 @@ impl Page {
             .map(|(name, _)| (*name).to_owned())
             .collect();
         say::hello(CLIENT, &scenes, &Source::Core)
+    }
+
+    /// A message that only the whole solver can do: a scene with obstacles, where this is built without them. Another page is to do
+    /// it, after [`Page::handed_over`].
+    #[wasm_bindgen(js_name = isBeyond)]
+    pub fn is_beyond(&self, text: &str) -> bool {
+        let Ok(Message::Scene { name }) = hear::read(text).message else {
+            return false;
+        };
+        let scene = scenes::ALL.iter().find(|(known, _)| *known == name);
+        scene.is_some_and(|scene| scenes::has_obstacles(scene)) && !simulate::OBSTACLES
+    }
+
+    /// The messages that bring another page to where this one is, but for the scene.
+    #[wasm_bindgen(js_name = handedOver)]
+    pub fn handed_over(&self) -> Vec<String> {
+        let setting = &self.live.pair.setting;
+        let messages = [
+            json!({"type": "number", "value": setting.number.name()}),
+            json!({"type": "evolution", "value": setting.evolution.name()}),
+            json!({"type": "pause", "value": self.live.paused}),
+            json!({"type": "speed", "value": self.live.speed}),
+            json!({"type": "rate", "value": 1.0 / self.period.as_secs_f64()}),
+        ];
+        messages.iter().map(ToString::to_string).collect()
     }
 
     /// Does what the page says.

@@ -194,7 +194,9 @@ impl Table {
         self.t.push(frame.t);
         self.pose.extend(frame.pose);
         self.wrench.extend(frame.wrench);
-        let state = StateKind::ALL.iter().position(|known| *known == frame.state);
+        let state = StateKind::ALL
+            .iter()
+            .position(|known| *known == frame.state);
         let status = Status::ALL.iter().position(|known| *known == frame.status);
         self.state.push(place(state));
         self.status.push(place(status));

@@ -11,39 +11,94 @@ use crate::{BuildError, of};
 /// A name and bytes.
 pub(crate) type File = (String, Vec<u8>);
 
-/// Files of `host-sim/web` that are not of the page.
-const OTHERS: [&str; 2] = ["package.json", "tsconfig.json"];
+/// What is for the tools of the page, and not of it.
+fn is_of_tools(name: &str) -> bool {
+    name.ends_with(".json") || name.ends_with(".d.ts")
+}
+
+/// What the scripts of wasm-bindgen define.
+const PART: &str = "wasm_bindgen";
+const WHOLE: &str = "stiction_whole";
 /// What tells the page that it has the solver itself.
 const MARK: (&str, &str) = ("<body ", "<body data-alone ");
 
-/// The files of the page.
-pub(crate) fn page(module: &Module) -> Result<Vec<File>, BuildError> {
-    let web = workspace().join("host-sim/web");
-    let mut files = Vec::new();
-    gather(&web, "", &mut files)?;
-    for (name, bytes) in &mut files {
-        if name == "index.html" {
-            let text = String::from_utf8_lossy(bytes);
-            if !text.contains(MARK.0) {
-                return Err(BuildError::Page(format!("index.html has no {:?}", MARK.0)));
+/// What the page is made of.
+#[derive(Debug)]
+pub(crate) struct Page {
+    /// Of `host-sim/web`.
+    pub(crate) web: Vec<File>,
+    /// What the worker does with the solver.
+    worker: Vec<u8>,
+    part: Bound,
+    pub(crate) whole: Bound,
+}
+
+/// A script of wasm-bindgen and its wasm.
+#[derive(Debug, Default)]
+pub(crate) struct Bound {
+    script: Vec<u8>,
+    pub(crate) wasm: Vec<u8>,
+}
+
+impl Bound {
+    fn new(module: &Module, name: &'static str) -> Result<Self, BuildError> {
+        let mut bound = Self::default();
+        for (name, bytes) in module.bound(For::Worker(name))? {
+            match name.ends_with(".js") {
+                true => bound.script = bytes,
+                false => bound.wasm = bytes,
             }
-            *bytes = text.replacen(MARK.0, MARK.1, 1).into_bytes();
         }
+        Ok(bound)
     }
-    let own = workspace().join("host-sim/wasm/worker.js");
-    let own = fs::read(&own).map_err(of(&own))?;
-    for (name, mut bytes) in module.bound(For::Worker)? {
-        match name.ends_with(".js") {
-            // The worker is one script: what wasm-bindgen made, and then its own.
-            true => {
-                bytes.extend_from_slice(&own);
-                files.push(("worker.js".to_owned(), bytes));
+}
+
+impl Page {
+    /// With both modules.
+    pub(crate) fn new(part: &Module, whole: &Module) -> Result<Self, BuildError> {
+        let folder = workspace().join("host-sim/web");
+        let mut web = Vec::new();
+        gather(&folder, "", &mut web)?;
+        web.retain(|(name, _)| !is_of_tools(name));
+        for (name, bytes) in &mut web {
+            if name == "index.html" {
+                let text = String::from_utf8_lossy(bytes);
+                if !text.contains(MARK.0) {
+                    return Err(BuildError::Page(format!("index.html has no {:?}", MARK.0)));
+                }
+                *bytes = text.replacen(MARK.0, MARK.1, 1).into_bytes();
             }
-            false => files.push(("stiction.wasm".to_owned(), bytes)),
         }
+        let worker = workspace().join("host-sim/wasm/worker.js");
+        Ok(Self {
+            web,
+            worker: fs::read(&worker).map_err(of(&worker))?,
+            part: Bound::new(part, PART)?,
+            whole: Bound::new(whole, WHOLE)?,
+        })
     }
-    files.sort();
-    Ok(files)
+
+    /// The files of the folder.
+    pub(crate) fn files(&self) -> Vec<File> {
+        let mut files = self.web.clone();
+        files.extend([
+            (
+                "worker.js".to_owned(),
+                [&*self.part.script, &self.worker].concat(),
+            ),
+            ("part.wasm".to_owned(), self.part.wasm.clone()),
+            ("whole.js".to_owned(), self.whole.script.clone()),
+            ("whole.wasm".to_owned(), self.whole.wasm.clone()),
+        ]);
+        files
+    }
+
+    /// A worker that begins with the whole solver.
+    pub(crate) fn whole_worker(&self) -> Vec<u8> {
+        // `worker.js` knows its solver by the name of the part.
+        let name = format!("\nlet {PART} = {WHOLE};\n");
+        [&*self.whole.script, name.as_bytes(), &self.worker].concat()
+    }
 }
 
 fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), BuildError> {
@@ -55,7 +110,7 @@ fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), Buil
             if name != "node_modules" {
                 gather(&place, &format!("{path}/"), files)?;
             }
-        } else if !OTHERS.contains(&path.as_str()) && !name.ends_with(".d.ts") {
+        } else {
             files.push((path, fs::read(&place).map_err(of(&place))?));
         }
     }

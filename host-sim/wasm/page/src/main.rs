@@ -18,7 +18,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use module::Module;
+use module::{Extent, Module};
 
 /// What is built, and where.
 #[derive(Debug, Parser)]
@@ -36,7 +36,9 @@ struct Arguments {
 #[derive(Debug, thiserror::Error)]
 enum BuildError {
     /// The compiler failed, and said why.
-    #[error("cargo failed, allowed: where the target is there, rustup target add wasm32-unknown-unknown")]
+    #[error(
+        "cargo failed, allowed: where the target is there, rustup target add wasm32-unknown-unknown"
+    )]
     Cargo,
     /// wasm-bindgen does not take what the compiler made.
     #[error("wasm-bindgen: {0}")]
@@ -73,15 +75,16 @@ fn main() -> ExitCode {
 }
 
 fn build(arguments: &Arguments) -> Result<(), BuildError> {
-    let module = Module::compile()?;
+    let whole = Module::compile(Extent::Whole)?;
     if let Some(out) = &arguments.out {
-        let files = folder::page(&module)?;
-        folder::write(out, &files)?;
-        let whole = one_file::page(&files)?;
-        folder::write(out, &[("stiction.html".to_owned(), whole.into_bytes())])?;
+        let part = Module::compile(Extent::Part)?;
+        let page = folder::Page::new(&part, &whole)?;
+        folder::write(out, &page.files())?;
+        let one = one_file::page(&page)?;
+        folder::write(out, &[("stiction.html".to_owned(), one.into_bytes())])?;
     }
     if let Some(npm) = &arguments.npm {
-        folder::write(npm, &folder::package(&module)?)?;
+        folder::write(npm, &folder::package(&whole)?)?;
     }
     Ok(())
 }

@@ -18,11 +18,20 @@ pub(crate) struct Module {
     file: PathBuf,
 }
 
+/// How much of the solver is in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// For scenes without obstacles.
+    Part,
+    /// All of it.
+    Whole,
+}
+
 /// For whom it is: both have the same code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum For {
-    /// A classic script of a worker.
-    Worker,
+    /// A classic script of a worker, with the name of what it defines.
+    Worker(&'static str),
     /// A module, with types.
     Package,
 }
@@ -34,22 +43,29 @@ pub(crate) fn workspace() -> PathBuf {
 
 impl Module {
     /// Compiles it.
-    pub(crate) fn compile() -> Result<Self, BuildError> {
+    pub(crate) fn compile(extent: Extent) -> Result<Self, BuildError> {
         let target = std::env::var_os("CARGO_TARGET_DIR")
             .map_or_else(|| workspace().join("target"), PathBuf::from);
+        let (name, features): (_, &[&str]) = match extent {
+            Extent::Part => ("part.wasm", &["--no-default-features"]),
+            Extent::Whole => ("whole.wasm", &[]),
+        };
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let done = Command::new(cargo)
             .args(["build", "--locked", "--package", "stiction-wasm"])
             .args(["--target", TARGET, "--profile", PROFILE, "--target-dir"])
             .arg(&target)
+            .args(features)
             .current_dir(workspace())
             .status();
-        match done {
-            Ok(status) if status.success() => Ok(Self {
-                file: target.join(TARGET).join(PROFILE).join("stiction_wasm.wasm"),
-            }),
-            _ => Err(BuildError::Cargo),
+        if !done.is_ok_and(|status| status.success()) {
+            return Err(BuildError::Cargo);
         }
+        let folder = target.join(TARGET).join(PROFILE);
+        // The next one is made in the same place.
+        let (made, file) = (folder.join("stiction_wasm.wasm"), folder.join(name));
+        fs::copy(&made, &file).map_err(of(&made))?;
+        Ok(Self { file })
     }
 
     /// The files of wasm-bindgen for somebody: names and bytes.
@@ -63,12 +79,14 @@ impl Module {
             .remove_producers_section(true)
             .typescript(whom == For::Package);
         let kind = match whom {
-            For::Worker => bindgen.no_modules(true),
+            For::Worker(name) => bindgen
+                .no_modules(true)
+                .and_then(|bindgen| bindgen.no_modules_global(name)),
             For::Package => bindgen.web(true),
         };
         kind.map_err(|error| refused(&error))?;
         let folder = self.file.with_extension(match whom {
-            For::Worker => "worker",
+            For::Worker(_) => "worker",
             For::Package => "package",
         });
         // What an earlier version left there would be taken for new.

@@ -11,13 +11,14 @@ use flate2::write::GzEncoder;
 use serde_json::{Map, Value, json};
 
 use crate::BuildError;
-use crate::folder::File;
+use crate::folder::{File, Page};
 
 /// What stands before a name of a module in the import map.
 const BARE: &str = "stiction/";
 
 /// The page.
-pub(crate) fn page(files: &[File]) -> Result<String, BuildError> {
+pub(crate) fn page(all: &Page) -> Result<String, BuildError> {
+    let files = all.web.as_slice();
     let mut page = text(files, "index.html")?;
     put(
         &mut page,
@@ -38,8 +39,8 @@ pub(crate) fn page(files: &[File]) -> Result<String, BuildError> {
     )?;
     let mut modules = modules(files)?;
     let packed = json!({
-        "worker": packed(find(files, "worker.js")?),
-        "wasm": packed(find(files, "stiction.wasm")?),
+        "worker": packed(&all.whole_worker()),
+        "wasm": packed(&all.whole.wasm),
     });
     let style = STANDARD.encode(find(files, "insertion.css")?);
     if let Some(code) = modules.get_mut("insertion.js") {
@@ -73,9 +74,9 @@ pub(crate) fn page(files: &[File]) -> Result<String, BuildError> {
 
 /// The modules, by their names, which ask for each other by bare names.
 fn modules(files: &[File]) -> Result<std::collections::BTreeMap<String, String>, BuildError> {
-    let scripts = files.iter().filter(|(name, _)| {
-        name.ends_with(".js") && name != "worker.js" && !name.contains('/')
-    });
+    let scripts = files
+        .iter()
+        .filter(|(name, _)| name.ends_with(".js") && !name.contains('/'));
     scripts
         .map(|(name, _)| {
             let code = text(files, name)?;
@@ -110,7 +111,9 @@ fn element(name: &str, content: &str) -> Result<String, BuildError> {
 /// Content of an element that does not end it.
 fn closed(content: &str) -> Result<&str, BuildError> {
     match content.contains("</s") {
-        true => Err(BuildError::Page("a script or style has </s in it".to_owned())),
+        true => Err(BuildError::Page(
+            "a script or style has </s in it".to_owned(),
+        )),
         false => Ok(content),
     }
 }

@@ -1,0 +1,122 @@
+// The page that has the solver itself: from a web host and from a file it does what the served page does, at 1 kHz, and its address
+// says what it shows.
+
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { brotliCompressSync } from "node:zlib";
+import { folder, Host, missingPage, oneFile } from "./alone.js";
+import { Live, shared } from "./live.js";
+
+const WINDOW = { width: 1280, height: 800 };
+
+/**
+ * A test of a page of its own, at an address of the host or in one file.
+ * @param {string} name @param {(live: Live, open: (hash: string) => Promise<Live>) => Promise<void>} work
+ * @param {{file?: boolean}} [options]
+ */
+function aloneTest(name, work, { file = false } = {}) {
+  const browser = shared();
+  test(name, { skip: missingPage || browser.missing }, async () => {
+    const host = await Host.start();
+    /** @type {Live[]} */
+    const pages = [];
+    const open = async (/** @type {string} */ hash) => {
+      const context = await browser.get().newContext({ viewport: WINDOW, colorScheme: "light" });
+      const live = new Live(await context.newPage(), file ? "null" : host.origin);
+      pages.push(live);
+      await live.page.goto(`${file ? oneFile : `${host.origin}/`}${hash}`);
+      await live.until(() => window.stiction?.connected && window.stiction.framesDrawn > 0);
+      return live;
+    };
+    try {
+      await work(await open(""), open);
+      for (const live of pages) live.check();
+    } finally {
+      for (const { page } of pages) await page.context().close();
+      await host.kill();
+    }
+  });
+}
+
+for (const file of [false, true]) {
+  const where = file ? "in one file" : "from a web host";
+  aloneTest(`${where} the object is held, dragged and slips`, async (live) => {
+    await live.grab();
+    await live.drag(0, 110);
+    await live.drag(140, 0);
+    await live.drag(-140, 0);
+    await live.until(() => (window.stiction.frame?.counts.slips ?? 0) > 0);
+    await live.page.mouse.up();
+    const { frame, reference, counts } = await live.frame();
+    assert.ok(frame.contacts.length > 0 && counts.ticks > 0);
+    assert.ok(reference && reference.error[0] < 1e-4, JSON.stringify(reference));
+  }, { file });
+
+  aloneTest(`${where} scenes with obstacles, number types, replay and slow motion work`, async (live) => {
+    await live.page.selectOption("#number", "fixed");
+    await live.until(() => window.stiction.state?.number === "fixed");
+    for (const scene of ["peg-in-hole", "ladder", "hook"]) await live.scene(scene);
+    assert.equal((await live.state()).number, "fixed");
+    await live.scene("ladder");
+    await live.page.selectOption("#replay", "scene");
+    await live.until(() => window.stiction.state?.replay && (window.stiction.frame?.position ?? 0) > 0.1);
+    await live.page.selectOption("#replay", "live");
+    await live.pause();
+    const { tick } = await live.frame();
+    await live.page.click("#step");
+    await live.until((before) => window.stiction.frame?.tick === before + 1, tick);
+  }, { file });
+}
+
+aloneTest("what needs the program is not shown, and is refused", async (live) => {
+  for (const id of ["record", "upload", "recording-section", "let-go"]) {
+    assert.equal(await live.page.isVisible(`#${id}`), false, id);
+  }
+  await live.page.keyboard.press("c");
+  await live.reads("#note", /no recordings.*allowed: stiction view/);
+});
+
+aloneTest("the address shows another page the same scene, parameters and window", async (live, open) => {
+  await live.scene("ladder");
+  await live.page.fill("#type-stiffness_translation", "820");
+  await live.page.press("#type-stiffness_translation", "Enter");
+  await live.page.selectOption("#number", "f64");
+  await live.page.selectOption("#evolution", "frame");
+  await live.page.uncheck('[data-layer="trails"]');
+  await live.page.click("#zoom-in");
+  await live.until(() => /k_h=820/.test(location.hash) && /view=/.test(location.hash) && /hide=trails/.test(location.hash));
+  const hash = await live.page.evaluate(() => location.hash);
+  const other = await open(hash);
+  await other.until(() => {
+    const { number, evolution, parameters } = window.stiction.state ?? {};
+    return number === "f64" && evolution === "frame" && parameters?.stiffness_translation === 820;
+  });
+  await other.until((wanted) => location.hash === wanted, hash);
+  await other.drawn();
+  const [mine, theirs] = [await live.state(), await other.state()];
+  assert.deepEqual(theirs.scene, mine.scene);
+  assert.deepEqual(theirs.parameters, mine.parameters);
+  assert.deepEqual([theirs.number, theirs.evolution], ["f64", "frame"]);
+  const [a, b] = [await live.pixel(0.1, 0.1), await other.pixel(0.1, 0.1)];
+  assert.ok(Math.hypot(a.x - b.x, a.y - b.y) < 0.5, JSON.stringify([a, b]));
+  assert.equal(await other.page.isChecked('[data-layer="trails"]'), false);
+});
+
+aloneTest("an address that cannot be followed is told", async (live) => {
+  await live.page.evaluate(() => { location.hash = "#scene=nowhere"; });
+  await live.reads("#note", /no scene "nowhere", allowed: /);
+  await live.page.evaluate(() => { location.hash = "#scene=ladder&mu_s=much"; });
+  await live.reads("#note", /mu_s=much in the address: allowed is a number/);
+  assert.equal((await live.state()).scene.title, "ladder");
+});
+
+test("the page weighs what its README says", { skip: missingPage }, () => {
+  let first = 0;
+  for (const name of /** @type {string[]} */ (readdirSync(folder, { recursive: true }))) {
+    const file = join(folder, name);
+    if (statSync(file).isFile() && !/whole|stiction\.html/.test(name)) first += brotliCompressSync(readFileSync(file)).length;
+  }
+  assert.ok(first < 450_000, `${first} bytes`);
+});

@@ -1,0 +1,94 @@
+// The npm package: the lines at the beginning of its README run, what is wrong is told, and it comes to the same bits as the program.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { missingPage, npm } from "./alone.js";
+import { newFolder } from "./live.js";
+
+const workspace = fileURLToPath(new URL("../../../", import.meta.url));
+/** Frames of a walk. */
+const FRAMES = 100_000;
+const options = { skip: missingPage };
+
+/** @returns {Promise<any>} */
+const load = () => import(pathToFileURL(join(npm, "node.js")).href);
+
+/** A folder in which the package is installed. */
+function installed() {
+  const folder = newFolder();
+  mkdirSync(join(folder, "node_modules"));
+  symlinkSync(npm, join(folder, "node_modules", "stiction"));
+  writeFileSync(join(folder, "package.json"), '{"type": "module"}');
+  return folder;
+}
+
+/** The first lines of the README. */
+function firstLines() {
+  const [, lines] = readFileSync(join(npm, "README.md"), "utf8").match(/```js\n(.*?)```/s) ?? [];
+  assert.ok(lines && lines.trim().split("\n").length <= 10);
+  return lines;
+}
+
+test("the first ten lines of the README run, and have the right types", options, () => {
+  const folder = installed();
+  writeFileSync(join(folder, "first.js"), firstLines());
+  const output = execFileSync(process.execPath, ["first.js"], { cwd: folder, encoding: "utf8" });
+  assert.match(output, /\d+ poses, the last force: Float64Array\(3\)/);
+  writeFileSync(join(folder, "first.ts"), `${firstLines()}\nexport const x: number = frame.pose[0];\n// @ts-expect-error\nnew Solver(3);\n`);
+  const tsc = join(fileURLToPath(new URL(".", import.meta.url)), "node_modules/typescript/bin/tsc");
+  const flags = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
+  execFileSync(process.execPath, [tsc, ...flags, "--lib", "es2022,dom", "--types", "", "first.ts"], { cwd: folder, stdio: "pipe" });
+});
+
+test("what is wrong is told, with what is allowed", options, async () => {
+  const { Solver, scenePath, sceneText } = await load();
+  assert.throws(() => new Solver("nowhere"), /no scene "nowhere", allowed: .*box-flat/);
+  assert.throws(() => new Solver("[body]\nvertices = 3\n"), /scene\.toml.*2|vertices/s);
+  assert.throws(() => new Solver("ladder", { number: "f16" }), /`number`.*f16.*allowed: f64, f32, fixed/);
+  assert.throws(() => new Solver("ladder", { budget: 0 }), /`budget`.*allowed: a whole number/);
+  assert.throws(() => new Solver("ladder").run(new Float64Array(4)), /4 numbers, allowed: rows of 5/);
+  assert.throws(() => scenePath("ladder", -1), /`rate`/);
+  assert.match(sceneText("ladder"), /\[body\]/);
+});
+
+test("a step, a run and a copy come to the same, and physics holds", options, async () => {
+  const { Solver, scenePath, stateNames } = await load();
+  const rows = scenePath("ladder", 1000);
+  const one = new Solver("ladder"), all = new Solver("ladder").run(rows);
+  let copy = one;
+  for (let k = 0; k < rows.length / 5; k++) {
+    if (k === 10) copy = one.copy();
+    const [t, x, y, phi, held] = rows.subarray(5 * k, 5 * k + 5);
+    const frame = one.step(x, y, phi, held === 1, t);
+    // The digits of a record are those of f32.
+    assert.deepEqual(frame.pose.map(Math.fround), [...all.pose.subarray(3 * k, 3 * k + 3)]);
+    assert.equal(frame.state, stateNames()[all.state[k]]);
+    for (const { normal } of frame.contacts) assert.ok(normal >= 0);
+    if (k >= 10) assert.deepEqual(copy === one ? frame : copy.step(x, y, phi, held === 1, t), frame);
+  }
+});
+
+test(`${FRAMES} frames of ten scenes have the same bits as the program's, in every number type`, options, async () => {
+  const { Solver } = await load();
+  const folder = newFolder();
+  const cargo = ["run", "--release", "--locked", "-q", "-p", "stiction-live", "--features", "obstacles", "--example", "bits", "--"];
+  const told = execFileSync("cargo", [...cargo, folder, String(FRAMES)], { cwd: workspace, encoding: "utf8" });
+  const runs = told.trim().split("\n").map((line) => JSON.parse(line));
+  assert.equal(runs.length, 30);
+  assert.ok(runs.reduce((sum, { slips }) => sum + slips, 0) > 1000);
+  for (const { scene, number, sha256 } of runs) {
+    const { buffer } = new Uint8Array(readFileSync(join(folder, `${scene}.f64`)));
+    const answers = new Solver(scene, { number }).run(new Float64Array(buffer));
+    const hash = createHash("sha256");
+    for (const name of ["t", "pose", "wrench", "state", "status", "slips", "contacts"]) {
+      const { buffer: bytes, byteOffset, byteLength } = answers[name];
+      hash.update(new Uint8Array(bytes, byteOffset, byteLength));
+    }
+    assert.equal(hash.digest("hex"), sha256, `${scene}, ${number}`);
+  }
+});
