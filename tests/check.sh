@@ -142,6 +142,13 @@ elif ! npm ci --prefix host-sim/tests/web --no-audit --no-fund; then
   missing 'the packages of the tests of the page' 'npm ci --prefix host-sim/tests/web'
 else
   npm run --prefix host-sim/tests/web check
+  # The page without a server and the npm package, which the tests below look at.
+  if rustup target add wasm32-unknown-unknown; then
+    cargo run --release --locked -p stiction-page -- --out "${CARGO_TARGET_DIR:-target}/page" --npm "${CARGO_TARGET_DIR:-target}/npm"
+    cargo build --release --locked -p stiction-live --features obstacles --example bits
+  else
+    missing 'the target wasm32-unknown-unknown' 'rustup target add wasm32-unknown-unknown'
+  fi
   node --test --test-concurrency=1 host-sim/tests/web/*.test.js
 fi
 

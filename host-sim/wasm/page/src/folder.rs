@@ -3,8 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use serde_json::Value;
-
 use crate::module::{For, Module, workspace};
 use crate::{BuildError, of};
 
@@ -16,6 +14,8 @@ fn is_of_tools(name: &str) -> bool {
     name.ends_with(".json") || name.ends_with(".d.ts")
 }
 
+/// In the `package.json` of the npm package.
+const NO_VERSION: &str = "\"version\": \"0.0.0\"";
 /// What the scripts of wasm-bindgen define.
 const PART: &str = "wasm_bindgen";
 const WHOLE: &str = "stiction_whole";
@@ -132,11 +132,15 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
     }
     for (name, bytes) in &mut files {
         if name == "package.json" {
-            let read = serde_json::from_slice(bytes);
-            let mut about: Value =
-                read.map_err(|error| BuildError::Page(format!("package.json: {error}")))?;
-            about["version"] = env!("CARGO_PKG_VERSION").into();
-            *bytes = format!("{about:#}\n").into_bytes();
+            // As text: the first of the conditions that holds counts, so that their order has to stay.
+            let text = String::from_utf8_lossy(bytes);
+            let version = concat!("\"version\": \"", env!("CARGO_PKG_VERSION"), "\"");
+            if !text.contains(NO_VERSION) {
+                return Err(BuildError::Page(format!(
+                    "package.json has no {NO_VERSION}"
+                )));
+            }
+            *bytes = text.replacen(NO_VERSION, version, 1).into_bytes();
         }
     }
     Ok(files)
