@@ -3,11 +3,9 @@
 // A browser wakes a worker that sleeps 4 ms later at the earliest, unless it was woken by something else than a timer before:
 // so a message stands between two timers, which then wait for 1 ms.
 
-/* global wasm_bindgen, stiction_whole */
-
 /** Messages that wait until a solver is there. @type {string[]} */
 let waiting = [];
-/** @type {import("./types").Page | null} */
+/** @type {SolverPage | null} */
 let page = null;
 /** The whole solver, where this is a part of it. @type {{script: string, wasm: string} | undefined} */
 let whole;
@@ -48,7 +46,7 @@ function takeWaiting() {
 
 /**
  * The whole solver goes on where the part of it is, with this message. What comes meanwhile waits.
- * @param {{script: string, wasm: string}} files @param {import("./types").Page} part @param {string} text
+ * @param {{script: string, wasm: string}} files @param {SolverPage} part @param {string} text
  */
 async function grow(files, part, text) {
   whole = undefined;

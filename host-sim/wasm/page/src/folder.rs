@@ -61,6 +61,9 @@ impl Page {
         gather(&folder, "", &mut web)?;
         web.retain(|(name, _)| !is_of_tools(name));
         for (name, bytes) in &mut web {
+            if name.ends_with(".js") && !name.contains('/') {
+                *bytes = without_comments(&String::from_utf8_lossy(bytes)).into_bytes();
+            }
             if name == "index.html" {
                 let text = String::from_utf8_lossy(bytes);
                 if !text.contains(MARK.0) {
@@ -99,6 +102,22 @@ impl Page {
         let name = format!("\nlet {PART} = {WHOLE};\n");
         [&*self.whole.script, name.as_bytes(), &self.worker].concat()
     }
+}
+
+/// A script without the lines that are comments: a third of the page's own.
+fn without_comments(script: &str) -> String {
+    let (mut code, mut inside) = (String::new(), false);
+    for line in script.lines() {
+        let text = line.trim();
+        let is_comment = inside || text.starts_with("//") || text.starts_with("/**");
+        inside = (inside || text.starts_with("/**")) && !text.contains("*/");
+        // A comment that ends before code, as a cast does, is a part of a line.
+        if !is_comment || !(text.ends_with("*/") || inside || text.starts_with("//")) {
+            code.push_str(line);
+            code.push('\n');
+        }
+    }
+    code
 }
 
 fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), BuildError> {

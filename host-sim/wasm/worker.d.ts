@@ -1,0 +1,20 @@
+// What wasm-bindgen defines before worker.js, for the type checker.
+
+/** As `src/page.rs` has it. */
+interface SolverPage {
+  hello(): string;
+  take(text: string): void;
+  turn(): string[];
+  isBeyond(text: string): boolean;
+  handedOver(): string[];
+  free(): void;
+}
+
+/** A script of wasm-bindgen. */
+interface Bound {
+  (from: { module_or_path: string | ArrayBuffer }): Promise<unknown>;
+  Page: new () => SolverPage;
+}
+
+declare const wasm_bindgen: Bound;
+declare const stiction_whole: Bound;
