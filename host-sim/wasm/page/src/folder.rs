@@ -153,7 +153,9 @@ pub(crate) fn package(module: &Module) -> Result<Vec<File>, BuildError> {
         if name == "stiction.d.ts" {
             // Who compiles for es2022 has no such symbol.
             let text = String::from_utf8_lossy(bytes);
-            *bytes = text.replace("    [Symbol.dispose](): void;\n", "").into_bytes();
+            *bytes = text
+                .replace("    [Symbol.dispose](): void;\n", "")
+                .into_bytes();
         }
         if name == "package.json" {
             // As text: the first of the conditions that holds counts, so that their order has to stay.
