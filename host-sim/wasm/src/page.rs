@@ -89,7 +89,7 @@ impl Page {
             return false;
         };
         let scene = scenes::ALL.iter().find(|(known, _)| *known == name);
-        scene.is_some_and(|scene| scenes::has_obstacles(scene)) && !simulate::OBSTACLES
+        scene.is_some_and(scenes::has_obstacles) && !simulate::OBSTACLES
     }
 
     /// The messages that bring another page to where this one is, but for the scene.
