@@ -80,7 +80,7 @@ add_backports() {
   [ -z "$mirror" ] || printf 'deb %s bookworm-backports main\n' "$mirror" >"$backports"
 }
 version() { "$1" --version 2>/dev/null | sed -n '1s/.* version \([0-9]*\)\..*/\1/p'; }
-for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3 'clang:clang libclang-rt-dev' 'cmake:cmake make'; do
+for tool in qemu-system-arm:qemu-system-arm qemu-system-riscv32:qemu-system-misc node:nodejs python3:python3 c++:g++ 'clang:clang libclang-rt-dev' 'cmake:cmake make'; do
   program=${tool%:*} from=
   case $program in
     qemu-*)
@@ -110,14 +110,20 @@ fi
 # As it is shipped: what computes. The program around it and the images of boards, which are the same whatever the tests are built
 # with, are not.
 release=(--release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests)
+has_fuzz() { cargo fuzz --version || cargo install cargo-fuzz --locked; }
 # What takes minutes to compile, beside tests that do not need all cores; what comes of it is seen in the stages that use it.
 deny=target/cargo-deny.log
 mkdir -p target
 (
-  nice cargo test --no-run "${release[@]}" || true
+  {
+    nice cargo test --no-run "${release[@]}"
+    nice cargo build --release --locked -p stiction-python
+    nice cargo build --release --locked -p stiction-page
+    has_fuzz && nice tests/fuzz/run.sh build
+  } || true
   cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked
 ) >"$deny" 2>&1 &
-installs_deny=$!
+builds=$!
 
 stage 'tests'
 # With debug assertions and overflow checks.
@@ -187,11 +193,9 @@ fuzz_for_a_minute() {
   }
   printf '%s: %s\n' "$1" "$(grep -a '^Done' "$log")"
 }
-cxx='apt-get install -y --no-install-recommends g++'
-command -v c++ >/dev/null || { apt-get update && $cxx; } || true
 if ! command -v c++ >/dev/null; then
-  missing 'a C++ compiler' "$cxx"
-elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
+  missing 'a C++ compiler' 'apt-get install -y --no-install-recommends g++'
+elif has_fuzz; then
   tests/fuzz/run.sh build
   fuzz_for_a_minute wire 600000 & wire=$!
   fuzz_for_a_minute solver 6000
@@ -229,7 +233,7 @@ as_database() {
 }
 
 stage 'dependencies: licences, sources, duplicates'
-if wait "$installs_deny"; then
+if wait "$builds"; then
   cargo deny --locked check licenses bans sources
 
   stage 'dependencies: known vulnerabilities'

@@ -204,10 +204,12 @@ impl Frame {
         state: &State<R>,
         output: &Output<R::Si>,
     ) -> Self {
-        Self::default().renewed(t, solver, state, output)
+        let mut frame = Self::default().renewed(t, solver, state, output);
+        set_contacts(&mut frame.contacts, solver, state);
+        frame
     }
 
-    /// The same in the place of another frame, whose memory it takes.
+    /// The same without contacts, in the place of another frame, whose memory it takes.
     pub(crate) fn renewed<R: Real<Si: SiFloat>, M: HostModel>(
         self,
         t: f64,
@@ -217,25 +219,8 @@ impl Frame {
     ) -> Self {
         let placed = |[x, y]: [R::Si; 2], angle: R::Si| [x.widen(), y.widen(), angle.widen()];
         let (hand, wrench) = (state.hand(), solver.wrench(state));
-        let touches = M::touches(solver, state);
-        let touching = |k| touches.as_ref().and_then(|all| all.get(k).copied());
-        let contact = |(k, contact): (usize, &Contact<R::Si>)| ContactRecord {
-            touch: touching(k).map_or(
-                Touch::Surface {
-                    vertex: contact.vertex,
-                    surface: contact.surface,
-                },
-                |touching| touching.touch,
-            ),
-            direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
-            point: contact.point.map(R::Si::widen),
-            normal: contact.normal.widen(),
-            friction: contact.friction.widen(),
-            sliding: contact.sliding,
-        };
         let (mut contacts, mut events) = (self.contacts, self.events);
         contacts.clear();
-        contacts.extend(solver.contacts(state).iter().enumerate().map(contact));
         events.clear();
         events.extend_from_slice(output.events());
         Self {
@@ -257,16 +242,47 @@ impl Frame {
 
     /// With the indices of the scene file, where the solver's obstacles have others.
     pub fn with_indices(mut self, indices: Option<&Indices>) -> Self {
-        if let Some(indices) = indices {
-            for contact in &mut self.contacts {
-                contact.touch = indices.touch(contact.touch);
-            }
-        }
+        rename(&mut self.contacts, indices);
         self
     }
 
     /// The holding point in the world while the hand holds the body: p_h - F / k_h (m).
     pub fn holding_point(&self, stiffness_translation: f64) -> [f64; 2] {
         [0, 1].map(|axis| self.hand[axis] - self.wrench[axis] / stiffness_translation)
+    }
+}
+
+/// Puts the contacts of a state in the place of others.
+pub(crate) fn set_contacts<R: Real<Si: SiFloat>, M: HostModel>(
+    contacts: &mut Vec<ContactRecord>,
+    solver: &HostSolver<R, M>,
+    state: &State<R>,
+) {
+    let touches = M::touches(solver, state);
+    let touching = |k| touches.as_ref().and_then(|all| all.get(k).copied());
+    let contact = |(k, contact): (usize, &Contact<R::Si>)| ContactRecord {
+        touch: touching(k).map_or(
+            Touch::Surface {
+                vertex: contact.vertex,
+                surface: contact.surface,
+            },
+            |touching| touching.touch,
+        ),
+        direction: touching(k).map(|touching| touching.direction.map(R::Si::widen)),
+        point: contact.point.map(R::Si::widen),
+        normal: contact.normal.widen(),
+        friction: contact.friction.widen(),
+        sliding: contact.sliding,
+    };
+    contacts.clear();
+    contacts.extend(solver.contacts(state).iter().enumerate().map(contact));
+}
+
+/// Gives contacts the indices of the scene file, where the solver's obstacles have others.
+pub(crate) fn rename(contacts: &mut [ContactRecord], indices: Option<&Indices>) {
+    if let Some(indices) = indices {
+        for contact in contacts {
+            contact.touch = indices.touch(contact.touch);
+        }
     }
 }

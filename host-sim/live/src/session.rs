@@ -5,6 +5,8 @@ use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
+#[cfg(feature = "threads")]
+pub use crate::simulate::Contacts;
 use crate::simulate::{Running, Shared, Task, with_solver};
 
 /// A solver with its run. A copy of it is a run of its own.
@@ -29,13 +31,15 @@ impl Session {
         self.0.step(sample)
     }
 
-    /// The frames of samples, one after the other. Another thread than the solver's takes the samples and gives the frames.
+    /// The frames of samples without their contacts, which are made later, of the answer. Another thread than the solver's takes the
+    /// samples and gives the frames.
+    #[cfg(feature = "threads")]
     pub fn run(
         &mut self,
         samples: &mut (dyn Iterator<Item = Sample> + Send),
         take: &mut (dyn FnMut(&Frame) + Send),
-    ) {
-        self.0.run(samples, take);
+    ) -> Box<dyn Contacts> {
+        self.0.run(samples, take)
     }
 }
 
@@ -47,11 +51,12 @@ impl Clone for Session {
 
 trait Steps: Send + Sync {
     fn step(&mut self, sample: &Sample) -> Frame;
+    #[cfg(feature = "threads")]
     fn run(
         &mut self,
         samples: &mut (dyn Iterator<Item = Sample> + Send),
         take: &mut (dyn FnMut(&Frame) + Send),
-    );
+    ) -> Box<dyn Contacts>;
     fn copy(&self) -> Box<dyn Steps>;
 }
 
@@ -63,12 +68,13 @@ where
         self.frame(sample)
     }
 
+    #[cfg(feature = "threads")]
     fn run(
         &mut self,
         samples: &mut (dyn Iterator<Item = Sample> + Send),
         take: &mut (dyn FnMut(&Frame) + Send),
-    ) {
-        self.pipeline(samples, take);
+    ) -> Box<dyn Contacts> {
+        self.pipeline(samples, take)
     }
 
     fn copy(&self) -> Box<dyn Steps> {

@@ -1,7 +1,10 @@
 //! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
 //! of the solver's type is chosen here, `with_solver`.
 
+#[cfg(feature = "threads")]
 mod pipeline;
+#[cfg(feature = "threads")]
+pub use pipeline::Contacts;
 
 use stiction_core::{
     Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,
@@ -31,10 +34,7 @@ impl<R: Real, M: Model> Running<R, M> {
     }
 
     /// The answer to the next hand, with the solver and the state after it; the first hand starts the scene.
-    pub fn step(
-        &mut self,
-        hand: Hand<R::Si>,
-    ) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
+    pub fn step(&mut self, hand: Hand<R::Si>) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
         let (state, output) = answer(&self.solver, &mut self.state, hand);
         (&self.solver, state, output)
     }

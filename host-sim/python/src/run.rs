@@ -17,7 +17,7 @@ use stiction_scene::SceneFile;
 use crate::refused;
 use crate::rows::Rows;
 use crate::scene::Scene;
-use crate::tables::{Tables, Words};
+use crate::tables::{Contacts, Tables, Words};
 
 /// What runs of a scene in a number type and an evolution have in common.
 pub(crate) struct Head {
@@ -72,11 +72,7 @@ impl Run {
     ) -> PyResult<Self> {
         let (number, evolution) = crate::kind(&kind.0, &kind.1)?;
         let file = scene.get().file_in(number).map_err(refused)?;
-        let tables = Tables {
-            frames,
-            contacts,
-            events,
-        };
+        let tables = Tables::new(frames, Contacts::Table(contacts), events);
         tables.read(py).rows()?.check().map_err(refused)?;
         Ok(Self::new(Head::new(&file, number, evolution), tables))
     }
@@ -87,10 +83,10 @@ impl Run {
         self.tables.frames.clone_ref(py)
     }
 
-    /// The words of the contacts.
+    /// The words of the contacts, which are made when they are asked for first.
     #[getter]
     fn contacts(&self, py: Python<'_>) -> Py<Words> {
-        self.tables.contacts.clone_ref(py)
+        self.tables.contacts(py)
     }
 
     /// The words of the events.

@@ -11,7 +11,7 @@ use stiction_scene::{LivePlacement, Sample, SceneFile};
 
 use crate::run::{Head, Run};
 use crate::scene::Scene;
-use crate::tables::{Filling, Room};
+use crate::tables::{FrameRows, of_frame};
 use crate::{kind, positive, refused};
 
 /// A solver with its run.
@@ -71,18 +71,19 @@ impl Solver {
         held: bool,
         depth: f64,
         t: f64,
-    ) -> PyResult<Run> {
+    ) -> Run {
         let sample = Sample {
             t,
             hand: hand([x, y, phi], (held, depth)),
         };
         let frame = self.session.step(&sample);
         self.samples += 1;
-        self.fill(py, 1, |filling, _| filling.add(&frame))
+        Run::new(Arc::clone(&self.head), of_frame(py, &frame))
     }
 
     /// All rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
-    /// (x, y, z, w), placed as the scene's `[hand]` says. Nothing of the array is copied, and other threads run meanwhile.
+    /// (x, y, z, w), placed as the scene's `[hand]` says. Nothing of the array is copied, and other threads run meanwhile. Contacts are
+    /// made when they are asked for.
     #[pyo3(signature = (hand, *, t, held, rate))]
     fn run(
         &mut self,
@@ -115,9 +116,7 @@ impl Solver {
                     t: time(i),
                     hand: self::hand([0, 1, 2].map(|k| array[[i, k]]), (is_held(i), 0.0)),
                 });
-                self.fill(py, count, |filling, session| {
-                    follow(session, samples, filling)
-                })
+                Ok(self.follow(py, count, samples))
             }
             7 => {
                 let mut tracker = self.tracker()?;
@@ -129,9 +128,7 @@ impl Solver {
                         held: is_held(i),
                     })),
                 });
-                self.fill(py, count, |filling, session| {
-                    follow(session, samples, filling)
-                })
+                Ok(self.follow(py, count, samples))
             }
             _ => Err(refused(format!(
                 "`hand` has {columns} columns, allowed: 3 (x, y, phi) or 7 (position and quaternion)"
@@ -196,22 +193,20 @@ impl Solver {
 }
 
 impl Solver {
-    /// A run of so many frames, which `give` adds without Python's lock.
-    fn fill<'py>(
+    /// The run of so many samples, without Python's lock.
+    fn follow(
         &mut self,
-        py: Python<'py>,
+        py: Python<'_>,
         count: usize,
-        give: impl FnOnce(&mut Filling<'_>, &mut Session) + Send,
-    ) -> PyResult<Run> {
-        let room = Room::new(py, count);
-        let filled = {
-            let mut open = room.open();
-            let mut filling = open.filling()?;
-            let session = &mut self.session;
-            py.detach(|| give(&mut filling, session));
-            filling.filled
-        };
-        Ok(Run::new(Arc::clone(&self.head), room.tables(py, &filled)?))
+        mut samples: impl Iterator<Item = Sample> + Send,
+    ) -> Run {
+        let session = &mut self.session;
+        let (rows, contacts) = py.detach(|| {
+            let mut rows = FrameRows::with_capacity(count);
+            let contacts = session.run(&mut samples, &mut |frame| rows.add(frame));
+            (rows, contacts)
+        });
+        Run::new(Arc::clone(&self.head), rows.tables(py, contacts))
     }
 
     fn tracker(&self) -> PyResult<LivePlacement> {
@@ -220,15 +215,6 @@ impl Solver {
             refused("`plane` of the scene's [hand]: the axes are not two different ones")
         })
     }
-}
-
-/// Gives the frames of samples.
-fn follow(
-    session: &mut Session,
-    mut samples: impl Iterator<Item = Sample> + Send,
-    filling: &mut Filling<'_>,
-) {
-    session.run(&mut samples, &mut |frame| filling.add(frame));
 }
 
 fn of_length(name: &str, length: Option<usize>, count: usize) -> PyResult<()> {

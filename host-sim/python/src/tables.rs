@@ -1,28 +1,63 @@
-//! The tables of a run in arrays of numpy, which own them: rows are written where numpy has them, and read there.
+//! The tables of a run as arrays of numpy, which take the memory of the rows.
 
-use bytemuck::{Pod, cast_slice, cast_slice_mut};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray1};
+use std::sync::{Mutex, PoisonError};
+
+use bytemuck::{Pod, cast_slice, cast_vec};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PySlice;
-use stiction_host_sim::record::Frame;
+use pyo3::sync::MutexExt;
+use stiction_host_sim::record::{ContactRecord, Frame};
+use stiction_host_sim::session;
 
 use crate::rows::{ContactRow, EventRow, FrameRow, Rows};
 
 /// Rows in words of 8 bytes.
 pub(crate) type Words = PyArray1<u64>;
 
+/// An array of rows.
+fn array<T: Pod>(py: Python<'_>, rows: Vec<T>) -> Py<Words> {
+    Words::from_vec(py, cast_vec(rows)).unbind()
+}
+
 /// Frames, contacts and events.
 pub(crate) struct Tables {
     pub(crate) frames: Py<Words>,
-    pub(crate) contacts: Py<Words>,
     pub(crate) events: Py<Words>,
+    contacts: Mutex<Contacts>,
+}
+
+/// Contacts as a table, or what it is made of.
+pub(crate) enum Contacts {
+    Table(Py<Words>),
+    Later(Box<dyn session::Contacts>),
 }
 
 impl Tables {
+    pub(crate) fn new(frames: Py<Words>, contacts: Contacts, events: Py<Words>) -> Self {
+        Self {
+            frames,
+            events,
+            contacts: Mutex::new(contacts),
+        }
+    }
+
+    /// The words of the contacts, which are made when they are asked for first.
+    pub(crate) fn contacts(&self, py: Python<'_>) -> Py<Words> {
+        let locked = self.contacts.lock_py_attached(py);
+        let mut contacts = locked.unwrap_or_else(PoisonError::into_inner);
+        let table = match &*contacts {
+            Contacts::Table(table) => return table.clone_ref(py),
+            Contacts::Later(later) => array(py, py.detach(|| ContactRows::of(later.as_ref()).rows)),
+        };
+        *contacts = Contacts::Table(table.clone_ref(py));
+        table
+    }
+
     /// For reading, with Python's lock.
     pub(crate) fn read<'py>(&self, py: Python<'py>) -> Read<'py> {
+        let contacts = self.contacts(py);
         let [frames, contacts, events] =
-            [&self.frames, &self.contacts, &self.events].map(|words| words.bind(py).readonly());
+            [&self.frames, &contacts, &self.events].map(|words| words.bind(py).readonly());
         Read {
             frames,
             contacts,
@@ -52,124 +87,64 @@ impl Read<'_> {
     }
 }
 
-/// An array with room for so many rows.
-fn room<T: Pod>(py: Python<'_>, rows: usize) -> Bound<'_, Words> {
-    PyArray1::zeros(py, rows * size_of::<T>() / size_of::<u64>(), false)
+/// The contacts of frames, one after the other.
+#[derive(Default)]
+struct ContactRows {
+    rows: Vec<ContactRow>,
+    frames: u32,
 }
 
-/// An array of rows.
-fn array<'py, T: Pod>(py: Python<'py>, rows: &[T]) -> PyResult<Bound<'py, Words>> {
-    let made = room::<T>(py, rows.len());
-    made.readwrite()
-        .as_slice_mut()?
-        .copy_from_slice(cast_slice(rows));
-    Ok(made)
-}
-
-/// Tables with room for a run.
-pub(crate) struct Room<'py> {
-    frames: Bound<'py, Words>,
-    contacts: Bound<'py, Words>,
-}
-
-impl<'py> Room<'py> {
-    /// Edge, corner and two vertices have two contacts; a frame with more of them is among obstacles, and rare.
-    const CONTACTS: usize = 2;
-
-    pub(crate) fn new(py: Python<'py>, frames: usize) -> Self {
-        Self {
-            frames: room::<FrameRow>(py, frames),
-            contacts: room::<ContactRow>(py, frames * Self::CONTACTS),
-        }
+impl ContactRows {
+    fn of(contacts: &dyn session::Contacts) -> Self {
+        let mut all = Self::default();
+        contacts.each(&mut |contacts| all.add(contacts));
+        all
     }
 
-    /// What fills them.
-    pub(crate) fn open(&self) -> Open<'py> {
-        Open {
-            frames: self.frames.readwrite(),
-            contacts: self.contacts.readwrite(),
-        }
-    }
-
-    /// As tables, after they were filled.
-    ///
-    /// # Errors
-    /// Memory ends.
-    pub(crate) fn tables(self, py: Python<'py>, filled: &Filled) -> PyResult<Tables> {
-        let words = filled.contacts * size_of::<ContactRow>() / size_of::<u64>();
-        let words = isize::try_from(words)?;
-        let contacts = self.contacts.get_item(PySlice::new(py, 0, words, 1))?;
-        let mut contacts = contacts.cast_into::<Words>()?;
-        if !filled.more.is_empty() {
-            let mut all: Vec<u64> = contacts.readonly().as_slice()?.to_vec();
-            all.extend_from_slice(cast_slice(&filled.more));
-            contacts = array(py, &all)?;
-        }
-        Ok(Tables {
-            frames: self.frames.unbind(),
-            contacts: contacts.unbind(),
-            events: array(py, &filled.events)?.unbind(),
-        })
+    /// Those of the next frame.
+    fn add(&mut self, contacts: &[ContactRecord]) {
+        let row = |contact| ContactRow::new(self.frames, contact);
+        self.rows.extend(contacts.iter().map(row));
+        self.frames += 1;
     }
 }
 
-/// Room that is written.
-pub(crate) struct Open<'py> {
-    frames: PyReadwriteArray1<'py, u64>,
-    contacts: PyReadwriteArray1<'py, u64>,
-}
-
-impl Open<'_> {
-    /// What takes frames.
-    ///
-    /// # Errors
-    /// An array is not contiguous.
-    pub(crate) fn filling(&mut self) -> PyResult<Filling<'_>> {
-        Ok(Filling {
-            frames: cast_slice_mut(self.frames.as_slice_mut()?),
-            contacts: cast_slice_mut(self.contacts.as_slice_mut()?),
-            next: 0,
-            filled: Filled::default(),
-        })
-    }
-}
-
-/// How far room is filled, and what did not fit.
-#[derive(Debug, Default)]
-pub(crate) struct Filled {
-    contacts: usize,
-    more: Vec<ContactRow>,
+/// Frames and their events, one after the other.
+#[derive(Default)]
+pub(crate) struct FrameRows {
+    frames: Vec<FrameRow>,
     events: Vec<EventRow>,
 }
 
-/// Takes frames.
-pub(crate) struct Filling<'a> {
-    frames: &'a mut [FrameRow],
-    contacts: &'a mut [ContactRow],
-    next: u32,
-    pub(crate) filled: Filled,
+impl FrameRows {
+    /// With room for so many frames.
+    pub(crate) fn with_capacity(frames: usize) -> Self {
+        Self {
+            frames: Vec::with_capacity(frames),
+            events: Vec::new(),
+        }
+    }
+
+    /// The next frame.
+    pub(crate) fn add(&mut self, frame: &Frame) {
+        let index = self.frames.len() as u32;
+        let event = |&event| EventRow::new(index, event);
+        self.events.extend(frame.events.iter().map(event));
+        self.frames.push(FrameRow::new(frame));
+    }
+
+    /// As tables, with contacts that are made later.
+    pub(crate) fn tables(self, py: Python<'_>, contacts: Box<dyn session::Contacts>) -> Tables {
+        let (frames, events) = (array(py, self.frames), array(py, self.events));
+        Tables::new(frames, Contacts::Later(contacts), events)
+    }
 }
 
-impl Filling<'_> {
-    /// Adds a frame.
-    pub(crate) fn add(&mut self, frame: &Frame) {
-        let index = self.next;
-        self.next += 1;
-        if let Some(row) = self.frames.get_mut(index as usize) {
-            *row = FrameRow::new(frame);
-        }
-        for contact in &frame.contacts {
-            let row = ContactRow::new(index, contact);
-            match self.contacts.get_mut(self.filled.contacts) {
-                Some(place) => {
-                    *place = row;
-                    self.filled.contacts += 1;
-                }
-                None => self.filled.more.push(row),
-            }
-        }
-        let events = frame.events.iter();
-        let events = events.map(|&event| EventRow::new(index, event));
-        self.filled.events.extend(events);
-    }
+/// The tables of one frame.
+pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Tables {
+    let (mut rows, mut contacts) = (FrameRows::default(), ContactRows::default());
+    rows.add(frame);
+    contacts.add(&frame.contacts);
+    let (frames, events) = (array(py, rows.frames), array(py, rows.events));
+    Tables::new(frames, Contacts::Table(array(py, contacts.rows)), events)
 }

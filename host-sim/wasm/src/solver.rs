@@ -100,11 +100,9 @@ impl Solver {
             return Err(JsError::new(&problem));
         }
         let mut table = Table::default();
-        let mut samples = rows
-            .iter()
-            .map(|&[t, x, y, phi, held]| sample(t, [x, y, phi], held != 0.0));
-        self.session
-            .run(&mut samples, &mut |frame| table.add(frame));
+        for &[t, x, y, phi, held] in rows {
+            table.add(&self.session.step(&sample(t, [x, y, phi], held != 0.0)));
+        }
         table.object()
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -15,6 +16,11 @@ from ._tables import CONTACT, EVENT, EVENTS, FRAME, STATES, STATUSES, Table
 if TYPE_CHECKING:
     import pandas
     from matplotlib.figure import Figure
+
+
+def _read_only(words: npt.NDArray[np.uint64], dtype: np.dtype[np.void]) -> Table:
+    words.flags.writeable = False
+    return words.view(dtype)
 
 
 class Report(NamedTuple):
@@ -37,13 +43,11 @@ class Run:
     Attributes:
         scene: the scene.
         frames: a structured array of type `FRAME`, one row for each frame.
-        contacts: one of type `CONTACT`, one row for each contact of each frame, in the order of frames.
         events: one of type `EVENT`, one row for each event, in order.
     """
 
     scene: Scene
     frames: Table
-    contacts: Table
     events: Table
     _run: _stiction.Run
 
@@ -51,10 +55,16 @@ class Run:
         """Made by `Solver.run` and `Run.from_...`."""
         self.scene = scene
         self._run = run
-        tables = (run.frames, FRAME), (run.contacts, CONTACT), (run.events, EVENT)
-        for words, _ in tables:
-            words.flags.writeable = False
-        self.frames, self.contacts, self.events = (words.view(dtype) for words, dtype in tables)
+        self.frames = _read_only(run.frames, FRAME)
+        self.events = _read_only(run.events, EVENT)
+
+    @cached_property
+    def contacts(self) -> Table:
+        """A structured array of type `CONTACT`, one row for each contact of each frame, in the order of frames.
+
+        Of `Solver.run`, it is made when it is asked for first, which takes about as long as the run.
+        """
+        return _read_only(self._run.contacts, CONTACT)
 
     @property
     def number(self) -> str:
@@ -80,7 +90,7 @@ class Run:
         return len(self.frames)
 
     def __repr__(self) -> str:
-        return f"<stiction.Run of {len(self)} frames, {len(self.contacts)} contacts, {len(self.events)} events>"
+        return f"<stiction.Run of {len(self)} frames, {len(self.events)} events>"
 
     @classmethod
     def from_tables(
