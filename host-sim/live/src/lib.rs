@@ -10,8 +10,6 @@
 //!                     └ change: another setting, another run
 //! ```
 //!
-//! Only the feature `threads` lets a path at once have a second thread.
-//!
 //! What is said and taken is in `host-sim/VIEW.md`. `stiction view` adds boards, recordings and clients; the static page has
 //! this alone.
 

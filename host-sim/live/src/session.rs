@@ -5,7 +5,6 @@ use stiction_scene::{HostModel, HostSolver, InputError, Sample, SceneFile};
 
 use crate::number::Number;
 use crate::record::Frame;
-#[cfg(feature = "threads")]
 pub use crate::simulate::Contacts;
 use crate::simulate::{Running, Shared, Task, with_solver};
 
@@ -31,13 +30,11 @@ impl Session {
         self.0.step(sample)
     }
 
-    /// The frames of samples without their contacts, which are made later, of the answer. Another thread than the solver's takes the
-    /// samples and gives the frames.
-    #[cfg(feature = "threads")]
+    /// Gives the frames of samples without their contacts, which the answer makes when they are wanted.
     pub fn run(
         &mut self,
-        samples: &mut (dyn Iterator<Item = Sample> + Send),
-        take: &mut (dyn FnMut(&Frame) + Send),
+        samples: &mut dyn Iterator<Item = Sample>,
+        take: &mut dyn FnMut(&Frame),
     ) -> Box<dyn Contacts> {
         self.0.run(samples, take)
     }
@@ -51,11 +48,10 @@ impl Clone for Session {
 
 trait Steps: Send + Sync {
     fn step(&mut self, sample: &Sample) -> Frame;
-    #[cfg(feature = "threads")]
     fn run(
         &mut self,
-        samples: &mut (dyn Iterator<Item = Sample> + Send),
-        take: &mut (dyn FnMut(&Frame) + Send),
+        samples: &mut dyn Iterator<Item = Sample>,
+        take: &mut dyn FnMut(&Frame),
     ) -> Box<dyn Contacts>;
     fn copy(&self) -> Box<dyn Steps>;
 }
@@ -68,13 +64,12 @@ where
         self.frame(sample)
     }
 
-    #[cfg(feature = "threads")]
     fn run(
         &mut self,
-        samples: &mut (dyn Iterator<Item = Sample> + Send),
-        take: &mut (dyn FnMut(&Frame) + Send),
+        samples: &mut dyn Iterator<Item = Sample>,
+        take: &mut dyn FnMut(&Frame),
     ) -> Box<dyn Contacts> {
-        self.pipeline(samples, take)
+        self.without_contacts(samples, take)
     }
 
     fn copy(&self) -> Box<dyn Steps> {

@@ -1,10 +1,8 @@
 //! The solver over a hand's motion, for any number type and any surroundings: samples in, recorded frames out. What a scene needs
 //! of the solver's type is chosen here, `with_solver`.
 
-#[cfg(feature = "threads")]
-mod pipeline;
-#[cfg(feature = "threads")]
-pub use pipeline::Contacts;
+mod again;
+pub use again::Contacts;
 
 use stiction_core::{
     Evolution, Fixed, Full, Hand, Model, Output, Real, SiFloat, Solver, State, narrow_hand,

@@ -11,7 +11,7 @@ use stiction_scene::{LivePlacement, Sample, SceneFile};
 
 use crate::run::{Head, Run};
 use crate::scene::Scene;
-use crate::tables::{FrameRows, of_frame};
+use crate::tables::Tables;
 use crate::{kind, positive, refused};
 
 /// A solver with its run.
@@ -78,7 +78,7 @@ impl Solver {
         };
         let frame = self.session.step(&sample);
         self.samples += 1;
-        Run::new(Arc::clone(&self.head), of_frame(py, &frame))
+        Run::new(Arc::clone(&self.head), Tables::of_frame(py, &frame))
     }
 
     /// All rows of an array, from the scene's start: (N, 3) x, y (m), phi (rad), or (N, 7) poses of a tracker: position (m) and quaternion
@@ -116,7 +116,7 @@ impl Solver {
                     t: time(i),
                     hand: self::hand([0, 1, 2].map(|k| array[[i, k]]), (is_held(i), 0.0)),
                 });
-                Ok(self.follow(py, count, samples))
+                self.follow(py, count, samples)
             }
             7 => {
                 let mut tracker = self.tracker()?;
@@ -128,7 +128,7 @@ impl Solver {
                         held: is_held(i),
                     })),
                 });
-                Ok(self.follow(py, count, samples))
+                self.follow(py, count, samples)
             }
             _ => Err(refused(format!(
                 "`hand` has {columns} columns, allowed: 3 (x, y, phi) or 7 (position and quaternion)"
@@ -199,14 +199,12 @@ impl Solver {
         py: Python<'_>,
         count: usize,
         mut samples: impl Iterator<Item = Sample> + Send,
-    ) -> Run {
+    ) -> PyResult<Run> {
         let session = &mut self.session;
-        let (rows, contacts) = py.detach(|| {
-            let mut rows = FrameRows::with_capacity(count);
-            let contacts = session.run(&mut samples, &mut |frame| rows.add(frame));
-            (rows, contacts)
-        });
-        Run::new(Arc::clone(&self.head), rows.tables(py, contacts))
+        let tables = Tables::filled(py, count, |rows| {
+            session.run(&mut samples, &mut |frame| rows.add(frame))
+        })?;
+        Ok(Run::new(Arc::clone(&self.head), tables))
     }
 
     fn tracker(&self) -> PyResult<LivePlacement> {

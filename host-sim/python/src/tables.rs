@@ -1,8 +1,8 @@
-//! The tables of a run as arrays of numpy, which take the memory of the rows.
+//! The tables of a run as arrays of numpy. Rows are written into its memory, or it takes theirs.
 
 use std::sync::{Mutex, PoisonError};
 
-use bytemuck::{Pod, cast_slice, cast_vec};
+use bytemuck::{Pod, cast_slice, cast_slice_mut, cast_vec};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
@@ -110,41 +110,56 @@ impl ContactRows {
 }
 
 /// Frames and their events, one after the other.
-#[derive(Default)]
-pub(crate) struct FrameRows {
-    frames: Vec<FrameRow>,
+pub(crate) struct FrameRows<'a> {
+    frames: &'a mut [FrameRow],
+    filled: u32,
     events: Vec<EventRow>,
 }
 
-impl FrameRows {
-    /// With room for so many frames.
-    pub(crate) fn with_capacity(frames: usize) -> Self {
-        Self {
-            frames: Vec::with_capacity(frames),
-            events: Vec::new(),
-        }
-    }
-
+impl FrameRows<'_> {
     /// The next frame.
     pub(crate) fn add(&mut self, frame: &Frame) {
-        let index = self.frames.len() as u32;
-        let event = |&event| EventRow::new(index, event);
+        let event = |&event| EventRow::new(self.filled, event);
         self.events.extend(frame.events.iter().map(event));
-        self.frames.push(FrameRow::new(frame));
-    }
-
-    /// As tables, with contacts that are made later.
-    pub(crate) fn tables(self, py: Python<'_>, contacts: Box<dyn session::Contacts>) -> Tables {
-        let (frames, events) = (array(py, self.frames), array(py, self.events));
-        Tables::new(frames, Contacts::Later(contacts), events)
+        if let Some(row) = self.frames.get_mut(self.filled as usize) {
+            *row = FrameRow::new(frame);
+        }
+        self.filled += 1;
     }
 }
 
-/// The tables of one frame.
-pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Tables {
-    let (mut rows, mut contacts) = (FrameRows::default(), ContactRows::default());
-    rows.add(frame);
-    contacts.add(&frame.contacts);
-    let (frames, events) = (array(py, rows.frames), array(py, rows.events));
-    Tables::new(frames, Contacts::Table(array(py, contacts.rows)), events)
+impl Tables {
+    /// Of so many frames, which are filled without Python's lock: in memory of numpy, which has it in large pages.
+    ///
+    /// # Errors
+    /// There is not so much memory.
+    pub(crate) fn filled(
+        py: Python<'_>,
+        frames: usize,
+        fill: impl FnOnce(&mut FrameRows<'_>) -> Box<dyn session::Contacts> + Send,
+    ) -> PyResult<Self> {
+        let words = Words::zeros(py, frames * size_of::<FrameRow>() / size_of::<u64>(), false);
+        let mut open = words.readwrite();
+        let mut rows = FrameRows {
+            frames: cast_slice_mut(open.as_slice_mut()?),
+            filled: 0,
+            events: Vec::new(),
+        };
+        let contacts = py.detach(|| fill(&mut rows));
+        let events = array(py, rows.events);
+        drop(open);
+        Ok(Self::new(words.unbind(), Contacts::Later(contacts), events))
+    }
+
+    /// Of one frame.
+    pub(crate) fn of_frame(py: Python<'_>, frame: &Frame) -> Self {
+        let mut contacts = ContactRows::default();
+        contacts.add(&frame.contacts);
+        let event = |&event| EventRow::new(0, event);
+        Self::new(
+            array(py, vec![FrameRow::new(frame)]),
+            Contacts::Table(array(py, contacts.rows)),
+            array(py, frame.events.iter().map(event).collect()),
+        )
+    }
 }

@@ -62,7 +62,7 @@ class Run:
     def contacts(self) -> Table:
         """A structured array of type `CONTACT`, one row for each contact of each frame, in the order of frames.
 
-        Of `Solver.run`, it is made when it is asked for first, which takes about as long as the run.
+        Of `Solver.run`, it is made when it is asked for first, by the same run again: that takes longer than the run.
         """
         return _read_only(self._run.contacts, CONTACT)
 

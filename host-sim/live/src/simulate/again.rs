@@ -1,0 +1,60 @@
+//! Contacts of a run. They take longer than its steps and are not always wanted: they are made by the same run again, when they are
+//! asked for.
+
+use stiction_core::{Hand, narrow_hand};
+use stiction_scene::{HostModel, HostSolver, Sample};
+
+use super::{Running, Shared};
+use crate::record::{ContactRecord, Frame, rename, set_contacts};
+
+/// The contacts of a run, not yet made.
+pub trait Contacts: Send + Sync {
+    /// Gives those of every frame, in their order.
+    fn each(&self, take: &mut dyn FnMut(&[ContactRecord]));
+}
+
+/// A run at its start, and its hands.
+struct Again<R: Shared, M: HostModel> {
+    start: Running<R, M>,
+    hands: Vec<Hand<R::Si>>,
+}
+
+impl<R: Shared, M: HostModel> Contacts for Again<R, M>
+where
+    HostSolver<R, M>: Send + Sync,
+{
+    fn each(&self, take: &mut dyn FnMut(&[ContactRecord])) {
+        let mut running = self.start.clone();
+        let mut contacts = Vec::new();
+        for &hand in &self.hands {
+            let (solver, state, _) = running.step(hand);
+            set_contacts(&mut contacts, solver, state);
+            rename(&mut contacts, self.start.indices.as_ref());
+            take(&contacts);
+        }
+    }
+}
+
+impl<R: Shared, M: HostModel> Running<R, M>
+where
+    HostSolver<R, M>: Send + Sync,
+{
+    /// Steps through `samples`, and gives every frame without its contacts to `take`.
+    pub(crate) fn without_contacts(
+        &mut self,
+        samples: &mut dyn Iterator<Item = Sample>,
+        take: &mut dyn FnMut(&Frame),
+    ) -> Box<dyn Contacts> {
+        let start = self.clone();
+        let mut hands = Vec::with_capacity(samples.size_hint().0);
+        let mut frame = Frame::default();
+        for sample in samples {
+            let hand = narrow_hand(&sample.hand);
+            hands.push(hand);
+            let (solver, state, output) = self.step(hand);
+            frame = frame.renewed(sample.t, solver, state, &output);
+            take(&frame);
+        }
+        Box::new(Again { start, hands })
+    }
+}
