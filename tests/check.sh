@@ -117,7 +117,6 @@ mkdir -p target
 (
   {
     nice cargo test --no-run "${release[@]}"
-    nice cargo build --release --locked -p stiction-python
     nice cargo build --release --locked -p stiction-page
     has_fuzz && nice tests/fuzz/run.sh build
   } || true
@@ -159,7 +158,8 @@ else
 fi
 
 stage 'the Python package'
-# Its wheel, as it is given away, in an environment of its own; the tests compare it with the program that the tests above have built.
+# With debug assertions and overflow checks, of what the tests above have built, in an environment of its own; its tests compare it with
+# the program.
 venv='apt-get install -y --no-install-recommends python3-venv'
 python3 -c 'import ensurepip' 2>/dev/null || { apt-get update && $venv; } || true
 if ! python3 -c 'import ensurepip' 2>/dev/null; then
@@ -168,7 +168,7 @@ elif ! { python3 -m venv target/python && target/python/bin/pip install -q -r ho
   missing 'the packages of the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
 else
   rm -rf target/wheels
-  target/python/bin/maturin build --release --locked -m host-sim/python/Cargo.toml --out target/wheels
+  target/python/bin/maturin build --locked -m host-sim/python/Cargo.toml --features stiction-host-sim/cycles --out target/wheels
   target/python/bin/pip install -q --force-reinstall --no-deps target/wheels/*.whl
   target/python/bin/python -m pytest -q host-sim/python
 fi
