@@ -5,6 +5,7 @@ interface SolverPage {
   hello(): string;
   take(text: string): void;
   turn(): string[];
+  untilDue(): number;
   isBeyond(text: string): boolean;
   handedOver(): string[];
   free(): void;

@@ -1,7 +1,7 @@
 // The worker of a page without a server: the solver in real time. What wasm-bindgen made stands before this. It begins with the
 // solver for scenes without obstacles, a third of all, and loads the whole one when a scene needs it.
-// A browser wakes a worker that sleeps 4 ms later at the earliest, unless it was woken by something else than a timer before:
-// so a message stands between two timers, which then wait for 1 ms.
+// Timers of a browser are late by some ms where it has much to do, and sleep for 4 ms at least if they follow each other. A wait for a
+// value that nobody changes ends on time. Between two waits the worker sends itself a message, so that the page's are heard.
 
 /** Messages that wait until a solver is there. @type {string[]} */
 let waiting = [];
@@ -9,6 +9,8 @@ let waiting = [];
 let page = null;
 /** The whole solver, where this is a part of it. @type {{script: string, wasm: string} | undefined} */
 let whole;
+/** Never changes. Shared memory of WebAssembly is there where SharedArrayBuffer is hidden, too. */
+const still = new Int32Array(new WebAssembly.Memory({ shared: true, initial: 1, maximum: 1 }).buffer);
 
 self.addEventListener("message", ({ data }) => {
   if (typeof data === "string") take(data);
@@ -24,7 +26,7 @@ async function start(files) {
     self.postMessage([page.hello()]);
     takeWaiting();
     const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => setTimeout(() => turn(port2), 1);
+    port1.onmessage = () => turn(port2);
     port2.postMessage(0);
   } catch (why) {
     stop(why);
@@ -65,6 +67,7 @@ function turn(port) {
   try {
     const messages = page?.turn() ?? [];
     if (messages.length > 0) self.postMessage(messages);
+    Atomics.wait(still, 0, 0, page?.untilDue() ?? 1);
     port.postMessage(0);
   } catch (why) {
     stop(why);

@@ -1,5 +1,5 @@
 //! What `stiction view` is to its page, for a page that no server serves: the solver in real time, and the messages of
-//! `host-sim/VIEW.md` in and out. It runs in a worker, which calls [`Page::turn`] every millisecond or two.
+//! `host-sim/VIEW.md` in and out. It runs in a worker, which calls [`Page::turn`] when a tick is due.
 
 use std::path::Path;
 
@@ -24,7 +24,7 @@ const SCENE: &str = "box-flat";
 const CLIENT: u32 = 1;
 /// Frames a second, unless the page asks for others.
 const RATE: f64 = 60.0;
-/// A tick may be so late: a browser wakes a worker every millisecond at best, and tells the time to 0.1 ms.
+/// A tick may be so late: messages of the page stand between two of them, and a browser tells the time to 0.1 ms.
 const ALLOWED: Duration = Duration::from_millis(2);
 /// Ticks are made for so long, before the page is heard again.
 const LONGEST_TURN: Duration = Duration::from_millis(8);
@@ -146,6 +146,13 @@ impl Page {
         messages.extend(state.map(|state| state.to_string()));
         messages.extend(news.map(|news| news.message(CLIENT, 0)));
         messages
+    }
+
+    /// Until the next tick is due (ms).
+    #[wasm_bindgen(js_name = untilDue)]
+    pub fn until_due(&self) -> f64 {
+        let wait = self.due.saturating_duration_since(Instant::now());
+        wait.as_secs_f64() * 1e3
     }
 
     fn publish(&mut self) {
