@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use stiction_core::Fixed;
+use stiction_live::number::named;
 use stiction_scene::{Among, HostModel, InputError, NumberType, c_source};
 
 use crate::input::open_scene;
@@ -24,14 +25,7 @@ pub struct CodeArgs {
 }
 
 fn parse_number(text: &str) -> Result<NumberType, String> {
-    let mut all = NumberType::ALL.into_iter();
-    let allowed = || {
-        format!(
-            "allowed: {}",
-            NumberType::ALL.map(NumberType::name).join(", ")
-        )
-    };
-    all.find(|number| number.name() == text).ok_or_else(allowed)
+    named(NumberType::ALL, NumberType::name, text)
 }
 
 fn parse_name(text: &str) -> Result<String, String> {

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
 use stiction_core::Evolution;
 
-use stiction_live::number::evolution_named;
 pub use stiction_live::number::{parse_evolution, parse_number};
 
 use crate::trace::Format;
@@ -14,7 +13,7 @@ use crate::trace::Format;
 /// One of the evolutions.
 pub(crate) fn evolution_parser() -> impl TypedValueParser<Value = Evolution> {
     PossibleValuesParser::new(Evolution::ALL.map(Evolution::name))
-        .map(|name| evolution_named(&name).unwrap_or_default())
+        .map(|name| parse_evolution(&name).unwrap_or_default())
 }
 
 /// A rate (Hz).

@@ -52,10 +52,18 @@ impl From<NumberType> for Number {
     }
 }
 
-/// The evolution of a name.
-pub fn evolution_named(name: &str) -> Option<Evolution> {
-    let mut all = Evolution::ALL.into_iter();
-    all.find(|evolution| evolution.name() == name)
+/// The one of a name, of all.
+///
+/// # Errors
+/// Those that are allowed.
+pub fn named<T: Copy, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+    text: &str,
+) -> Result<T, String> {
+    let allowed = || format!("allowed: {}", all.map(name).join(", "));
+    let found = all.into_iter().find(|one| name(*one) == text);
+    found.ok_or_else(allowed)
 }
 
 /// A number type by its name.
@@ -63,9 +71,7 @@ pub fn evolution_named(name: &str) -> Option<Evolution> {
 /// # Errors
 /// Those that are allowed.
 pub fn parse_number(text: &str) -> Result<Number, String> {
-    let mut all = Number::ALL.into_iter();
-    let allowed = || format!("allowed: {}", Number::ALL.map(Number::name).join(", "));
-    all.find(|number| number.name() == text).ok_or_else(allowed)
+    named(Number::ALL, Number::name, text)
 }
 
 /// An evolution by its name.
@@ -73,11 +79,5 @@ pub fn parse_number(text: &str) -> Result<Number, String> {
 /// # Errors
 /// Those that are allowed.
 pub fn parse_evolution(text: &str) -> Result<Evolution, String> {
-    let allowed = || {
-        format!(
-            "allowed: {}",
-            Evolution::ALL.map(Evolution::name).join(", ")
-        )
-    };
-    evolution_named(text).ok_or_else(allowed)
+    named(Evolution::ALL, Evolution::name, text)
 }
