@@ -28,7 +28,7 @@ const KINDS = /** @type {{[end: string]: string}} */ ({
   ".wasm": "application/wasm",
 });
 
-/** A host that serves the folder and nothing else; it has what a `Bench` asks of a program. */
+/** A host that serves a folder and nothing else; it has what a `Bench` asks of a program. */
 export class Host {
   /** @param {import("node:http").Server} server */
   constructor(server) {
@@ -38,10 +38,11 @@ export class Host {
     this.origin = `http://127.0.0.1:${port}`;
   }
 
-  static async start() {
+  /** @param {string} root */
+  static async start(root = folder) {
     const server = createServer((request, response) => {
       const path = new URL(request.url ?? "/", "http://localhost").pathname;
-      const file = join(folder, path === "/" ? "index.html" : path);
+      const file = join(root, path === "/" ? "index.html" : path);
       if (!existsSync(file)) {
         response.writeHead(404).end();
         return;

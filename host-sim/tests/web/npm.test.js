@@ -7,8 +7,9 @@ import { mkdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { missingPage, npm } from "./alone.js";
-import { newFolder } from "./live.js";
+import { build } from "vite";
+import { Host, missingPage, npm } from "./alone.js";
+import { newFolder, startBrowser } from "./live.js";
 
 const workspace = fileURLToPath(new URL("../../../", import.meta.url));
 /** Frames of a walk. */
@@ -43,6 +44,49 @@ test("the first ten lines of the README run, and have the right types", options,
   const tsc = join(fileURLToPath(new URL(".", import.meta.url)), "node_modules/typescript/bin/tsc");
   const flags = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--moduleResolution", "nodenext"];
   execFileSync(process.execPath, [tsc, ...flags, "--lib", "es2022,dom", "first.ts"], { cwd: folder, stdio: "pipe" });
+});
+
+/** What a page and its worker do: a step each. @param {string} from */
+const steps = (from) => `import { Solver } from "${from}";
+  const solver = new Solver("box-flat");
+  solver.step(0, 0.03, 0);
+  const frame = solver.step(0.004, 0.02, 0);
+`;
+
+test("it runs in a page and in a worker, as it is and by a bundler", options, async () => {
+  const { Solver } = await load();
+  const solver = new Solver("box-flat");
+  solver.step(0, 0.03, 0);
+  const { wrench } = solver.step(0.004, 0.02, 0);
+
+  const browser = await startBrowser();
+  try {
+    for (const from of ["/node_modules/stiction/web.js", "stiction"]) {
+      const folder = installed();
+      writeFileSync(join(folder, "index.html"), '<script type="module" src="./main.js"></script>');
+      writeFileSync(
+        join(folder, "main.js"),
+        `${steps(from)}
+        window.here = frame.wrench;
+        const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+        worker.onmessage = ({ data }) => (window.there = data);`,
+      );
+      writeFileSync(join(folder, "worker.js"), `${steps(from)} postMessage(frame.wrench);`);
+      const bundled = from === "stiction";
+      if (bundled) {
+        await build({ root: folder, logLevel: "error", worker: { format: "es" }, build: { target: "es2022" } });
+      }
+      const host = await Host.start(bundled ? join(folder, "dist") : folder);
+      const page = await browser.newPage();
+      await page.goto(host.origin);
+      const given = await page.waitForFunction("window.there && [window.here, window.there]");
+      assert.deepEqual(await given.jsonValue(), [wrench, wrench], from);
+      await page.close();
+      await host.kill();
+    }
+  } finally {
+    await browser.close();
+  }
 });
 
 test("what is wrong is told, with what is allowed", options, async () => {

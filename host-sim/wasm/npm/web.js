@@ -2,6 +2,6 @@
 
 import init from "./stiction.js";
 
-await init();
+await init({ module_or_path: new URL("./stiction_bg.wasm", import.meta.url) });
 
 export { Solver, sceneNames, scenePath, sceneText, stateNames, statusNames } from "./stiction.js";
