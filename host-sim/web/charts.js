@@ -4,6 +4,8 @@ import { byId, digits, duration, setText } from "./dom.js";
 import { colors, onTheme } from "./theme.js";
 import { Strip } from "./strip.js";
 
+/** A page is told the time by a browser to so many seconds. */
+const CLOCK = 1e-4;
 /** Width of the window in real time (s); in slow motion it shows less of the solver's time. */
 const WINDOW = 8;
 /** Ticks that are kept, in the window and a little more. */
@@ -141,10 +143,16 @@ export class Charts {
       const last = digits(this.slips.last(1));
       setText(byId("now-slip"), this.slips.length ? `last ${last}, ${counts.slips} in all` : "none yet");
     } else if (step) {
-      setText(byId("now-median"), step.median === null ? "no median" : `median ${duration(step.median)}`);
+      setText(byId("now-median"), medianOf(step.median));
       setText(byId("now-worst"), `worst ${duration(step.worst)}`);
     }
   }
+}
+
+/** @param {number | null} median Of the steps (s): 0 where the solver runs in the page. */
+function medianOf(median) {
+  if (median === null) return "no median";
+  return median > 0 ? `median ${duration(median)}` : `median below ${duration(CLOCK)}`;
 }
 
 /**
