@@ -110,16 +110,12 @@ fi
 # As it is shipped: what computes. The program around it and the images of boards, which are the same whatever the tests are built
 # with, are not.
 release=(--release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests)
-has_fuzz() { cargo fuzz --version || cargo install cargo-fuzz --locked; }
-# What takes minutes to compile, beside tests that do not need all cores; what comes of it is seen in the stages that use it.
+# What takes minutes to compile, beside tests that do not need all cores; what comes of it is seen in the stages that use it. Not more than
+# that: the emulated boards are to keep the time.
 deny=target/cargo-deny.log
 mkdir -p target
 (
-  {
-    nice cargo test --no-run "${release[@]}"
-    nice cargo build --release --locked -p stiction-page
-    has_fuzz && nice tests/fuzz/run.sh build
-  } || true
+  nice cargo test --no-run "${release[@]}" || true
   cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked
 ) >"$deny" 2>&1 &
 builds=$!
@@ -195,7 +191,7 @@ fuzz_for_a_minute() {
 }
 if ! command -v c++ >/dev/null; then
   missing 'a C++ compiler' 'apt-get install -y --no-install-recommends g++'
-elif has_fuzz; then
+elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
   tests/fuzz/run.sh build
   fuzz_for_a_minute wire 600000 & wire=$!
   fuzz_for_a_minute solver 6000
