@@ -14,7 +14,6 @@ use sha2::{Digest, Sha256};
 use stiction_core::{Evolution, StateKind, Status};
 use stiction_live::guide::HandPose;
 use stiction_live::number::Number;
-use stiction_live::record::Frame;
 use stiction_live::scenes;
 use stiction_live::session::Session;
 use stiction_live::stage::Stage;
@@ -104,7 +103,7 @@ fn walk(stage: &Stage, frames: usize) -> Vec<[f64; 5]> {
 fn answers(mut session: Session, hands: &[[f64; 5]]) -> (String, u64) {
     let mut columns: [Vec<u8>; 7] = Default::default();
     let mut slips = 0;
-    let mut samples = hands.iter().map(|&[t, x, y, phi, held]| {
+    let samples = hands.iter().map(|&[t, x, y, phi, held]| {
         let hand = HandPose {
             pose: [x, y, phi],
             depth: 0.0,
@@ -116,7 +115,8 @@ fn answers(mut session: Session, hands: &[[f64; 5]]) -> (String, u64) {
         }
     });
     let mut k = 0.0;
-    session.run(&mut samples, &mut |frame: &Frame| {
+    for sample in samples {
+        let frame = session.step(&sample);
         let [t, pose, wrench, state, status, counts, contacts] = &mut columns;
         t.extend(frame.t.to_le_bytes());
         pose.extend(frame.pose.iter().flat_map(|value| value.to_le_bytes()));
@@ -131,7 +131,7 @@ fn answers(mut session: Session, hands: &[[f64; 5]]) -> (String, u64) {
             contacts.extend(row.iter().flat_map(|value| value.to_le_bytes()));
         }
         k += 1.0;
-    });
+    }
     let mut hash = Sha256::new();
     for column in columns {
         hash.update(&column);

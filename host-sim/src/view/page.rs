@@ -1,5 +1,9 @@
 //! The files of the page, built into the program.
 
+use std::borrow::Cow;
+
+use stiction_tools::script::without_comments;
+
 /// Path, type and bytes.
 type File = (&'static str, &'static str, &'static [u8]);
 
@@ -55,13 +59,19 @@ const FILES: &[File] = files![
     "view.js": SCRIPT,
 ];
 
-/// Type and bytes of the file at a path.
-pub(super) fn find(path: &str) -> Option<(&'static str, &'static [u8])> {
+/// Type and bytes of the file at a path; scripts of the page without their comments.
+pub(super) fn find(path: &str) -> Option<(&'static str, Cow<'static, [u8]>)> {
     let path = match path {
         "/" => "/index.html",
         path => path,
     };
-    let (_, kind, bytes) = FILES.iter().find(|(known, ..)| *known == path)?;
+    let (name, kind, bytes) = FILES.iter().find(|(known, ..)| *known == path)?;
+    let bytes = match str::from_utf8(bytes) {
+        Ok(script) if *kind == SCRIPT && !name.starts_with("/uplot/") => {
+            without_comments(script).into_bytes().into()
+        }
+        _ => Cow::Borrowed(*bytes),
+    };
     Some((kind, bytes))
 }
 

@@ -1,6 +1,6 @@
 //! What programs and tests that measure have in common: the boards in QEMU ([`board`]), what is in their images ([`image`]), which
 //! programs do the work and what is missing ([`process`]), sections of a README ([`readme`]), files that are whole ([`files`]),
-//! text in columns ([`table`]), the name of the machine ([`machine`]).
+//! text in columns ([`table`]), the name of the machine ([`machine`]), scripts without their comments ([`script`]).
 
 pub mod board;
 pub mod files;
@@ -8,6 +8,7 @@ pub mod image;
 pub mod machine;
 pub mod process;
 pub mod readme;
+pub mod script;
 pub mod table;
 
 use std::env;

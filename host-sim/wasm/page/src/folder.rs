@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use stiction_tools::script::without_comments;
+
 use crate::module::{For, Module, workspace};
 use crate::{BuildError, of};
 
@@ -102,22 +104,6 @@ impl Page {
         let name = format!("\nlet {PART} = {WHOLE};\n");
         [&*self.whole.script, name.as_bytes(), &self.worker].concat()
     }
-}
-
-/// A script without the lines that are comments: a third of the page's own.
-fn without_comments(script: &str) -> String {
-    let (mut code, mut inside) = (String::new(), false);
-    for line in script.lines() {
-        let text = line.trim();
-        let is_comment = inside || text.starts_with("//") || text.starts_with("/**");
-        inside = (inside || text.starts_with("/**")) && !text.contains("*/");
-        // A comment that ends before code, as a cast does, is a part of a line.
-        if !is_comment || !(text.ends_with("*/") || inside || text.starts_with("//")) {
-            code.push_str(line);
-            code.push('\n');
-        }
-    }
-    code
 }
 
 fn gather(folder: &Path, before: &str, files: &mut Vec<File>) -> Result<(), BuildError> {
