@@ -33,25 +33,16 @@ impl<R: Real, M: Model> Running<R, M> {
 
     /// The answer to the next hand, with the solver and the state after it; the first hand starts the scene.
     pub fn step(&mut self, hand: Hand<R::Si>) -> (&HostSolver<R, M>, &State<R>, Output<R::Si>) {
-        let (state, output) = answer(&self.solver, &mut self.state, hand);
-        (&self.solver, state, output)
+        let solver = &self.solver;
+        let mut started = None;
+        let state = self.state.get_or_insert_with(|| {
+            let (state, output) = solver.start(hand);
+            started = Some(output);
+            state
+        });
+        let output = started.unwrap_or_else(|| solver.step(state, hand));
+        (solver, state, output)
     }
-}
-
-/// The answer to the next hand, with the state after it; the first hand starts the scene.
-fn answer<'a, R: Real, M: Model>(
-    solver: &HostSolver<R, M>,
-    state: &'a mut Option<State<R>>,
-    hand: Hand<R::Si>,
-) -> (&'a State<R>, Output<R::Si>) {
-    let mut started = None;
-    let state = state.get_or_insert_with(|| {
-        let (state, output) = solver.start(hand);
-        started = Some(output);
-        state
-    });
-    let output = started.unwrap_or_else(|| solver.step(state, hand));
-    (state, output)
 }
 
 impl<R: Real<Si: SiFloat>, M: HostModel> Running<R, M> {
