@@ -27,6 +27,8 @@ export class Address {
     this.own = new Map();
     /** The window that is wanted: its middle and its width (m). @type {number[] | null} */
     this.view = null;
+    /** The address that was followed or written last. Another one is a wish of the user, to be followed and not to be written over. */
+    this.known = "";
     /** The address is being followed. */
     this.busy = false;
     this.timer = 0;
@@ -34,32 +36,36 @@ export class Address {
     stage.also.push(() => this.drawn());
   }
 
-  /** Scene and setting, whenever they change; the first time, the address is followed. @param {StateMessage} state */
+  /** Scene and setting, whenever they change; an address that is new is followed. @param {StateMessage} state */
   setState({ scene, parameters }) {
-    const first = this.own.size === 0;
     if (!this.own.has(scene.title)) this.own.set(scene.title, parameters);
-    if (first && location.hash.length > 1) this.follow();
-    else this.later();
+    this.follow();
   }
 
-  /** Does what the address says. */
+  /** Does what the address says, until it says nothing new: it may change while it is being followed. */
   async follow() {
-    const { state } = this.stage;
-    if (!state || this.busy) return;
+    if (!this.stage.state || this.busy) return;
     this.busy = true;
-    const wanted = new URLSearchParams(location.hash.slice(1));
-    const name = wanted.get("scene") ?? state.scene.title;
-    if (await this.ask({ type: "scene", name })) {
-      await this.ask({ type: "number", value: wanted.get("number") ?? NUMBER });
-      await this.ask({ type: "evolution", value: wanted.get("evolution") ?? EVOLUTION });
-      const parameters = this.parameters(wanted);
-      if (Object.keys(parameters).length > 0) await this.ask({ type: "set", parameters });
-      this.layers((wanted.get("hide") ?? "").split(","));
-      this.view = this.numbers(wanted, "view", 3);
+    while (location.hash !== this.known) {
+      this.known = location.hash;
+      await this.obey(this.known, this.stage.state);
+      this.stage.ask();
     }
     this.busy = false;
-    this.stage.ask();
     this.later();
+  }
+
+  /** Does what one address says. @param {string} hash @param {StateMessage} state */
+  async obey(hash, state) {
+    const wanted = new URLSearchParams(hash.slice(1));
+    const name = wanted.get("scene") ?? state.scene.title;
+    if (!await this.ask({ type: "scene", name })) return;
+    await this.ask({ type: "number", value: wanted.get("number") ?? NUMBER });
+    await this.ask({ type: "evolution", value: wanted.get("evolution") ?? EVOLUTION });
+    const parameters = this.parameters(wanted);
+    if (Object.keys(parameters).length > 0) await this.ask({ type: "set", parameters });
+    this.layers((wanted.get("hide") ?? "").split(","));
+    this.view = this.numbers(wanted, "view", 3);
   }
 
   /** What `set` is to be told. @param {URLSearchParams} wanted */
@@ -109,13 +115,14 @@ export class Address {
     if (!this.timer) this.timer = window.setTimeout(() => this.write(), PAUSE);
   }
 
-  /** Writes the address, unless it is being followed. */
+  /** Writes the address, unless it is being followed or is to be. */
   write() {
     this.timer = 0;
     const { state } = this.stage;
-    if (this.busy || this.view || !state) return;
+    if (this.busy || this.view || !state || location.hash !== this.known) return;
     const hash = `#${this.text(state)}`;
-    if (hash !== location.hash) history.replaceState(null, "", hash);
+    if (hash !== this.known) history.replaceState(null, "", hash);
+    this.known = location.hash;
   }
 
   /** What the page shows, as the address has it. @param {StateMessage} state */

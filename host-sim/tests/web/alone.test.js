@@ -112,6 +112,19 @@ aloneTest("an address that cannot be followed is told", async (live) => {
   assert.equal((await live.state()).scene.title, "ladder");
 });
 
+aloneTest("an address that changes while another one is followed is followed next", async (live) => {
+  await live.page.evaluate(() => {
+    new MutationObserver((_, observer) => {
+      observer.disconnect();
+      location.hash = "#scene=ladder&k_h=820";
+    }).observe(/** @type {Node} */ (document.getElementById("note")), { childList: true, characterData: true, subtree: true });
+    location.hash = "#scene=nowhere";
+  });
+  await live.until(() => window.stiction.state?.parameters?.stiffness_translation === 820);
+  assert.equal((await live.state()).scene.title, "ladder");
+  await live.until(() => location.hash === "#scene=ladder&k_h=820");
+});
+
 aloneTest("the page with its solver weighs at most 400 kB, and shows its first frame from these files alone", async (live) => {
   const loaded = await live.page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname));
   // What the worker asks for is not among them.
