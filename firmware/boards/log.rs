@@ -15,3 +15,24 @@ macro_rules! nothing {
 }
 #[cfg(not(any(feature = "rtt", feature = "semihosting")))]
 pub(crate) use {nothing as error, nothing as info};
+
+use stiction_firmware::station::News;
+
+/// Logs what a board has to say; `lost` bytes came when there was no room for them.
+pub(crate) fn tell(news: News, lost: u32) {
+    match news {
+        News::Force(force) => info!("force: {=str}", force),
+        News::Reset => info!("everything reset"),
+        News::Counts(seen) => info!(
+            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
+            seen.ticks,
+            seen.missed_ticks,
+            seen.worst_tick,
+            seen.samples,
+            seen.lost_frames,
+            seen.faults,
+            seen.unsent,
+            lost
+        ),
+    }
+}

@@ -22,6 +22,7 @@
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! ring.rs        bytes between an interrupt and the program
+//! line.rs        the two rings of a board's line, and its clock
 //! station.rs     the program of a board: bytes -> samples and commands -> control loop -> force and reports
 //! ```
 //!
@@ -36,6 +37,8 @@ pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
 pub mod job;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod line;
 pub mod model;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod pantograph;

@@ -29,7 +29,7 @@ mod watch;
 
 pub use outbox::Link;
 pub use setup::{SLOWEST_TICK, SceneType, Setup};
-pub use watch::{Seen, Watch};
+pub use watch::{Log, News, Seen, Watch};
 
 use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};
 use crate::model::BoardModel;

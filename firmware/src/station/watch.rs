@@ -39,8 +39,7 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// What has become of the force to the hand, as a log says it.
-    pub const fn force(&self) -> &'static str {
+    const fn force(&self) -> &'static str {
         match self.drive {
             Drive::On => "on",
             Drive::Silent => "off",
@@ -109,5 +108,84 @@ impl Watch {
             unsent: get(&self.unsent),
             worst_tick: get(&self.worst_tick),
         }
+    }
+}
+
+/// What a log has to say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum News {
+    /// What has become of the force to the hand, as a log says it.
+    Force(&'static str),
+    /// Everything was reset.
+    Reset,
+    /// Of the last second or so.
+    Counts(Seen),
+}
+
+/// What was logged last.
+#[derive(Debug)]
+pub struct Log {
+    last: Seen,
+    drive: Option<Drive>,
+    /// Ticks from one report of counts to the next.
+    period: u32,
+}
+
+impl Log {
+    /// Counts are reported every so many ticks.
+    pub fn new(watch: &Watch, period: u16) -> Self {
+        Self {
+            last: watch.seen(),
+            drive: None,
+            period: period.into(),
+        }
+    }
+
+    /// Gives what is new.
+    pub fn look(&mut self, watch: &Watch, mut tell: impl FnMut(News)) {
+        let seen = watch.seen();
+        if self.drive != Some(seen.drive) {
+            self.drive = Some(seen.drive);
+            tell(News::Force(seen.force()));
+        }
+        if seen.ticks < self.last.ticks {
+            self.last = seen;
+            tell(News::Reset);
+        }
+        if seen.ticks.saturating_sub(self.last.ticks) >= self.period {
+            self.last = seen;
+            tell(News::Counts(seen));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_says_what_is_new_and_nothing_twice() {
+        let watch = Watch::new();
+        let mut log = Log::new(&watch, 10);
+        let mut news = |drive, ticks| {
+            let health = Health {
+                drive,
+                ticks,
+                ..Health::default()
+            };
+            watch.show(&health);
+            let mut said = [None; 3];
+            let mut places = said.iter_mut();
+            log.look(&watch, |news| *places.next().unwrap() = Some(news));
+            said
+        };
+        let off = Some(News::Force("off"));
+        assert_eq!(news(Drive::Silent, 1), [off, None, None]);
+        assert_eq!(news(Drive::Silent, 9), [None; 3]);
+        let [force, counts, _] = news(Drive::On, 10);
+        assert_eq!(force, Some(News::Force("on")));
+        assert!(matches!(counts, Some(News::Counts(Seen { ticks: 10, .. }))));
+        assert_eq!(news(Drive::On, 19), [None; 3]);
+        assert_eq!(news(Drive::On, 3), [Some(News::Reset), None, None]);
     }
 }

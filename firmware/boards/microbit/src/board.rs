@@ -13,7 +13,8 @@ use nrf51_hal::clocks::Clocks;
 use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
 use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
-use portable_atomic::{AtomicBool, AtomicU32, Ordering};
+use portable_atomic::{AtomicBool, Ordering};
+use stiction_firmware::line;
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
@@ -25,8 +26,6 @@ const RX: u32 = 25;
 /// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
 const PATIENCE: u32 = 1_638;
 
-/// Bytes that came when there was no room for them.
-static LOST: AtomicU32 = AtomicU32::new(0);
 /// It has stopped.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
@@ -141,9 +140,10 @@ impl Clock {
         self.now_us = self.now_us.wrapping_add(counts / PER_US);
         self.now_us
     }
+}
 
-    /// The time (ns, wrapping), for what takes no longer than a second.
-    pub(crate) fn now_ns(&mut self) -> u32 {
+impl line::Clock for Clock {
+    fn now_ns(&mut self) -> u32 {
         let count = self.count();
         // 62.5 ns each; the half may be left out.
         let passed = count.wrapping_sub(self.looked).saturating_mul(125) / 2;
@@ -207,16 +207,6 @@ impl Uart {
             unsafe { self.uart.txd.write(|w| w.txd().bits(byte)) };
         }
     }
-}
-
-/// A byte is lost.
-pub(crate) fn lost_a_byte() {
-    LOST.add(1, Ordering::Relaxed);
-}
-
-/// How many bytes were lost.
-pub(crate) fn lost_bytes() -> u32 {
-    LOST.load(Ordering::Relaxed)
 }
 
 /// Resets the chip unless it is fed.

@@ -29,15 +29,15 @@ mod scene {
 #[rtic::app(device = nrf51_hal::pac, peripherals = true)]
 mod app {
     use crate::board::{self, Board, Clock, Uart, Watchdog};
-    use crate::log::info;
+    use crate::log::{self, info};
     use crate::scene::{CompiledScene, OBSTACLES, SCENE};
     use nrf51_hal::pac::Interrupt;
     use stiction_core::frame::{Mode, NumberType};
     use stiction_core::{Evolution, Fixed};
     use stiction_firmware::device::{FromLine, NoActuators};
-    use stiction_firmware::ring::Ring;
+    use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
-    use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
+    use stiction_firmware::station::{Log, SceneType, Setup, Station, Watch};
 
     /// Room for so many vertices: what is compiled in, see build.rs.
     const V: usize = CompiledScene::VERTICES;
@@ -70,8 +70,7 @@ mod app {
     /// Bytes that wait, each way: 22 ms.
     const ROOM: usize = 256;
 
-    static RECEIVED: Ring<ROOM> = Ring::new();
-    static TO_SEND: Ring<ROOM> = Ring::new();
+    static LINE: Line<ROOM> = Line::new();
     static WATCH: Watch = Watch::new();
 
     #[shared]
@@ -111,28 +110,9 @@ mod app {
     fn serial(cx: serial::Context) {
         let uart = cx.local.uart;
         while let Some(byte) = uart.read() {
-            if !RECEIVED.put(byte) {
-                board::lost_a_byte();
-            }
+            LINE.receive(byte);
         }
-        uart.write(|| TO_SEND.take());
-    }
-
-    /// The queues as a line.
-    struct Queues<'a>(&'a mut Clock);
-
-    impl Link for Queues<'_> {
-        fn take(&mut self) -> Option<u8> {
-            RECEIVED.take()
-        }
-        fn send(&mut self, frame: &[u8]) -> bool {
-            let sent = TO_SEND.put_all(frame);
-            rtic::pend(Interrupt::UART0);
-            sent
-        }
-        fn now_ns(&mut self) -> u32 {
-            self.0.now_ns()
-        }
+        uart.write(|| LINE.next());
     }
 
     #[task(binds = TIMER0, priority = 2, local = [clock, watchdog, program])]
@@ -145,7 +125,11 @@ mod app {
         } = cx.local;
         let now_us = clock.tick();
         // This board has no device.
-        program.tick(now_us, &mut Queues(clock), &mut (FromLine, NoActuators));
+        program.tick(
+            now_us,
+            &mut LINE.link(clock, || rtic::pend(Interrupt::UART0)),
+            &mut (FromLine, NoActuators),
+        );
         clock.set_rate(program.mode().tick_rate);
         WATCH.show(&program.health());
         // Last: a tick that did not do its work feeds nothing.
@@ -154,37 +138,10 @@ mod app {
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        let mut last = WATCH.seen();
-        let mut drive = None;
+        let mut news = Log::new(&WATCH, SETUP.mode.tick_rate);
         loop {
-            let seen = WATCH.seen();
-            if drive != Some(seen.drive) {
-                info!("force: {=str}", seen.force());
-                drive = Some(seen.drive);
-            }
-            if seen.ticks < last.ticks {
-                info!("everything reset");
-                last = seen;
-            }
-            if seen.ticks.saturating_sub(last.ticks) >= u32::from(SETUP.mode.tick_rate) {
-                log(&seen);
-                last = seen;
-            }
+            news.look(&WATCH, |news| log::tell(news, LINE.lost()));
             // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
         }
-    }
-
-    fn log(seen: &Seen) {
-        info!(
-            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
-            seen.ticks,
-            seen.missed_ticks,
-            seen.worst_tick,
-            seen.samples,
-            seen.lost_frames,
-            seen.faults,
-            seen.unsent,
-            board::lost_bytes()
-        );
     }
 }

@@ -26,12 +26,13 @@ pub(crate) use pantograph::Device;
 
 use crate::log::error;
 use core::arch::naked_asm;
-use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use core::sync::atomic::{AtomicBool, Ordering};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
 #[cfg(not(feature = "pantograph"))]
 use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::line;
 use stm32f4xx_hal::pac::{self, TIM1, TIM5, USART2};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::{Config, Enable};
@@ -52,8 +53,6 @@ const PATIENCE_MS: u32 = 20;
 #[cfg(not(feature = "pantograph"))]
 pub(crate) type Device = (FromLine, NoActuators);
 
-/// Bytes that came when there was no room for them, or too fast.
-static LOST: AtomicU32 = AtomicU32::new(0);
 /// It has stopped.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
@@ -210,9 +209,10 @@ impl Clock {
         self.now_us = self.now_us.wrapping_add(counts / per_us);
         self.now_us
     }
+}
 
-    /// The time (ns, wrapping), for what takes no longer than 50 ms.
-    pub(crate) fn now_ns(&mut self) -> u32 {
+impl line::Clock for Clock {
+    fn now_ns(&mut self) -> u32 {
         let count = self.count();
         let passed = count.wrapping_sub(self.looked).saturating_mul(1_000);
         self.looked = count;
@@ -257,20 +257,6 @@ impl Uart {
             None => self.tx.unlisten(),
         }
     }
-}
-
-/// A byte is lost.
-pub(crate) fn lost_a_byte() {
-    // One writer, the serial interrupt.
-    LOST.store(
-        LOST.load(Ordering::Relaxed).saturating_add(1),
-        Ordering::Relaxed,
-    );
-}
-
-/// How many bytes were lost.
-pub(crate) fn lost_bytes() -> u32 {
-    LOST.load(Ordering::Relaxed)
 }
 
 /// Resets the chip unless it is fed.

@@ -41,11 +41,11 @@ mod scene {
 mod app {
     use crate::board::{self, Board, Clock, Device, Uart, Watchdog};
     use crate::device::{LIMITS, PASSIVITY};
-    use crate::log::info;
+    use crate::log::{self, info};
     use crate::scene::{CompiledScene, OBSTACLES, SCENE};
     use stiction_core::frame::{Mode, NumberType};
-    use stiction_firmware::ring::Ring;
-    use stiction_firmware::station::{Link, SceneType, Seen, Setup, Station, Watch};
+    use stiction_firmware::line::Line;
+    use stiction_firmware::station::{Log, SceneType, Setup, Station, Watch};
     use stm32f4xx_hal::pac::Interrupt;
 
     /// Room for so many vertices: what is compiled in, see build.rs.
@@ -73,8 +73,7 @@ mod app {
     /// Bytes that wait, each way: 11 ms.
     const ROOM: usize = 1_024;
 
-    static RECEIVED: Ring<ROOM> = Ring::new();
-    static TO_SEND: Ring<ROOM> = Ring::new();
+    static LINE: Line<ROOM> = Line::new();
     static WATCH: Watch = Watch::new();
 
     #[shared]
@@ -116,29 +115,10 @@ mod app {
     #[task(binds = USART2, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
         let uart = cx.local.uart;
-        if let Some(byte) = uart.read()
-            && !RECEIVED.put(byte)
-        {
-            board::lost_a_byte();
+        if let Some(byte) = uart.read() {
+            LINE.receive(byte);
         }
-        uart.write(|| TO_SEND.take());
-    }
-
-    /// The queues as a line.
-    struct Queues<'a>(&'a mut Clock);
-
-    impl Link for Queues<'_> {
-        fn take(&mut self) -> Option<u8> {
-            RECEIVED.take()
-        }
-        fn send(&mut self, frame: &[u8]) -> bool {
-            let sent = TO_SEND.put_all(frame);
-            rtic::pend(Interrupt::USART2);
-            sent
-        }
-        fn now_ns(&mut self) -> u32 {
-            self.0.now_ns()
-        }
+        uart.write(|| LINE.next());
     }
 
     #[task(binds = SysTick, priority = 2, local = [clock, watchdog, device, program])]
@@ -151,7 +131,11 @@ mod app {
             ..
         } = cx.local;
         let now_us = clock.now_us();
-        program.tick(now_us, &mut Queues(clock), device);
+        program.tick(
+            now_us,
+            &mut LINE.link(clock, || rtic::pend(Interrupt::USART2)),
+            device,
+        );
         clock.set_rate(program.mode().tick_rate);
         WATCH.show(&program.health());
         // Last: a tick that did not do its work feeds nothing.
@@ -160,37 +144,10 @@ mod app {
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        let mut last = WATCH.seen();
-        let mut drive = None;
+        let mut news = Log::new(&WATCH, SETUP.mode.tick_rate);
         loop {
-            let seen = WATCH.seen();
-            if drive != Some(seen.drive) {
-                info!("force: {=str}", seen.force());
-                drive = Some(seen.drive);
-            }
-            if seen.ticks < last.ticks {
-                info!("everything reset");
-                last = seen;
-            }
-            if seen.ticks.saturating_sub(last.ticks) >= u32::from(SETUP.mode.tick_rate) {
-                log(&seen);
-                last = seen;
-            }
+            news.look(&WATCH, |news| log::tell(news, LINE.lost()));
             // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
         }
-    }
-
-    fn log(seen: &Seen) {
-        info!(
-            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
-            seen.ticks,
-            seen.missed_ticks,
-            seen.worst_tick,
-            seen.samples,
-            seen.lost_frames,
-            seen.faults,
-            seen.unsent,
-            board::lost_bytes()
-        );
     }
 }
