@@ -15,7 +15,7 @@ pub struct Line<const N: usize> {
 
 /// A clock of a board.
 pub trait Clock {
-    /// The time (ns, wrapping), for what takes no longer than a second.
+    /// The time (ns, wrapping), for what takes no longer than 50 ms.
     fn now_ns(&mut self) -> u32;
 }
 
