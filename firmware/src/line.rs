@@ -32,10 +32,15 @@ impl<const N: usize> Line<N> {
     /// A byte came. To be called by the interrupt only.
     pub fn receive(&self, byte: u8) {
         if !self.received.put(byte) {
-            // Nobody else writes it, and a Cortex-M0 cannot add to it at once.
-            let lost = self.lost.load(Ordering::Relaxed).saturating_add(1);
-            self.lost.store(lost, Ordering::Relaxed);
+            self.lose();
         }
+    }
+
+    /// A byte came too fast. To be called by the interrupt only.
+    pub fn lose(&self) {
+        // Nobody else writes it, and a Cortex-M0 cannot add to it at once.
+        let lost = self.lost.load(Ordering::Relaxed).saturating_add(1);
+        self.lost.store(lost, Ordering::Relaxed);
     }
 
     /// The next byte that is to be sent. To be called by the interrupt only.
@@ -43,7 +48,7 @@ impl<const N: usize> Line<N> {
         self.to_send.take()
     }
 
-    /// Bytes that came when there was no room for them.
+    /// Bytes that came when there was no room for them, or too fast.
     pub fn lost(&self) -> u32 {
         self.lost.load(Ordering::Relaxed)
     }

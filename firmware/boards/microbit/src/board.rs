@@ -14,7 +14,7 @@ use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
 use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
 use portable_atomic::{AtomicBool, Ordering};
-use stiction_firmware::line;
+use stiction_firmware::line::{self, Line};
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
@@ -184,8 +184,16 @@ impl Uart {
         }
     }
 
+    /// What came in, and a byte out.
+    pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
+        while let Some(byte) = self.read() {
+            line.receive(byte);
+        }
+        self.send(line);
+    }
+
     /// The byte that came, if one did.
-    pub(crate) fn read(&mut self) -> Option<u8> {
+    fn read(&mut self) -> Option<u8> {
         if self.uart.events_rxdrdy.read().bits() == 0 {
             return None;
         }
@@ -194,13 +202,13 @@ impl Uart {
     }
 
     /// Sends the next byte if the line is free.
-    pub(crate) fn write(&mut self, mut next: impl FnMut() -> Option<u8>) {
+    fn send<const N: usize>(&mut self, line: &Line<N>) {
         if self.uart.events_txdrdy.read().bits() != 0 {
             self.uart.events_txdrdy.reset();
             self.sending = false;
         }
         if !self.sending
-            && let Some(byte) = next()
+            && let Some(byte) = line.next()
         {
             self.sending = true;
             // SAFETY: any byte may be sent.

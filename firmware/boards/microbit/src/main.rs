@@ -108,11 +108,7 @@ mod app {
     /// What comes first is what must not wait.
     #[task(binds = UART0, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
-        let uart = cx.local.uart;
-        while let Some(byte) = uart.read() {
-            LINE.receive(byte);
-        }
-        uart.write(|| LINE.next());
+        cx.local.uart.serve(&LINE);
     }
 
     #[task(binds = TIMER0, priority = 2, local = [clock, watchdog, program])]

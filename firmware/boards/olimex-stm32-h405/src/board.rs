@@ -32,7 +32,7 @@ use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
 #[cfg(not(feature = "pantograph"))]
 use stiction_firmware::device::{FromLine, NoActuators};
-use stiction_firmware::line;
+use stiction_firmware::line::{self, Line};
 use stm32f4xx_hal::pac::{self, TIM1, TIM5, USART2};
 use stm32f4xx_hal::prelude::*;
 use stm32f4xx_hal::rcc::{Config, Enable};
@@ -228,27 +228,29 @@ pub(crate) struct Uart {
 }
 
 impl Uart {
-    /// The byte that came, if one did.
-    pub(crate) fn read(&mut self) -> Option<u8> {
-        if !self.rx.is_rx_not_empty() {
-            return None;
+    /// A byte in, a byte out.
+    pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
+        if self.rx.is_rx_not_empty() {
+            self.receive(line);
         }
+        self.send(line);
+    }
+
+    fn receive<const N: usize>(&mut self, line: &Line<N>) {
         match self.rx.read() {
-            Ok(byte) => Some(byte),
-            Err(nb::Error::WouldBlock) => None,
-            Err(nb::Error::Other(_)) => {
-                lost_a_byte();
-                None
-            }
+            Ok(byte) => line.receive(byte),
+            Err(nb::Error::WouldBlock) => {}
+            // It came too fast.
+            Err(nb::Error::Other(_)) => line.lose(),
         }
     }
 
     /// Sends the next byte if the line is free, and asks to be called again as long as there are any.
-    pub(crate) fn write(&mut self, mut next: impl FnMut() -> Option<u8>) {
+    fn send<const N: usize>(&mut self, line: &Line<N>) {
         if !self.tx.is_tx_empty() {
             return self.tx.listen();
         }
-        match next() {
+        match line.next() {
             // The register is empty.
             Some(byte) => {
                 let _ = self.tx.write(byte);

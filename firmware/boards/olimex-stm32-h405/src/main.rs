@@ -114,11 +114,7 @@ mod app {
     /// What comes first is what must not wait: a byte stays in the receiver for 11 µs.
     #[task(binds = USART2, priority = 3, local = [uart])]
     fn serial(cx: serial::Context) {
-        let uart = cx.local.uart;
-        if let Some(byte) = uart.read() {
-            LINE.receive(byte);
-        }
-        uart.write(|| LINE.next());
+        cx.local.uart.serve(&LINE);
     }
 
     #[task(binds = SysTick, priority = 2, local = [clock, watchdog, device, program])]
