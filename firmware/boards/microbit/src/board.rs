@@ -1,4 +1,4 @@
-//! Pins, clocks, interrupts, and what happens when all is lost: the only unsafe.
+//! Pins, clocks and interrupts.
 //!
 //! | what | where |
 //! |---|---|
@@ -7,13 +7,10 @@
 //! | motors | none; all pins become inputs when it stops |
 #![allow(unsafe_code)]
 
-use crate::log::error;
-use core::arch::naked_asm;
 use nrf51_hal::clocks::Clocks;
 use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
 use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
-use portable_atomic::{AtomicBool, Ordering};
 use stiction_firmware::line::{self, Line};
 
 /// Of the serial line.
@@ -25,9 +22,6 @@ const TX: u32 = 24;
 const RX: u32 = 25;
 /// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
 const PATIENCE: u32 = 1_638;
-
-/// It has stopped.
-static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// What the tasks work with.
 pub(crate) struct Board {
@@ -245,52 +239,7 @@ impl Watchdog {
 }
 
 /// No pin drives anything any more, but the serial line.
-fn actuators_off() {
+pub(crate) fn actuators_off() {
     // SAFETY: one register, written once.
     unsafe { (*GPIO::ptr()).dirclr.write(|w| w.bits(!(1 << TX))) };
-}
-
-/// Zero force, and nothing more until the watchdog resets the chip.
-pub(crate) fn stop() -> ! {
-    cortex_m::interrupt::disable();
-    actuators_off();
-    // Once: what stopped it may have been the log.
-    if !STOPPED.load(Ordering::Relaxed) {
-        STOPPED.store(true, Ordering::Relaxed);
-        error!("stopped");
-    }
-    #[cfg(feature = "semihosting")]
-    semihosting::process::exit(101);
-    #[cfg(not(feature = "semihosting"))]
-    loop {
-        cortex_m::asm::nop();
-    }
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    stop()
-}
-
-/// An exception that nothing else handles.
-#[unsafe(export_name = "DefaultHandler")]
-extern "C" fn unexpected() -> ! {
-    stop()
-}
-
-/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
-#[unsafe(naked)]
-#[unsafe(export_name = "HardFault")]
-unsafe extern "C" fn hard_fault() -> ! {
-    naked_asm!(
-        "ldr r0, =_stack_start",
-        "msr msp, r0",
-        "bl {stop}",
-        ".pool",
-        stop = sym fault,
-    )
-}
-
-extern "C" fn fault() -> ! {
-    stop()
 }

@@ -12,6 +12,9 @@ mod board;
 #[cfg(target_os = "none")]
 #[path = "../../log.rs"]
 mod log;
+#[cfg(target_os = "none")]
+#[path = "../../stop.rs"]
+mod stop;
 
 /// This machine is none.
 #[cfg(not(target_os = "none"))]
@@ -31,6 +34,7 @@ mod app {
     use crate::board::{self, Board, Clock, Uart, Watchdog};
     use crate::log::{self, info};
     use crate::scene::{CompiledScene, OBSTACLES, SCENE};
+    use crate::stop::stop;
     use nrf51_hal::pac::Interrupt;
     use stiction_core::frame::{Mode, NumberType};
     use stiction_core::{Evolution, Fixed};
@@ -87,7 +91,7 @@ mod app {
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
         let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
-            board::stop()
+            stop()
         };
         let rate = SETUP.mode.tick_rate;
         let Board {

@@ -1,4 +1,4 @@
-//! Pins, clocks, interrupts, and what happens when all is lost: the only unsafe.
+//! Pins, clocks and interrupts.
 //!
 //! | what | where |
 //! |---|---|
@@ -24,9 +24,7 @@ mod pantograph;
 #[cfg(feature = "pantograph")]
 pub(crate) use pantograph::Device;
 
-use crate::log::error;
-use core::arch::naked_asm;
-use core::sync::atomic::{AtomicBool, Ordering};
+use crate::stop::stop;
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
@@ -52,9 +50,6 @@ const PATIENCE_MS: u32 = 20;
 /// The device of this board: none.
 #[cfg(not(feature = "pantograph"))]
 pub(crate) type Device = (FromLine, NoActuators);
-
-/// It has stopped.
-static STOPPED: AtomicBool = AtomicBool::new(false);
 
 /// What the tasks work with.
 pub(crate) struct Board {
@@ -283,56 +278,11 @@ fn actuators_on() {
 }
 
 /// No motor is driven any more, whatever else is going on.
-fn actuators_off() {
+pub(crate) fn actuators_off() {
     // SAFETY: bits of a timer that nothing else needs from now on: main output enable, by program and by itself.
     unsafe {
         (*TIM1::ptr())
             .bdtr()
             .modify(|_, w| w.aoe().clear_bit().moe().clear_bit());
     }
-}
-
-/// Zero force, and nothing more until the watchdog resets the chip.
-pub(crate) fn stop() -> ! {
-    cortex_m::interrupt::disable();
-    actuators_off();
-    // Once: what stopped it may have been the log.
-    if !STOPPED.load(Ordering::Relaxed) {
-        STOPPED.store(true, Ordering::Relaxed);
-        error!("stopped");
-    }
-    #[cfg(feature = "semihosting")]
-    semihosting::process::exit(101);
-    #[cfg(not(feature = "semihosting"))]
-    loop {
-        cortex_m::asm::nop();
-    }
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
-    stop()
-}
-
-/// An exception that nothing else handles.
-#[unsafe(export_name = "DefaultHandler")]
-extern "C" fn unexpected() -> ! {
-    stop()
-}
-
-/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
-#[unsafe(naked)]
-#[unsafe(export_name = "HardFault")]
-unsafe extern "C" fn hard_fault() -> ! {
-    naked_asm!(
-        "ldr r0, =_stack_start",
-        "msr msp, r0",
-        "bl {stop}",
-        ".pool",
-        stop = sym fault,
-    )
-}
-
-extern "C" fn fault() -> ! {
-    stop()
 }

@@ -14,6 +14,9 @@ mod device;
 #[cfg(target_os = "none")]
 #[path = "../../log.rs"]
 mod log;
+#[cfg(target_os = "none")]
+#[path = "../../stop.rs"]
+mod stop;
 
 /// This machine is none.
 #[cfg(not(target_os = "none"))]
@@ -43,6 +46,7 @@ mod app {
     use crate::device::{LIMITS, PASSIVITY};
     use crate::log::{self, info};
     use crate::scene::{CompiledScene, OBSTACLES, SCENE};
+    use crate::stop::stop;
     use stiction_core::frame::{Mode, NumberType};
     use stiction_firmware::line::Line;
     use stiction_firmware::station::{Log, SceneType, Setup, Station, Watch};
@@ -91,7 +95,7 @@ mod app {
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
         let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
-            board::stop()
+            stop()
         };
         let rate = SETUP.mode.tick_rate;
         let Board {

@@ -1,0 +1,58 @@
+//! What happens on a board when all is lost: a panic, a fault, an exception that nothing handles. Its own part is to turn its motors
+//! off, `board::actuators_off`.
+#![allow(unsafe_code)]
+
+use core::arch::naked_asm;
+
+use core::sync::atomic::{AtomicBool, Ordering};
+
+use crate::board::actuators_off;
+use crate::log::error;
+
+/// It has stopped.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// Zero force, and nothing more until the watchdog resets the chip.
+pub(crate) fn stop() -> ! {
+    cortex_m::interrupt::disable();
+    actuators_off();
+    // Once: what stopped it may have been the log.
+    if !STOPPED.load(Ordering::Relaxed) {
+        STOPPED.store(true, Ordering::Relaxed);
+        error!("stopped");
+    }
+    #[cfg(feature = "semihosting")]
+    semihosting::process::exit(101);
+    #[cfg(not(feature = "semihosting"))]
+    loop {
+        cortex_m::asm::nop();
+    }
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    stop()
+}
+
+/// An exception that nothing else handles.
+#[unsafe(export_name = "DefaultHandler")]
+extern "C" fn unexpected() -> ! {
+    stop()
+}
+
+/// A fault of the processor, on a fresh stack: the old one may be what is at fault, and would fault again.
+#[unsafe(naked)]
+#[unsafe(export_name = "HardFault")]
+unsafe extern "C" fn hard_fault() -> ! {
+    naked_asm!(
+        "ldr r0, =_stack_start",
+        "msr msp, r0",
+        "bl {stop}",
+        ".pool",
+        stop = sym fault,
+    )
+}
+
+extern "C" fn fault() -> ! {
+    stop()
+}
