@@ -48,6 +48,16 @@ impl<const N: usize> Line<N> {
         self.to_send.take()
     }
 
+    /// The same, which stays the next.
+    pub fn peek(&self) -> Option<u8> {
+        self.to_send.peek()
+    }
+
+    /// For how many more bytes there is room.
+    pub fn room(&self) -> usize {
+        self.received.room()
+    }
+
     /// Bytes that came when there was no room for them, or too fast.
     pub fn lost(&self) -> u32 {
         self.lost.load(Ordering::Relaxed)

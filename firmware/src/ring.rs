@@ -63,13 +63,19 @@ impl<const N: usize> Ring<N> {
         bytes.len() <= self.room() && bytes.iter().all(|&byte| self.put(byte))
     }
 
-    /// Takes the first byte. To be called by one context only.
-    pub fn take(&self) -> Option<u8> {
+    /// The first byte, which stays. To be called by the context that takes.
+    pub fn peek(&self) -> Option<u8> {
         let taken = self.taken.load(Ordering::Relaxed);
         if self.put.load(Ordering::Acquire) == taken {
             return None;
         }
-        let byte = self.bytes.get(taken & Self::MASK)?.load(Ordering::Relaxed);
+        Some(self.bytes.get(taken & Self::MASK)?.load(Ordering::Relaxed))
+    }
+
+    /// Takes the first byte. To be called by one context only.
+    pub fn take(&self) -> Option<u8> {
+        let byte = self.peek()?;
+        let taken = self.taken.load(Ordering::Relaxed);
         self.taken.store(taken.wrapping_add(1), Ordering::Release);
         Some(byte)
     }
