@@ -33,7 +33,7 @@ stage 'format'
 cargo fmt --all --check
 
 stage 'lints'
-cargo clippy --workspace --all-targets --features stiction-host-sim/cycles --locked -- -D warnings
+cargo clippy --workspace --all-targets --locked -- -D warnings
 
 if [ -n "$quick" ]; then
   stage 'tests of core, tests and scene files'
@@ -122,7 +122,7 @@ builds=$!
 
 stage 'tests'
 # With debug assertions and overflow checks.
-cargo test --no-fail-fast --workspace --exclude stiction-bench --features stiction-host-sim/cycles --locked
+cargo test --no-fail-fast --workspace --exclude stiction-bench --locked
 
 stage 'the live page'
 # In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
@@ -164,7 +164,7 @@ elif ! { python3 -m venv target/python && target/python/bin/pip install -q -r ho
   missing 'the packages of the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
 else
   rm -rf target/wheels
-  target/python/bin/maturin build --locked -m host-sim/python/Cargo.toml --features stiction-host-sim/cycles --out target/wheels
+  target/python/bin/maturin build --locked -m host-sim/python/Cargo.toml --out target/wheels
   target/python/bin/pip install -q --force-reinstall --no-deps target/wheels/*.whl
   target/python/bin/python -m pytest -q host-sim/python
 fi
@@ -210,7 +210,7 @@ RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
 oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 stage "oldest compiler, $oldest"
 if cargo "+$oldest" --version 2>/dev/null || rustup toolchain install "$oldest" --profile minimal; then
-  cargo "+$oldest" check -p stiction-core -p stiction-host-sim --locked --target-dir "target/rust-$oldest"
+  cargo "+$oldest" check -p stiction-core -p stiction-host-sim --no-default-features --locked --target-dir "target/rust-$oldest"
 else
   missing "Rust $oldest" "rustup toolchain install $oldest --profile minimal"
 fi

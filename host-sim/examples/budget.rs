@@ -2,8 +2,8 @@
 //! takes, how many steps are behind the hand, how long, and what the longest step takes into README.md. Needs QEMU, but for the M0+.
 //!
 //! ```sh
-//! cargo run --release -p stiction-host-sim --features cycles --example budget          # 100 drags of 4 s
-//! cargo run --release -p stiction-host-sim --features cycles --example budget -- 10    # so many, on the terminal alone
+//! cargo run --release -p stiction-host-sim --example budget          # 100 drags of 4 s
+//! cargo run --release -p stiction-host-sim --example budget -- 10    # so many, on the terminal alone
 //! ```
 
 use std::error::Error;
@@ -143,7 +143,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .filter(|case| case.group == Group::Random);
     let drags: Vec<&Case> = random.take(asked.unwrap_or(DRAGS)).collect();
     let mut text = format!(
-        "Written by `cargo run --release -p stiction-host-sim --features cycles --example budget`: {} random drags of 4 s through a solver of 8 vertices and\n\
+        "Written by `cargo run --release -p stiction-host-sim --example budget`: {} random drags of 4 s through a solver of 8 vertices and\n\
          4 surfaces, on emulated chips. Of the M0+ cycles are counted, in memory without wait states. Of the others instructions are counted, and cycles are estimated at so\n\
          many of an instruction, on average, from above. A unit of work takes so many instructions, of the M0+ cycles: on\n\
          average / at most / at most in steps of {LONG} units and more. The budget is what seven eighths of a tick have room for, at the last of these. From the least one\n\

@@ -15,16 +15,13 @@ mod pico {
     //! Not compiled in.
 
     use std::path::Path;
+    use stiction_tools::board::no_pico;
     use stiction_tools::process::EmulatorError;
 
     pub(super) fn run(_: &Path, _: &Path, _: &[&str]) -> Result<String, EmulatorError> {
-        Err(EmulatorError::Missing {
-            what: "the emulated Pico".to_owned(),
-            install: "the same command with --features stiction-host-sim/cycles".to_owned(),
-        })
+        Err(no_pico())
     }
 }
-
 pub use bits::{Machine, Place};
 pub use chip::Chip;
 pub use image::{Profile, footprint};

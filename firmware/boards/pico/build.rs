@@ -10,11 +10,14 @@ fn main() -> ExitCode {
         number: NumberType::Fixed,
         room: SceneModel {
             vertices: 8,
-            surfaces: 2,
+            surfaces: 4,
             friction: true,
             weight: true,
-            // They would need more stack than there is.
-            obstacles: ObstacleRoom::default(),
+            // Of the feature `obstacles`: see firmware/README.md.
+            obstacles: ObstacleRoom {
+                count: 4,
+                corners: 16,
+            },
         },
         memory: "rp2040.x",
     };

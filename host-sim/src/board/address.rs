@@ -39,7 +39,7 @@ struct PlaceArgs {
     /// The board is behind a tcp port
     #[arg(long, value_name = "HOST:PORT")]
     tcp: Option<String>,
-    /// Build the image of a board, olimex-stm32-h405 without BOARD, and start it in QEMU; the scene stands before it
+    /// Build the image of a board, olimex-stm32-h405 without BOARD, and emulate it; the scene stands before it
     #[arg(long, value_name = "BOARD", num_args = 0..=1, default_missing_value = "olimex-stm32-h405")]
     emulate: Option<EmulatedBoard>,
 }

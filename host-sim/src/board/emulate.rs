@@ -1,13 +1,12 @@
-//! A board in QEMU: its image is built, the emulator started, and ended with this value.
+//! An emulated board: its image is built, the emulator started, and ended with this value.
 
 use std::fs;
-use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use stiction_tools::board::{Board, Emulator as Qemu, OBSTACLES};
-use stiction_tools::process::{EmulatorError, require_qemu_arm};
+use stiction_tools::board::{Board, Emulator as Started, OBSTACLES};
+use stiction_tools::process::EmulatorError;
 
 use super::link::Link;
 use crate::{report, stop};
@@ -15,7 +14,7 @@ use crate::{report, stop};
 /// The emulator opens its socket at once, or not at all.
 const OPENING: Duration = Duration::from_secs(20);
 
-/// A board that QEMU knows.
+/// A board that can be emulated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum EmulatedBoard {
     /// STM32F405, Cortex-M4F: f32
@@ -24,6 +23,8 @@ pub enum EmulatedBoard {
     Olimex,
     /// nRF51822, Cortex-M0: fixed point
     Microbit,
+    /// RP2040, Cortex-M0+: fixed point
+    Pico,
 }
 
 impl EmulatedBoard {
@@ -31,12 +32,18 @@ impl EmulatedBoard {
         match self {
             Self::Olimex => Board::OLIMEX,
             Self::Microbit => Board::MICROBIT,
+            Self::Pico => Board::PICO,
         }
     }
 
-    /// The name of its folder in `firmware/boards`, and of its machine in QEMU.
+    /// The name of its folder in `firmware/boards`.
     pub(super) const fn name(self) -> &'static str {
         self.board().name
+    }
+
+    /// What it is emulated by.
+    pub(super) const fn emulator(self) -> &'static str {
+        self.board().emulator()
     }
 }
 
@@ -53,17 +60,19 @@ pub(super) enum Image<'a> {
 #[derive(Debug)]
 pub(super) struct Emulator {
     board: EmulatedBoard,
-    qemu: Qemu,
+    started: Started,
 }
 
 impl Emulator {
     /// Builds the image and starts it; it runs as soon as its line is opened.
     pub(super) fn start(board: EmulatedBoard, image: Image<'_>) -> Result<Self, EmulatorError> {
-        require_qemu_arm()?;
+        board.board().require_emulator()?;
         report::tell(format_args!("building the image of {} ...", board.name()));
         let image = match (image, board) {
             (Image::Plain, _) => board.board().image("", None)?,
-            (Image::Obstacles(_), EmulatedBoard::Olimex) => board.board().image(OBSTACLES, None)?,
+            (Image::Obstacles(_), EmulatedBoard::Olimex | EmulatedBoard::Pico) => {
+                board.board().image(OBSTACLES, None)?
+            }
             // It has the memory for a scene of its own alone.
             (Image::Obstacles(scene), EmulatedBoard::Microbit) => {
                 let folder = tempfile::tempdir()?;
@@ -73,30 +82,21 @@ impl Emulator {
             }
         };
         // Its clock goes with the real one.
-        let mut qemu = board.board().emulator(&image, "shift=auto");
         // Ctrl-C is for this program, which ends the emulator when it has the last poses.
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut qemu, 0);
-        Ok(Self {
-            board,
-            qemu: Qemu::start(qemu)?,
-        })
+        let started = Started::start(board.board(), &image, "shift=auto", true)?;
+        Ok(Self { board, started })
     }
 
     pub(super) const fn board(&self) -> EmulatedBoard {
         self.board
     }
 
-    fn socket(&self) -> PathBuf {
-        self.qemu.file("line")
-    }
-
     /// A line to the board.
     pub(super) fn open(&mut self) -> Result<Link, EmulatorError> {
         let begun = Instant::now();
         loop {
-            self.qemu.runs()?;
-            match Link::socket(&self.socket()) {
+            self.started.runs()?;
+            match Link::socket(&self.started.line()) {
                 Ok(link) => return Ok(link),
                 Err(error) if begun.elapsed() > OPENING || stop::asked() => {
                     return Err(error.into());

@@ -161,7 +161,7 @@ fn identify(about: &About, address: &Address) -> Identity {
         name: about.name.clone(),
         number: about.number.into(),
         place: match address {
-            Address::Emulated(_) => "QEMU".to_owned(),
+            Address::Emulated(emulator) => emulator.board().emulator().to_owned(),
             _ => address.to_string(),
         },
         emulated: matches!(address, Address::Emulated(_)),

@@ -1,22 +1,14 @@
-//! A Raspberry Pi Pico in this process: an image with its command line runs cycle by cycle on one Cortex-M0+, whose clock is
-//! read where the program asks for it. Its files are those of a folder, by semihosting.
-//!
-//! The model is that of the crate `rp2040-emu`, whose branches take the three cycles of a Cortex-M0, with the two that a Cortex-M0+
-//! takes: every instruction takes what Arm's manual (DDI 0484C, table 3-1) states for a memory without wait states. It leaves out
-//! misses of the cache through which the chip runs code from its flash, and what else is on the bus.
+//! An image with a command line on the emulated Pico: its cycles are read where the program asks for them. Its files are those of a
+//! folder, by semihosting.
 
 use std::fs::File;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-use rp2040_emu::{Config, Emulator, EmulatorBuilder, ROM_SIZE};
+use stiction_emulated_pico::{Chip, FLASH, length};
 use stiction_tools::image::flashed;
 use stiction_tools::process::EmulatorError;
 
-/// Where the flash begins.
-const FLASH: u32 = 0x1000_0000;
-/// The vector table lies behind the second boot stage.
-const VECTORS: u32 = 0x100;
 /// An image that takes longer does not come to an end: an hour of the chip at 125 MHz.
 const LONGEST: u64 = 450_000_000_000;
 
@@ -33,11 +25,11 @@ const SEMIHOSTING: u8 = 0xAB;
 /// # Errors
 /// It is no image for this chip, ends with an error, or not at all.
 pub(super) fn run(image: &Path, folder: &Path, line: &[&str]) -> Result<String, EmulatorError> {
-    let mut pico = Pico::new(flashed(image, FLASH)?, folder, line)?;
+    let mut program = Program::new(flashed(image, FLASH)?, folder, line)?;
     loop {
-        match pico.step()? {
+        match program.step()? {
             None => {}
-            Some(0) => return Ok(String::from_utf8_lossy(&pico.printed).into_owned()),
+            Some(0) => return Ok(String::from_utf8_lossy(&program.printed).into_owned()),
             Some(status) => return Err(not_understood(format!("the image ends with {status}"))),
         }
     }
@@ -48,11 +40,9 @@ fn not_understood(what: impl Into<String>) -> EmulatorError {
 }
 
 /// The chip, and what its debugger does for it.
-struct Pico {
-    chip: Emulator,
-    flash: Vec<u8>,
-    /// The cycles since it was started, and at the last mark.
-    cycles: u64,
+struct Program {
+    chip: Chip,
+    /// The cycles at the last mark.
     begun: u64,
     folder: PathBuf,
     line: String,
@@ -68,21 +58,10 @@ enum Stream {
     Closed,
 }
 
-impl Pico {
+impl Program {
     fn new(flash: Vec<u8>, folder: &Path, line: &[&str]) -> Result<Self, EmulatorError> {
-        // A quantum of one instruction.
-        let chip = EmulatorBuilder::new(Config::default()).step_quantum(1);
-        let mut chip = chip
-            .build()
-            .map_err(|error| not_understood(format!("{error:?}")))?;
-        chip.load_bootrom(&[0; ROM_SIZE]);
-        chip.load_flash(&flash);
-        chip.reset();
-        chip.direct_boot_from_flash(VECTORS);
         Ok(Self {
-            chip,
-            flash,
-            cycles: 0,
+            chip: Chip::new(flash),
             begun: 0,
             folder: folder.to_owned(),
             line: line.join(" "),
@@ -93,46 +72,36 @@ impl Pico {
 
     /// One instruction, or what the debugger is asked for. The exit status where that is its end.
     fn step(&mut self) -> Result<Option<u32>, EmulatorError> {
-        let at = self.chip.core(0).regs.pc();
-        let instruction = self.instruction(at)?;
+        let at = self.chip.at();
+        let instruction = self.chip.instruction(at);
+        let instruction =
+            instruction.ok_or_else(|| not_understood(format!("the image goes on at {at:#x}")))?;
         let Some(request) = requested(instruction) else {
-            let cycles = self.chip.step();
-            let cycles = cycles.map_err(|error| not_understood(error.to_string()))?;
-            let core = self.chip.core(0);
-            if core.is_in_hardfault() || cycles == 0 || self.cycles > LONGEST {
+            self.chip.step();
+            let cycles = self.chip.cycles();
+            if self.chip.is_in_hard_fault() || cycles > LONGEST {
                 return Err(not_understood(format!(
                     "the image comes to nothing at {at:#x}"
                 )));
             }
-            // No instruction but a branch leads elsewhere than to the next one.
-            let branches = core.regs.pc() != at + length(instruction);
-            self.cycles += cycles - u64::from(branches);
             return Ok(None);
         };
+        let cycles = self.chip.cycles();
         let answer = match request {
             BEGIN => {
-                self.begun = self.cycles;
+                self.begun = cycles;
                 0
             }
-            END => u32::try_from(self.cycles - self.begun).unwrap_or(u32::MAX),
+            END => u32::try_from(cycles - self.begun).unwrap_or(u32::MAX),
             _ => match self.serve()? {
                 Served::Answer(answer) => answer,
                 Served::Exit(status) => return Ok(Some(status)),
             },
         };
-        let core = self.chip.core_mut(0);
-        core.set_reg(0, answer);
+        self.chip.set_register(0, answer);
         // Past the breakpoint, which takes no time.
-        core.regs.set_pc(at + length(instruction));
+        self.chip.go_on_at(at + length(instruction));
         Ok(None)
-    }
-
-    /// The instruction at an address of the flash, the first half of a long one.
-    fn instruction(&self, at: u32) -> Result<u16, EmulatorError> {
-        let offset = at.wrapping_sub(FLASH) as usize;
-        let bytes = self.flash.get(offset..).and_then(|rest| rest.first_chunk());
-        let bytes = bytes.ok_or_else(|| not_understood(format!("the image goes on at {at:#x}")))?;
-        Ok(u16::from_le_bytes(*bytes))
     }
 
     /// A call of semihosting: its number in register 0, where its words are in register 1.
@@ -141,14 +110,16 @@ impl Pico {
         /// Modes of files from here on are for writing.
         const FOR_WRITING: u32 = 4;
         let index = |handle: u32| (handle as usize).wrapping_sub(1);
-        let core = self.chip.core(0);
-        let (call, at) = (core.reg(0), core.reg(1));
-        let word = |index: u32| self.chip.peek(at + 4 * index);
+        let (call, at) = (self.chip.register(0), self.chip.register(1));
+        let word = |index: u32| {
+            let bytes = self.chip.bytes(at + 4 * index, 4);
+            u32::from_le_bytes(std::array::from_fn(|byte| bytes[byte]))
+        };
         Ok(Served::Answer(match call {
             // SYS_OPEN
             0x01 => {
                 let (name, mode, length) = (word(0), word(1), word(2));
-                let name = String::from_utf8_lossy(&self.bytes(name, length)).into_owned();
+                let name = String::from_utf8_lossy(&self.chip.bytes(name, length)).into_owned();
                 let path = self.folder.join(&name);
                 let stream = if name == ":tt" {
                     Ok(Stream::Console)
@@ -173,7 +144,7 @@ impl Pico {
             // SYS_WRITE: how many bytes are not written.
             0x05 => {
                 let (handle, from, length) = (word(0), word(1), word(2));
-                let bytes = self.bytes(from, length);
+                let bytes = self.chip.bytes(from, length);
                 match self.files.get_mut(index(handle)) {
                     Some(Stream::File(file)) => file.write_all(&bytes)?,
                     Some(Stream::Console) => self.printed.extend(bytes),
@@ -188,7 +159,7 @@ impl Pico {
                 if let Some(Stream::File(file)) = self.files.get_mut(index(handle)) {
                     file.take(u64::from(length)).read_to_end(&mut bytes)?;
                 }
-                self.chip.load_image(to, &bytes);
+                self.chip.load(to, &bytes);
                 length - bytes.len() as u32
             }
             // SYS_GET_CMDLINE
@@ -198,8 +169,9 @@ impl Pico {
                 if line.len() as u32 > room {
                     FAILED
                 } else {
-                    self.chip.load_image(to, &line);
-                    self.chip.poke(at + 4, line.len() as u32 - 1);
+                    self.chip.load(to, &line);
+                    self.chip
+                        .load(at + 4, &(line.len() as u32 - 1).to_le_bytes());
                     0
                 }
             }
@@ -210,11 +182,6 @@ impl Pico {
                 return Err(not_understood(what));
             }
         }))
-    }
-
-    fn bytes(&self, from: u32, length: u32) -> Vec<u8> {
-        let byte = |at: u32| self.chip.peek(at & !3).to_le_bytes()[(at & 3) as usize];
-        (from..from + length).map(byte).collect()
     }
 }
 
@@ -231,14 +198,10 @@ fn requested(instruction: u16) -> Option<u8> {
     (kind == BREAKPOINT && is_known).then_some(number)
 }
 
-/// Of an instruction, by its first half (bytes).
-fn length(instruction: u16) -> u32 {
-    if instruction >> 11 > 0b11100 { 4 } else { 2 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stiction_emulated_pico::VECTORS;
 
     /// The cycles of some code between the marks, in the flash, with the stack in RAM and r4 at its end.
     fn cycles(code: &[u16]) -> u32 {
@@ -251,12 +214,12 @@ mod tests {
             flash.extend(half.to_le_bytes());
         }
         let end = FLASH + flash.len() as u32 - 4;
-        let mut pico = Pico::new(flash, Path::new("."), &[]).unwrap();
-        while pico.chip.core(0).regs.pc() != end {
-            assert_eq!(pico.step().unwrap(), None);
+        let mut program = Program::new(flash, Path::new("."), &[]).unwrap();
+        while program.chip.at() != end {
+            assert_eq!(program.step().unwrap(), None);
         }
-        assert_eq!(pico.step().unwrap(), None);
-        pico.chip.core(0).reg(0)
+        assert_eq!(program.step().unwrap(), None);
+        program.chip.register(0)
     }
 
     /// Arm's table of a Cortex-M0+: DDI 0484C, table 3-1.
@@ -309,8 +272,8 @@ mod tests {
     fn an_image_that_leaves_its_flash_is_an_error() {
         let vectors = VECTORS as usize;
         let flash = [vec![0; vectors], vec![0, 0, 0, 0x20, 0x11, 0x22, 0, 0x10]].concat();
-        let mut pico = Pico::new(flash, Path::new("."), &[]).unwrap();
-        let error = pico.step().unwrap_err().to_string();
+        let mut program = Program::new(flash, Path::new("."), &[]).unwrap();
+        let error = program.step().unwrap_err().to_string();
         assert!(error.contains("0x10002210"), "{error}");
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::beside::{Beside, assert_same};
 use crate::board::Board;
-use crate::chip::{Chip, F405, MICROBIT};
+use crate::chip::{Chip, F405, MICROBIT, PICO};
 use crate::client::{Said, hand_path};
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
@@ -73,4 +73,9 @@ fn poses_of_the_f405_are_those_of_f32() {
 #[test]
 fn poses_of_the_microbit_are_those_of_fixed() {
     same_bits::<Fixed>(&MICROBIT, NumberType::Fixed);
+}
+
+#[test]
+fn poses_of_the_pico_are_those_of_fixed() {
+    same_bits::<Fixed>(&PICO, NumberType::Fixed);
 }

@@ -1,8 +1,7 @@
 //! An emulated board: QEMU started with its image, its serial line a socket, its RAM read when asked for.
 
-use crate::chip::{Chip, Image};
+use crate::chip::{Chip, Image, PICO};
 use crate::client::{Client, Known, Said};
-use std::fs;
 use std::io::{ErrorKind, Read, Write};
 use std::os::unix::net::UnixStream;
 use std::path::Path;
@@ -36,8 +35,8 @@ impl Board {
     /// From power-up, an image of the board.
     pub(crate) fn start_image(chip: &'static Chip, image: Image) -> Option<Self> {
         let clock = format!("shift={}", chip.shift);
-        let emulator = Emulator::start(chip.board.emulator(&image.path, &clock)).unwrap();
-        let line = connected(&emulator.file("line"));
+        let emulator = Emulator::start(chip.board, &image.path, &clock, false).unwrap();
+        let line = connected(&emulator.line());
         line.set_nonblocking(true).unwrap();
         let mut board = Self {
             chip,
@@ -59,7 +58,7 @@ impl Board {
             match self.line.write(bytes) {
                 Ok(count) => bytes = &bytes[count..],
                 Err(error) if error.kind() == ErrorKind::WouldBlock => {
-                    let more = self.read();
+                    let more = read(&mut self.line);
                     self.came.extend(more);
                 }
                 Err(error) => panic!("{error}"),
@@ -90,24 +89,8 @@ impl Board {
     /// What has come meanwhile.
     pub(crate) fn bytes(&mut self) -> Vec<u8> {
         let mut bytes = std::mem::take(&mut self.came);
-        bytes.extend(self.read());
+        bytes.extend(read(&mut self.line));
         bytes
-    }
-
-    fn read(&mut self) -> Vec<u8> {
-        let mut bytes = vec![0; 4096];
-        match self.line.read(&mut bytes) {
-            Ok(count) => {
-                assert_ne!(count, 0, "the emulator ended");
-                bytes.truncate(count);
-                bytes
-            }
-            Err(error) if error.kind() == ErrorKind::WouldBlock => {
-                std::thread::sleep(Duration::from_millis(1));
-                Vec::new()
-            }
-            Err(error) => panic!("{error}"),
-        }
     }
 
     pub(crate) fn listen(&mut self) {
@@ -200,26 +183,50 @@ impl Board {
         })
     }
 
-    /// Time on the board's clock as instructions.
+    /// Time on the board's clock as instructions; of the Pico, whose instructions take their time, as cycles.
     pub(crate) fn instructions(&self, ns: u32) -> u32 {
-        ns >> self.chip.shift
+        if self.chip.board == PICO.board {
+            ns / 8
+        } else {
+            ns >> self.chip.shift
+        }
     }
 
     /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
     /// than what was never touched.
     pub(crate) fn stack(&mut self) -> usize {
-        let mut monitor = connected(&self.emulator.file("monitor"));
         let size = usize::try_from(self.image.contents.stack_top.unwrap() - RAM).unwrap();
-        writeln!(monitor, "memsave {RAM} {size} ram").unwrap();
         let begun = Instant::now();
-        loop {
-            let ram = fs::read(self.emulator.file("ram")).unwrap_or_default();
-            if ram.len() == size {
-                return size - ram.iter().take_while(|byte| **byte == 0).count();
-            }
+        let Self {
+            emulator,
+            line,
+            came,
+            ..
+        } = self;
+        // A line that nobody reads holds the emulator up.
+        let ram = emulator.memory(RAM, size, || {
             assert!(begun.elapsed() < PATIENCE);
-            self.listen();
+            came.extend(read(line));
+        });
+        let ram = ram.unwrap();
+        size - ram.iter().take_while(|byte| **byte == 0).count()
+    }
+}
+
+/// What has come over a line; a moment later where nothing has.
+fn read(line: &mut UnixStream) -> Vec<u8> {
+    let mut bytes = vec![0; 4096];
+    match line.read(&mut bytes) {
+        Ok(count) => {
+            assert_ne!(count, 0, "the emulator ended");
+            bytes.truncate(count);
+            bytes
         }
+        Err(error) if error.kind() == ErrorKind::WouldBlock => {
+            std::thread::sleep(Duration::from_millis(1));
+            Vec::new()
+        }
+        Err(error) => panic!("{error}"),
     }
 }
 

@@ -8,7 +8,7 @@ use std::process::Command as Process;
 use std::sync::Mutex;
 use stiction_tools::board::{Board, OBSTACLES};
 use stiction_tools::image::Contents;
-use stiction_tools::process::{if_installed, output_of, require_qemu_arm};
+use stiction_tools::process::{if_installed, output_of};
 use stiction_tools::workspace;
 
 /// A board with its emulator.
@@ -47,6 +47,15 @@ pub(crate) const MICROBIT: Chip = Chip {
     line_rate: 11_520,
 };
 
+/// Its clock goes with the real one.
+pub(crate) const PICO: Chip = Chip {
+    board: Board::PICO,
+    features: "",
+    is_small: false,
+    shift: 0,
+    line_rate: 92_160,
+};
+
 /// For little flash.
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,
@@ -80,7 +89,7 @@ impl Chip {
     /// folder of the build the next one takes its place.
     pub(crate) fn image_of(&self, scene: Option<&str>) -> Option<Image> {
         static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
-        if_installed(require_qemu_arm())?;
+        if_installed(self.board.require_emulator())?;
         let name = [self.name(), self.features, scene.unwrap_or("own")].join("-");
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let mut built = BUILT.lock().unwrap();

@@ -2,7 +2,7 @@
 
 use crate::beside::{Beside, assert_same};
 use crate::board::{AGAIN, Board};
-use crate::chip::{Chip, F405, MICROBIT};
+use crate::chip::{Chip, F405, MICROBIT, PICO};
 use crate::client::{Client, Said, hand_path, scene};
 use crate::common::BOX;
 use crate::random::{Random, garbled};
@@ -102,6 +102,12 @@ fn silence_on_the_f405_is_zero_force_within_20_ms() {
 fn silence_on_the_microbit_is_zero_force_within_20_ms() {
     let _alone = alone();
     silence(&MICROBIT);
+}
+
+#[test]
+fn silence_on_the_pico_is_zero_force_within_20_ms() {
+    let _alone = alone();
+    silence(&PICO);
 }
 
 /// How large a force is (N).
@@ -206,6 +212,12 @@ fn a_client_dies_in_a_frame_and_another_goes_on_with_the_microbit() {
     client_dies(&MICROBIT);
 }
 
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_with_the_pico() {
+    let _alone = alone();
+    client_dies(&PICO);
+}
+
 /// Noise, and then pings: first as fast as the emulator takes them, which a board survives; then as fast as a line brings
 /// them, which costs no tick.
 fn flood(chip: &'static Chip, size: usize) {
@@ -246,6 +258,12 @@ fn a_flood_does_not_stop_the_f405() {
 fn a_flood_does_not_stop_the_microbit() {
     let _alone = alone();
     flood(&MICROBIT, 30_000);
+}
+
+#[test]
+fn a_flood_does_not_stop_the_pico() {
+    let _alone = alone();
+    flood(&PICO, 60_000);
 }
 
 /// Both directions are damaged: every pose that the board sends is that of a sample that was sent, bit for bit, and every
@@ -338,11 +356,18 @@ fn no_wrong_pose_over_a_faulty_line_to_the_microbit() {
 }
 
 #[test]
+fn no_wrong_pose_over_a_faulty_line_to_the_pico() {
+    let _alone = alone();
+    faulty_line::<Fixed>(&PICO, 4_000, 400);
+}
+
+#[test]
 #[ignore = "takes minutes"]
 fn no_wrong_pose_in_100_000_frames_over_faulty_lines() {
     let _alone = alone();
     faulty_line::<f32>(&F405, 100_000, 400);
     faulty_line::<Fixed>(&MICROBIT, 100_000, 400);
+    faulty_line::<Fixed>(&PICO, 100_000, 400);
 }
 
 /// Commands while the box is pressed to the floor, in the image itself.
@@ -394,15 +419,17 @@ fn another_tick_rate(chip: &'static Chip, rates: [u16; 4]) {
 }
 
 #[test]
-fn another_tick_rate_misses_no_tick_on_both_boards() {
+fn another_tick_rate_misses_no_tick() {
     let _alone = alone();
     another_tick_rate(&F405, [500, 1000, 250, 1000]);
     another_tick_rate(&MICROBIT, [125, 250, 100, 500]);
+    another_tick_rate(&PICO, [500, 1000, 250, 2000]);
 }
 
 #[test]
-fn commands_in_mid_contact_on_both_boards() {
+fn commands_in_mid_contact() {
     let _alone = alone();
     in_mid_contact(&F405);
     in_mid_contact(&MICROBIT);
+    in_mid_contact(&PICO);
 }

@@ -14,6 +14,7 @@ mod common;
 mod line;
 mod log;
 mod pantograph;
+mod pico;
 #[path = "../../../firmware/tests/station/random.rs"]
 mod random;
 mod scene;

@@ -1,20 +1,24 @@
-//! The boards of `firmware/boards` in QEMU: the image is built, the emulator started with the serial line and its monitor on
-//! sockets of its own, and ended with the value [`Emulator`].
+//! The boards of `firmware/boards`, emulated: the image is built, the emulator started with the serial line on a socket of its own, and
+//! ended with the value [`Emulator`]. The Pico runs in this process, the others in QEMU.
 
-use std::io::Read;
+use std::fs;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use tempfile::TempDir;
 
 use crate::image::{built, cargo_build};
-use crate::process::EmulatorError;
+use crate::process::{EmulatorError, require_qemu_arm};
 use crate::{BOARDS, workspace};
 
-/// QEMU for both boards.
+/// QEMU for the boards that it knows.
 const QEMU: &str = "qemu-system-arm";
 
-/// The feature of the F405's package that gives it room for obstacles.
+/// The line of an emulator, in its folder.
+const LINE: &str = "line";
+
+/// The feature of a board's package that gives it room for obstacles.
 pub const OBSTACLES: &str = "obstacles";
 
 /// A board with an emulator.
@@ -22,20 +26,26 @@ pub const OBSTACLES: &str = "obstacles";
 pub struct Board {
     /// Of its folder in `firmware/boards`, and of its machine in QEMU.
     pub name: &'static str,
-    /// Serial lines of the machine before the one that the image uses.
-    unused_lines: usize,
+    /// Serial lines of its machine in QEMU before the one that the image uses; none where QEMU does not know it.
+    unused_lines: Option<usize>,
 }
 
 impl Board {
     /// Olimex STM32-H405: STM32F405, Cortex-M4F.
     pub const OLIMEX: Self = Self {
         name: "olimex-stm32-h405",
-        unused_lines: 1,
+        unused_lines: Some(1),
     };
     /// BBC micro:bit: nRF51822, Cortex-M0.
     pub const MICROBIT: Self = Self {
         name: "microbit",
-        unused_lines: 0,
+        unused_lines: Some(0),
+    };
+
+    /// Raspberry Pi Pico: RP2040, Cortex-M0+.
+    pub const PICO: Self = Self {
+        name: "pico",
+        unused_lines: None,
     };
 
     /// The folder of its package.
@@ -75,13 +85,31 @@ impl Board {
         built(cargo)
     }
 
-    /// QEMU with an image, for [`Emulator::start`]. `clock` is how fast its clock goes, as QEMU's -icount says it; with none at all,
-    /// ticks are lost.
-    pub fn emulator(self, image: &Path, clock: &str) -> Command {
+    /// What it is emulated by.
+    pub const fn emulator(self) -> &'static str {
+        match self.unused_lines {
+            Some(_) => "QEMU",
+            None => "this program",
+        }
+    }
+
+    /// Its emulator is there.
+    ///
+    /// # Errors
+    /// It is not.
+    pub fn require_emulator(self) -> Result<(), EmulatorError> {
+        match self.unused_lines {
+            Some(_) => require_qemu_arm(),
+            None => Ok(()),
+        }
+    }
+
+    /// QEMU with an image.
+    fn qemu(self, unused_lines: usize, image: &Path, clock: &str) -> Command {
         let mut qemu = Command::new(QEMU);
         qemu.args(["-M", self.name, "-display", "none", "-icount", clock]);
         qemu.args(["-monitor", "unix:monitor,server=on,wait=off"]);
-        for _ in 0..self.unused_lines {
+        for _ in 0..unused_lines {
             qemu.args(["-serial", "null"]);
         }
         qemu.args(["-serial", "unix:line,server=on,wait=on"]);
@@ -96,24 +124,50 @@ impl Board {
 /// A running emulator.
 #[derive(Debug)]
 pub struct Emulator {
-    process: Child,
+    runs: Runs,
     folder: TempDir,
 }
 
+/// What emulates a board.
+#[derive(Debug)]
+enum Runs {
+    Qemu(Child),
+    #[cfg(all(unix, feature = "pico"))]
+    Pico(stiction_emulated_pico::Board),
+}
+
 impl Emulator {
-    /// Starts what [`Board::emulator`] gives; the image runs as soon as the line is opened.
+    /// Starts the emulator of a board with an image, which runs as soon as its line is opened. `clock` is how fast the clock of QEMU
+    /// goes, as its -icount says it; with none at all, ticks are lost. What is emulated in this process goes with the real clock.
+    /// `is_apart`: Ctrl-C is for this program alone.
     ///
     /// # Errors
-    /// QEMU cannot be started.
-    pub fn start(mut qemu: Command) -> Result<Self, EmulatorError> {
+    /// It cannot be started.
+    pub fn start(
+        board: Board,
+        image: &Path,
+        clock: &str,
+        is_apart: bool,
+    ) -> Result<Self, EmulatorError> {
         let folder = tempfile::tempdir()?;
-        let process = qemu.current_dir(folder.path()).spawn()?;
-        Ok(Self { process, folder })
+        let runs = match board.unused_lines {
+            Some(lines) => {
+                let mut qemu = board.qemu(lines, image, clock);
+                qemu.current_dir(folder.path());
+                #[cfg(unix)]
+                if is_apart {
+                    std::os::unix::process::CommandExt::process_group(&mut qemu, 0);
+                }
+                Runs::Qemu(qemu.spawn()?)
+            }
+            None => pico(image, &folder.path().join(LINE))?,
+        };
+        Ok(Self { runs, folder })
     }
 
-    /// A file of its working folder: the sockets are `line` and `monitor`.
-    pub fn file(&self, name: &str) -> PathBuf {
-        self.folder.path().join(name)
+    /// The socket of its line.
+    pub fn line(&self) -> PathBuf {
+        self.folder.path().join(LINE)
     }
 
     /// It runs.
@@ -121,11 +175,16 @@ impl Emulator {
     /// # Errors
     /// It has ended, and says why.
     pub fn runs(&mut self) -> Result<(), EmulatorError> {
-        let Some(status) = self.process.try_wait()? else {
+        let process = match &mut self.runs {
+            Runs::Qemu(process) => process,
+            #[cfg(all(unix, feature = "pico"))]
+            Runs::Pico(_) => return Ok(()),
+        };
+        let Some(status) = process.try_wait()? else {
             return Ok(());
         };
         let mut message = String::from("\n");
-        if let Some(text) = &mut self.process.stderr {
+        if let Some(text) = &mut process.stderr {
             text.read_to_string(&mut message)?;
         }
         Err(EmulatorError::Failed {
@@ -134,12 +193,77 @@ impl Emulator {
             message: message.trim_end().to_owned(),
         })
     }
+
+    /// A piece of its memory, `from` an address on; `meanwhile` is called while it does not come.
+    ///
+    /// # Errors
+    /// QEMU does not give it.
+    #[cfg(unix)]
+    pub fn memory(
+        &self,
+        from: u64,
+        size: usize,
+        mut meanwhile: impl FnMut(),
+    ) -> Result<Vec<u8>, EmulatorError> {
+        match &self.runs {
+            Runs::Qemu(_) => {
+                let file = self.folder.path().join("memory");
+                let monitor = self.folder.path().join("monitor");
+                let mut monitor = std::os::unix::net::UnixStream::connect(monitor)?;
+                writeln!(monitor, "memsave {from} {size} memory")?;
+                loop {
+                    let bytes = fs::read(&file).unwrap_or_default();
+                    if bytes.len() == size {
+                        fs::remove_file(&file)?;
+                        return Ok(bytes);
+                    }
+                    meanwhile();
+                }
+            }
+            #[cfg(feature = "pico")]
+            Runs::Pico(board) => {
+                let bytes = board.look(move |chip| chip.bytes(from as u32, size as u32));
+                bytes.ok_or_else(|| EmulatorError::Output("the Pico has ended".to_owned()))
+            }
+        }
+    }
+}
+
+/// The Pico with an image.
+#[cfg(all(unix, feature = "pico"))]
+fn pico(image: &Path, line: &Path) -> Result<Runs, EmulatorError> {
+    let flash = crate::image::flashed(image, stiction_emulated_pico::FLASH)?;
+    Ok(Runs::Pico(stiction_emulated_pico::Board::start(
+        flash, line,
+    )?))
+}
+
+/// The Pico with an image: it is not compiled in, or there are no unix sockets for its line.
+#[cfg(not(all(unix, feature = "pico")))]
+fn pico(_: &Path, _: &Path) -> Result<Runs, EmulatorError> {
+    Err(no_pico())
+}
+
+/// The emulated Pico is not compiled in.
+pub fn no_pico() -> EmulatorError {
+    EmulatorError::Missing {
+        what: "the emulated Pico".to_owned(),
+        install: "the same command with --features stiction-host-sim/cycles, on a system with unix sockets"
+            .to_owned(),
+    }
 }
 
 impl Drop for Emulator {
     fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.process.kill();
-        let _ = self.process.wait();
+        match &mut self.runs {
+            Runs::Qemu(process) => {
+                // It may have ended by itself.
+                let _ = process.kill();
+                let _ = process.wait();
+            }
+            // It ends with its value.
+            #[cfg(all(unix, feature = "pico"))]
+            Runs::Pico(_) => {}
+        }
     }
 }

@@ -90,8 +90,8 @@ pub struct Contents {
     pub variables: u64,
     /// The address from which the stack grows down, where the linker names it.
     pub stack_top: Option<u64>,
-    /// Names of functions, mangled.
-    pub symbols: Vec<String>,
+    /// Names of functions, mangled, and where they are.
+    pub symbols: Vec<(String, u64)>,
 }
 
 impl Contents {
@@ -128,14 +128,14 @@ impl Contents {
             if name == "_stack_start" {
                 contents.stack_top = Some(symbol.address());
             }
-            contents.symbols.push(name.to_owned());
+            contents.symbols.push((name.to_owned(), symbol.address()));
         }
         Ok(contents)
     }
 
     /// Symbols of panics: none in an image in which nothing can panic.
     pub fn panics(&self) -> Vec<&str> {
-        let names = self.symbols.iter().map(String::as_str);
+        let names = self.symbols.iter().map(|(name, _)| name.as_str());
         let of_panics = |name: &&str| name.contains("panic") || name.contains("unwrap_failed");
         names.filter(of_panics).collect()
     }

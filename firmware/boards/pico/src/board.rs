@@ -5,6 +5,7 @@
 //! | serial line, 921600 8N1 | UART0: GP0 out, GP1 in |
 //! | serial line over USB | the board's USB |
 //! | ticks and clock | TIMER, 1 MHz |
+//! | motors | none; no pin but GP0 drives anything when it stops |
 #![allow(unsafe_code)]
 
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -38,6 +39,8 @@ pub(crate) const CLOCK: u32 = 125_000_000;
 pub(crate) const BAUD: u32 = 921_600;
 /// A tick that does not come for so long ends in a reset (ms).
 const PATIENCE: u32 = 20;
+/// What the board is called on USB.
+const PRODUCT: &str = "stiction on Pico";
 /// Bytes of a packet.
 const PACKET: usize = 64;
 
@@ -49,15 +52,44 @@ pub(crate) fn usb_is_open() -> bool {
     USB_IS_OPEN.load(Ordering::Relaxed)
 }
 
-/// Where the USB of the chip stays.
-pub(crate) type Bus = UsbBusPlace;
+/// What stays where it is as long as the line over USB is there: empty until [`Board::start`].
+pub(crate) struct Bus {
+    allocator: Option<UsbBusAllocator<UsbBus>>,
+    /// Of the board, as text.
+    serial_number: [u8; 2 * NUMBER],
+}
 
-/// Empty until [`Board::start`].
-pub(crate) struct UsbBusPlace(Option<UsbBusAllocator<UsbBus>>);
-
-impl UsbBusPlace {
+impl Bus {
     pub(crate) const fn new() -> Self {
-        Self(None)
+        Self {
+            allocator: None,
+            serial_number: [b'0'; 2 * NUMBER],
+        }
+    }
+}
+
+/// Bytes of the number that the flash of a board has as its own.
+const NUMBER: usize = 8;
+
+/// The number of the flash; zeros where the chip has no ROM, which asks for it: in an emulator.
+fn flash_number() -> [u8; NUMBER] {
+    /// "Mu", and a version: RP2040 datasheet, section 2.8.3.
+    const ROM: (*const u16, u16) = (0x10 as *const u16, u16::from_le_bytes(*b"Mu"));
+    let mut number = [0; NUMBER];
+    // SAFETY: the address is one of the ROM; nothing else runs, from the flash or at all: interrupts are off until all is set up.
+    unsafe {
+        if ROM.0.read_volatile() == ROM.1 {
+            cortex_m::interrupt::free(|_| rp2040_flash::flash::flash_unique_id(&mut number, true));
+        }
+    }
+    number
+}
+
+/// Bytes as text, hexadecimal.
+fn write_hex(bytes: [u8; NUMBER], text: &mut [u8; 2 * NUMBER]) {
+    let digit = |value: u8| value + if value < 10 { b'0' } else { b'A' - 10 };
+    for (byte, place) in bytes.iter().zip(text.chunks_exact_mut(2)) {
+        place.copy_from_slice(&[digit(byte >> 4), digit(byte & 15)]);
     }
 }
 
@@ -94,7 +126,9 @@ impl Board {
         let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
         let uart = UartPeripheral::new(device.UART0, pins, &mut device.RESETS);
         let uart = Uart::new(uart, &clocks);
-        let bus = bus.0.insert(UsbBusAllocator::new(UsbBus::new(
+        write_hex(flash_number(), &mut bus.serial_number);
+        let serial_number = core::str::from_utf8(&bus.serial_number).unwrap_or_default();
+        let allocator = bus.allocator.insert(UsbBusAllocator::new(UsbBus::new(
             device.USBCTRL_REGS,
             device.USBCTRL_DPRAM,
             clocks.usb_clock,
@@ -104,7 +138,7 @@ impl Board {
         watchdog.start(PATIENCE.millis());
         Self {
             uart,
-            usb: Usb::new(bus),
+            usb: Usb::new(allocator, serial_number),
             clock: Clock::new(timer, rate),
             watchdog: Watchdog(watchdog),
         }
@@ -221,13 +255,14 @@ pub(crate) struct Usb {
 }
 
 impl Usb {
-    fn new(bus: &'static UsbBusAllocator<UsbBus>) -> Self {
+    fn new(bus: &'static UsbBusAllocator<UsbBus>, serial_number: &'static str) -> Self {
         let port = SerialPort::new(bus);
         // Of Raspberry Pi, for serial lines of a Pico.
         let device = UsbDeviceBuilder::new(bus, UsbVidPid(0x2E8A, 0x000A));
         let names = StringDescriptors::default()
             .manufacturer("stiction")
-            .product("stiction on Pico");
+            .product(PRODUCT)
+            .serial_number(serial_number);
         let Ok(device) = device
             .strings(&[names])
             .and_then(|device| device.max_packet_size_0(64))
@@ -271,5 +306,12 @@ impl Watchdog {
     }
 }
 
-/// This board drives nothing yet.
-pub(crate) fn actuators_off() {}
+/// No pin drives anything any more, but the serial line.
+pub(crate) fn actuators_off() {
+    // SAFETY: one field of each register, whatever a task was doing with it.
+    let pins = unsafe { &*pac::IO_BANK0::ptr() };
+    // GP0 is the line's.
+    for pin in pins.gpio_iter().skip(1) {
+        pin.gpio_ctrl().modify(|_, w| w.funcsel().null());
+    }
+}

@@ -1,0 +1,464 @@
+//! The chip: one core of the RP2040, its memory and what surrounds it, one instruction after the other.
+
+use rp2040_emu::bus::ppb::Ppb;
+use rp2040_emu::core::{CoreBus, CortexM0Plus, Nvic};
+use rp2040_emu::{Bus, Config, Emulator, ROM_SIZE};
+
+use crate::uart::Uart;
+use crate::watchdog::Watchdog;
+
+/// Where the flash begins.
+pub const FLASH: u32 = 0x1000_0000;
+/// The clock of the chip (MHz).
+pub const MEGAHERTZ: u32 = 125;
+/// The vector table lies behind the second boot stage.
+pub const VECTORS: u32 = 0x100;
+
+/// Peripherals, each of them 16 KB, whose upper 12 KB change bits of the registers in the lower 4.
+const UART0: u32 = 0x4003_4000;
+const TIMER: u32 = 0x4005_4000;
+const WATCHDOG: u32 = 0x4005_8000;
+const PERIPHERAL: u32 = !0x3FFF;
+/// Of the timer: which of its alarms ask for their interrupts, 0 to 3.
+const ALARMS: u32 = TIMER + 0x40;
+/// The interrupt of the serial line.
+const UART0_INTERRUPT: u8 = 20;
+/// Exceptions of interrupts begin here.
+const FIRST_INTERRUPT: u32 = 16;
+
+/// The chip. Its clock counts cycles from power-up on, and goes on when the chip is reset.
+pub struct Chip {
+    emulator: Emulator,
+    flash: Vec<u8>,
+    own: Own,
+    /// When a peripheral next does something by itself (cycles).
+    next: u64,
+    /// When the chip was last reset (cycles).
+    reset_at: u64,
+    resets: u32,
+}
+
+/// What the crate leaves out.
+#[derive(Debug, Default)]
+struct Own {
+    uart: Uart,
+    watchdog: Watchdog,
+    now: u64,
+    /// A peripheral that acts by itself was read or written.
+    is_touched: bool,
+}
+
+impl std::fmt::Debug for Chip {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Own { uart, watchdog, .. } = &self.own;
+        f.debug_struct("Chip")
+            .field("cycles", &self.own.now)
+            .field("at", &self.at())
+            .field("uart", uart)
+            .field("watchdog", watchdog)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Chip {
+    /// After power-up, with what lies in its flash, from [`FLASH`] on.
+    pub fn new(flash: Vec<u8>) -> Self {
+        let mut emulator = Emulator::new(Config::default());
+        emulator.load_bootrom(&[0; ROM_SIZE]);
+        emulator.load_flash(&flash);
+        let mut chip = Self {
+            emulator,
+            flash,
+            own: Own::default(),
+            next: 0,
+            reset_at: 0,
+            resets: 0,
+        };
+        chip.boot();
+        chip
+    }
+
+    fn boot(&mut self) {
+        self.emulator.reset();
+        self.emulator.direct_boot_from_flash(VECTORS);
+        self.reset_at = self.own.now;
+        self.settle();
+    }
+
+    /// Cycles since power-up.
+    pub const fn cycles(&self) -> u64 {
+        self.own.now
+    }
+
+    /// How often the watchdog has reset it.
+    pub const fn resets(&self) -> u32 {
+        self.resets
+    }
+
+    /// Bytes come over the serial line from now on.
+    pub fn bring(&mut self, bytes: &[u8]) {
+        self.own.uart.bring(bytes, self.own.now);
+        self.settle();
+    }
+
+    /// How many bytes are on their way to it.
+    pub fn coming(&self) -> usize {
+        self.own.uart.coming()
+    }
+
+    /// Bytes that have left it by the serial line since the last call.
+    pub fn gone(&mut self) -> Vec<u8> {
+        self.own.uart.gone()
+    }
+
+    /// A word of memory, or of a register whose reading changes nothing.
+    pub fn word(&mut self, at: u32) -> u32 {
+        self.emulator.bus.read32(at & !3)
+    }
+
+    /// A piece of memory.
+    pub fn bytes(&self, from: u32, length: u32) -> Vec<u8> {
+        let byte = |at: u32| self.emulator.peek(at & !3).to_le_bytes()[(at & 3) as usize];
+        (from..from + length).map(byte).collect()
+    }
+
+    /// Writes a piece of its RAM.
+    pub fn load(&mut self, to: u32, bytes: &[u8]) {
+        self.emulator.load_image(to, bytes);
+    }
+
+    fn core(&self) -> &CortexM0Plus {
+        &self.emulator.cores[0]
+    }
+
+    fn core_mut(&mut self) -> &mut CortexM0Plus {
+        &mut self.emulator.cores[0]
+    }
+
+    /// A register of its core, 0 to 15.
+    pub fn register(&self, number: usize) -> u32 {
+        self.core().reg(number)
+    }
+
+    /// Changes a register of its core, 0 to 15.
+    pub fn set_register(&mut self, number: usize, value: u32) {
+        self.core_mut().set_reg(number, value);
+    }
+
+    /// The address of the next instruction.
+    pub fn at(&self) -> u32 {
+        self.core().regs.pc()
+    }
+
+    /// The next instruction is the one at this address; the core sleeps no longer.
+    pub fn go_on_at(&mut self, at: u32) {
+        let core = self.core_mut();
+        core.wake();
+        core.regs.set_pc(at);
+    }
+
+    /// It serves a hard fault.
+    pub fn is_in_hard_fault(&self) -> bool {
+        self.core().is_in_hardfault()
+    }
+
+    /// The instruction at an address of the flash, the first half of a long one.
+    pub fn instruction(&self, at: u32) -> Option<u16> {
+        let offset = at.wrapping_sub(FLASH) as usize;
+        let bytes = self.flash.get(offset..)?.first_chunk()?;
+        Some(u16::from_le_bytes(*bytes))
+    }
+
+    /// It has failed twice over, and does nothing more by itself.
+    pub fn is_locked_up(&self) -> bool {
+        let core = self.core();
+        core.is_halted() && core.is_in_hardfault()
+    }
+
+    /// Runs for so many cycles, or an instruction longer.
+    pub fn run(&mut self, cycles: u64) {
+        let end = self.own.now + cycles;
+        while self.own.now < end {
+            if self.core().is_halted() {
+                self.sleep(end);
+            } else {
+                self.step();
+            }
+        }
+    }
+
+    /// Nothing happens until an interrupt comes, or up to a time (cycles).
+    fn sleep(&mut self, end: u64) {
+        if self.emulator.bus.nvics[0].pending_and_enabled() != 0 && !self.is_locked_up() {
+            self.core_mut().wake();
+        } else {
+            let cycles = self.next.min(end).saturating_sub(self.own.now);
+            self.pass(cycles);
+            self.settle();
+        }
+    }
+
+    /// One instruction, or the entry of an exception. The cycles that it took.
+    pub fn step(&mut self) -> u64 {
+        let at = self.at();
+        let active = self.emulator.bus.ppb[0].active;
+        // The crate's core interrupts no interrupt.
+        let hides = active != 0 && self.is_preempted(active);
+        let Emulator { cores, bus, .. } = &mut self.emulator;
+        if hides {
+            bus.ppb[0].active = 0;
+        }
+        let own = &mut self.own;
+        let mut cycles = u64::from(cores[0].step(&mut Fabric { bus, own }));
+        if hides {
+            bus.ppb[0].active |= active;
+        }
+        if !bus.pending_cache_invalidations.is_empty() {
+            cores[0].invalidate_decode_cache_entries(&bus.pending_cache_invalidations);
+            bus.pending_cache_invalidations.clear();
+        }
+        if bus.pending_invalidation_regions != 0 {
+            cores[0].invalidate_decode_cache_regions(bus.pending_invalidation_regions);
+            bus.pending_invalidation_regions = 0;
+        }
+        // No instruction but a branch leads elsewhere than to the next one; an exception is entered in 15 cycles, too.
+        let is_active = bus.ppb[0].active;
+        let after = cores[0].regs.pc();
+        let length = self.instruction(at).map_or(2, length);
+        cycles -= u64::from(after != at + length && cycles > 1);
+        self.pass(cycles);
+        if self.own.is_touched || is_active != active || self.own.now >= self.next {
+            self.settle();
+        }
+        cycles
+    }
+
+    /// An interrupt waits that comes before all that are active.
+    fn is_preempted(&self, active: u64) -> bool {
+        let nvic = &self.emulator.bus.nvics[0];
+        if nvic.pending_and_enabled() == 0 {
+            return false;
+        }
+        let priority = |exception: u32| match exception.checked_sub(FIRST_INTERRUPT) {
+            Some(irq) => i16::from(nvic.get_priority(irq as u8)),
+            None => self.emulator.bus.ppb[0].exception_priority(exception as u16),
+        };
+        let exceptions = (0..u64::BITS).filter(|exception| active >> exception & 1 != 0);
+        let highest = exceptions.map(priority).min();
+        let waiting = nvic.highest_priority_pending();
+        waiting.is_some_and(|(_, waiting)| highest.is_none_or(|active| i16::from(waiting) < active))
+    }
+
+    /// Time goes on.
+    fn pass(&mut self, cycles: u64) {
+        self.own.now += cycles;
+        self.emulator.bus.advance_lazy_scheduled(cycles);
+    }
+
+    /// What happens up to now around the core, and when the next thing does. An interrupt that is asked for waits, unless it is active.
+    fn settle(&mut self) {
+        let Own {
+            uart,
+            watchdog,
+            now,
+            is_touched,
+        } = &mut self.own;
+        *is_touched = false;
+        uart.advance(*now);
+        if watchdog.due() <= *now {
+            self.resets += 1;
+            watchdog.reset();
+            uart.reset();
+            return self.boot();
+        }
+        let bus = &mut self.emulator.bus;
+        let alarms = bus.read32(ALARMS);
+        let asked = alarms & 0xF | u32::from(uart.interrupts()) << UART0_INTERRUPT;
+        let waiting = asked & !((bus.ppb[0].active >> FIRST_INTERRUPT) as u32);
+        for irq in (0..u32::BITS as u8).filter(|irq| waiting >> irq & 1 != 0) {
+            bus.nvics[0].set_pending(irq);
+        }
+        let alarm = bus.next_scheduled_lazy_deadline();
+        let alarm = alarm.map_or(u64::MAX, |at| self.reset_at + at);
+        self.next = uart.due().min(watchdog.due()).min(alarm);
+    }
+}
+
+/// Of an instruction, by its first half (bytes).
+pub const fn length(instruction: u16) -> u32 {
+    if instruction >> 11 > 0b11100 { 4 } else { 2 }
+}
+
+/// What the core reads and writes.
+struct Fabric<'a> {
+    bus: &'a mut Bus,
+    own: &'a mut Own,
+}
+
+impl Fabric<'_> {
+    /// The word at an address of a peripheral that the crate leaves out.
+    #[inline]
+    fn own_read(&mut self, at: u32) -> Option<u32> {
+        if at >> 28 != 4 {
+            return None;
+        }
+        let offset = at & 0xFFC;
+        match at & PERIPHERAL {
+            TIMER => self.own.is_touched = true,
+            UART0 => {
+                self.own.is_touched = true;
+                self.own.uart.advance(self.own.now);
+                return Some(self.own.uart.read(offset));
+            }
+            WATCHDOG if Watchdog::has(offset) => return Some(self.own.watchdog.read(offset)),
+            _ => {}
+        }
+        None
+    }
+
+    /// The same where it is written.
+    #[inline]
+    fn own_write(&mut self, at: u32, value: u32) -> bool {
+        if at >> 28 != 4 {
+            return false;
+        }
+        let (offset, own) = (at & 0xFFC, &mut *self.own);
+        let changed = |stored: u32| match at >> 12 & 3 {
+            0 => value,
+            1 => stored ^ value,
+            2 => stored | value,
+            _ => stored & !value,
+        };
+        match at & PERIPHERAL {
+            TIMER => own.is_touched = true,
+            UART0 => {
+                own.is_touched = true;
+                own.uart.advance(own.now);
+                let value = changed(own.uart.stored(offset));
+                own.uart.write(offset, value, own.now);
+                return true;
+            }
+            WATCHDOG if Watchdog::has(offset) => {
+                own.is_touched = true;
+                let value = changed(own.watchdog.read(offset));
+                let clock = (own.now, u64::from(MEGAHERTZ));
+                own.watchdog.write(offset, value, clock);
+                return true;
+            }
+            _ => {}
+        }
+        false
+    }
+}
+
+/// The byte or half word at an address, of its word.
+const fn part(word: u32, at: u32) -> u32 {
+    word >> (at % 4 * 8)
+}
+
+impl CoreBus for Fabric<'_> {
+    #[inline]
+    fn read8(&mut self, at: u32) -> u8 {
+        match self.own_read(at) {
+            Some(word) => part(word, at) as u8,
+            None => self.bus.read8(at),
+        }
+    }
+
+    #[inline]
+    fn read16(&mut self, at: u32) -> u16 {
+        match self.own_read(at) {
+            Some(word) => part(word, at) as u16,
+            None => self.bus.read16(at),
+        }
+    }
+
+    #[inline]
+    fn read32(&mut self, at: u32) -> u32 {
+        match self.own_read(at) {
+            Some(word) => word,
+            None => self.bus.read32(at),
+        }
+    }
+
+    #[inline]
+    fn write8(&mut self, at: u32, value: u8) {
+        // A peripheral gets a byte in all four places of its word.
+        if !self.own_write(at, u32::from(value) * 0x0101_0101) {
+            self.bus.write8(at, value);
+        }
+    }
+
+    #[inline]
+    fn write16(&mut self, at: u32, value: u16) {
+        if !self.own_write(at, u32::from(value) * 0x0001_0001) {
+            self.bus.write16(at, value);
+        }
+    }
+
+    #[inline]
+    fn write32(&mut self, at: u32, value: u32) {
+        if !self.own_write(at, value) {
+            self.bus.write32(at, value);
+        }
+    }
+
+    #[inline]
+    fn set_active_pc(&mut self, at: u32) {
+        self.bus.set_active_pc(at);
+    }
+
+    #[inline]
+    fn bus_fault(&self) -> bool {
+        self.bus.bus_fault()
+    }
+
+    fn bus_fault_addr(&self) -> u32 {
+        self.bus.bus_fault_addr()
+    }
+
+    fn clear_bus_fault(&mut self) {
+        self.bus.clear_bus_fault();
+    }
+
+    #[inline]
+    fn ppb(&self, core: usize) -> &Ppb {
+        CoreBus::ppb(self.bus, core)
+    }
+
+    #[inline]
+    fn ppb_mut(&mut self, core: usize) -> &mut Ppb {
+        CoreBus::ppb_mut(self.bus, core)
+    }
+
+    #[inline]
+    fn nvic(&self, core: usize) -> &Nvic {
+        CoreBus::nvic(self.bus, core)
+    }
+
+    #[inline]
+    fn nvic_mut(&mut self, core: usize) -> &mut Nvic {
+        CoreBus::nvic_mut(self.bus, core)
+    }
+
+    #[inline]
+    fn active_core(&self) -> usize {
+        self.bus.active_core()
+    }
+
+    fn event_flag(&self, core: usize) -> bool {
+        CoreBus::event_flag(self.bus, core)
+    }
+
+    fn consume_event_flag(&mut self, core: usize) -> bool {
+        CoreBus::consume_event_flag(self.bus, core)
+    }
+
+    fn set_wfe_waiting(&mut self, core: usize, is_waiting: bool) {
+        CoreBus::set_wfe_waiting(self.bus, core, is_waiting);
+    }
+
+    fn signal_sev(&mut self) {
+        CoreBus::signal_sev(self.bus);
+    }
+}

@@ -1,0 +1,206 @@
+//! The Pico on its own clock, step by step: random drags at 1 kHz, and what happens when all is lost.
+#![cfg(feature = "cycles")]
+
+use crate::budgets::Budget;
+use crate::chip::PICO;
+use crate::client::{Client, Said};
+use stiction_core::frame::{Command, Drive, Health, Reason, SceneCommand};
+use stiction_core::{Hand, narrow_hand};
+use stiction_emulated_pico::{Chip, FLASH, MEGAHERTZ};
+use stiction_host_sim::trade::{Case, Group, Suite};
+use stiction_tools::image::flashed;
+
+/// Cycles of a ms.
+const MS: u64 = MEGAHERTZ as u64 * 1_000;
+/// No answer takes longer (ms).
+const PATIENCE: u32 = 2_000;
+
+/// A Pico and its client, in one thread: time goes on only here.
+struct Bench {
+    chip: Chip,
+    client: Client,
+}
+
+impl Bench {
+    /// From power-up; nothing where something is missing.
+    fn start() -> Option<Self> {
+        let image = PICO.image()?;
+        let mut bench = Self {
+            chip: Chip::new(flashed(&image.path, FLASH).unwrap()),
+            client: Client::new(),
+        };
+        bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
+        Some(bench)
+    }
+
+    /// A ms goes by.
+    fn pass(&mut self) {
+        self.chip.run(MS);
+        self.client.listen(&self.chip.gone());
+    }
+
+    fn send(&mut self, command: Command<'_>) {
+        let bytes = self.client.encode(command);
+        self.chip.bring(&bytes);
+    }
+
+    /// Waits for a report; those before it are passed over.
+    fn wait<T>(&mut self, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
+        for _ in 0..PATIENCE {
+            while let Some(heard) = self.client.heard.pop_front() {
+                if let Some(found) = wanted(&heard.said) {
+                    return found;
+                }
+            }
+            self.pass();
+        }
+        panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
+    }
+
+    /// A command that is carried out.
+    fn done(&mut self, command: Command<'_>) {
+        let sequence = self.client.sequence;
+        self.send(command);
+        let reason = self.wait(|said| match said {
+            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
+            _ => None,
+        });
+        assert_eq!(reason, Reason::Done);
+    }
+
+    fn health(&mut self) -> Health {
+        self.client.heard.clear();
+        self.wait(|said| match said {
+            Said::Health(health) => Some(*health),
+            _ => None,
+        })
+    }
+
+    /// The hand presses until the board gives force.
+    fn press(&mut self) {
+        for _ in 0..PATIENCE {
+            self.send(Command::Hand(Hand::new(0.0, 0.045, 0.0)));
+            let gives = self.wait(|said| match said {
+                Said::Pose(pose) => Some(pose.held && !pose.force_off),
+                _ => None,
+            });
+            if gives {
+                return;
+            }
+        }
+        panic!("no force");
+    }
+
+    /// All is lost: at once no pin but that of the line drives anything; the chip is reset soon, and gives force when a hand presses.
+    fn recovers(&mut self) {
+        /// Of each pin, the second of its registers; in it, the field of what it is connected to, and the number of nothing.
+        const PINS: std::ops::Range<u32> = 1..30;
+        const CONTROL: u32 = 0x4001_4004;
+        const FUNCTION: u32 = 31;
+        const NOTHING: u32 = 31;
+        /// The watchdog waits for 20 ms.
+        const MOST: u32 = 21;
+        self.chip.run(MS / 10);
+        for pin in PINS {
+            let function = self.chip.word(CONTROL + 8 * pin) & FUNCTION;
+            assert_eq!(function, NOTHING, "GP{pin}");
+        }
+        assert_eq!(self.chip.resets(), 0);
+        let takes = (0..MOST).find(|_| {
+            self.chip.run(MS);
+            self.chip.resets() == 1
+        });
+        assert!(takes.is_some(), "it is not reset: {:?}", self.chip);
+        self.client = Client::new();
+        self.chip.gone();
+        let health = self.health();
+        assert_eq!(health.drive, Drive::Silent);
+        self.press();
+        assert_eq!(self.chip.resets(), 1);
+    }
+
+    /// A drag with a sample for every tick.
+    fn drag(&mut self, case: &Case) -> u32 {
+        let sequence = self.client.sequence;
+        let bytes = case.scene.described(|scene| {
+            let command = Command::Scene(SceneCommand::from(scene));
+            self.client.encode(command)
+        });
+        self.chip.bring(&bytes);
+        let reason = self.wait(|said| match said {
+            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
+            _ => None,
+        });
+        assert_eq!(reason, Reason::Done);
+        let mut frames = 0;
+        for sample in case.path.frames(Some(1000.0)) {
+            self.send(Command::Hand(narrow_hand(&sample.hand)));
+            self.pass();
+            self.client.heard.clear();
+            frames += 1;
+        }
+        frames
+    }
+}
+
+#[test]
+fn a_panic_is_zero_force_and_a_restart() {
+    let Some(mut bench) = Bench::start() else {
+        return;
+    };
+    bench.press();
+    // Where all panics begin.
+    let contents = PICO.image().unwrap().contents;
+    let mut symbols = contents.symbols.iter();
+    let place = symbols.find(|(name, _)| name.contains("panic_fmt"));
+    let (_, place) = place.expect("the image can panic, in what serves USB");
+    bench.chip.go_on_at(*place as u32 & !1);
+    bench.recovers();
+}
+
+#[test]
+fn a_fault_is_zero_force_and_a_restart() {
+    let Some(mut bench) = Bench::start() else {
+        return;
+    };
+    bench.press();
+    // There is nothing.
+    bench.chip.go_on_at(0x3000_0000);
+    bench.recovers();
+}
+
+/// Random drags until so many frames have passed: what the board says afterwards, and the ticks missed in them.
+fn random_drags(frames: u32) -> Option<(Health, u32)> {
+    let mut bench = Bench::start()?;
+    let suite = Suite::new(None, false).unwrap();
+    let cases = suite.cases.iter();
+    let cases = cases.filter(|case| case.group == Group::Random);
+    let missed = bench.health().missed_ticks;
+    let mut passed = 0;
+    for case in cases.cycle() {
+        passed += bench.drag(case);
+        if passed >= frames {
+            break;
+        }
+    }
+    let health = bench.health();
+    println!("{passed} frames: {health:?}");
+    assert_eq!((health.samples, health.lost_frames), (passed, 0));
+    Some((health, health.missed_ticks - missed))
+}
+
+#[test]
+fn random_drags_are_within_the_budget() {
+    let Some((health, missed)) = random_drags(20_000) else {
+        return;
+    };
+    let budget = Budget::of(&PICO);
+    budget.holds("drags_missed", missed.into());
+    budget.holds("drags_late", health.late_samples.into());
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn no_sample_is_lost_in_a_million_frames_of_random_drags() {
+    random_drags(1_000_000);
+}
