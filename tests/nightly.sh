@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# What takes too long for every change: a thousand million steps of the hand, a million frames on every machine, a hundred
-# thousand over a faulty line to both boards, an hour of fuzzing for each target.
+# What takes too long for every change: the tests of what computes in a release build, a thousand million steps of the hand, a million
+# frames on every machine and of random drags on the Pico, a hundred thousand over a faulty line to the boards, an hour of fuzzing for
+# each target.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cargo run --release --locked -p stiction-tests --bin walk -- 1000000000
+cargo test --release --locked -p stiction-core -p stiction-firmware -p stiction-scene -p stiction-tests
+cargo run --release --locked -p stiction-tests --example walk -- 1000000000
 cargo run --release --locked -p stiction-host-sim --example same_bits -- 1000000
-cargo test --locked -p stiction-host-sim --test firmware -- --ignored 100_000
+cargo test --locked -p stiction-host-sim --test firmware -- --ignored 100_000 million
 for target in wire scene_file hand_path solver; do tests/fuzz/run.sh "$target" 3600; done

@@ -1,12 +1,12 @@
 //! Looks at the solver among obstacles with corners.
 //!
 //! ```sh
-//! cargo run --release -p stiction-tests --bin obstacles -- cases [PART-OF-A-NAME]   # every case, number type and evolution
-//! cargo run --release -p stiction-tests --bin obstacles -- survey 1000 f32 path     # laws on random scenes
-//! cargo run --release -p stiction-tests --bin obstacles -- compare 50 f64 path      # with the slow reference
-//! cargo run --release -p stiction-tests --bin obstacles -- scene 17 f32 path 40 41  # a scene as a file, and two of its frames
-//! cargo run --release -p stiction-tests --bin obstacles -- rooms 1000 f32 frame     # 100 jumps in each of 1000 closed rooms
-//! cargo run --release -p stiction-tests --bin obstacles -- pegs 100 path             # insertions of a peg in all number types
+//! cargo run --release -p stiction-tests --example obstacles -- cases [PART-OF-A-NAME]   # every case, number type and evolution
+//! cargo run --release -p stiction-tests --example obstacles -- survey 1000 f32 path     # laws on random scenes
+//! cargo run --release -p stiction-tests --example obstacles -- compare 50 f64 path      # with the slow reference
+//! cargo run --release -p stiction-tests --example obstacles -- scene 17 f32 path 40 41  # a scene as a file, and two of its frames
+//! cargo run --release -p stiction-tests --example obstacles -- rooms 1000 f32 frame     # 100 jumps in each of 1000 closed rooms
+//! cargo run --release -p stiction-tests --example obstacles -- pegs 100 path             # insertions of a peg in all number types
 //! ```
 
 mod beside;

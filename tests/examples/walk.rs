@@ -2,7 +2,7 @@
 //! frames the body taken into the air, where its pose must be that of the closed form: nothing has drifted.
 //!
 //! ```sh
-//! cargo run --release -p stiction-tests --bin walk -- 1000000000   # steps, over three number types and two evolutions
+//! cargo run --release -p stiction-tests --example walk -- 1000000000   # steps, over three number types and two evolutions
 //! ```
 
 use std::process::ExitCode;

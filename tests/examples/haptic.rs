@@ -2,7 +2,7 @@
 //! apart, the slips, the statuses that are not ok, and the states. Prints tables in Markdown.
 //!
 //! ```sh
-//! cargo run --release -p stiction-tests --bin haptic -- 200   # scenes of each kind
+//! cargo run --release -p stiction-tests --example haptic -- 200   # scenes of each kind
 //! ```
 
 use std::panic::resume_unwind;

@@ -2,7 +2,7 @@
 //! residuals of random scenes, and the range of every number type.
 //!
 //! ```sh
-//! cargo run --profile bench -p stiction-tests --bin measure
+//! cargo run --profile bench -p stiction-tests --example measure
 //! ```
 
 use std::fmt::Write as _;
@@ -157,7 +157,7 @@ fn ranges(text: &mut String) {
 
 fn main() -> std::io::Result<()> {
     let mut text = format!(
-        "Written by `cargo run --profile bench -p stiction-tests --bin measure`, on {}.\n\n",
+        "Written by `cargo run --profile bench -p stiction-tests --example measure`, on {}.\n\n",
         processor()
     );
     drags(&mut text);

@@ -2,8 +2,8 @@
 //! between which the dearest ones go. Writes the tables into the README.
 //!
 //! ```sh
-//! cargo run --release -p stiction-tests --bin worst          # 100 scenes of each kind
-//! cargo run --release -p stiction-tests --bin worst -- 20    # so many, on the terminal alone
+//! cargo run --release -p stiction-tests --example worst          # 100 scenes of each kind
+//! cargo run --release -p stiction-tests --example worst -- 20    # so many, on the terminal alone
 //! ```
 
 use std::collections::BTreeMap;
@@ -76,7 +76,7 @@ fn main() -> std::io::Result<()> {
     let asked = args().nth(1).and_then(|count| count.parse().ok());
     let count = asked.unwrap_or(SCENES);
     let mut text = format!(
-        "Written by `cargo run --release -p stiction-tests --bin worst`: operations on numbers of single frames, {count} scenes of \
+        "Written by `cargo run --release -p stiction-tests --example worst`: operations on numbers of single frames, {count} scenes of \
          ordinary haptic\nuse of each kind, and the states between which the dearest of ten thousand go:\n\n\
          | kind | evolution | frames | mean | 50 % | 99 % | 99.9 % | 99.99 % | most | dearest |\n\
          |---|---|---:|---:|---:|---:|---:|---:|---:|---|\n"

@@ -2,7 +2,7 @@
 //! `core/STATICS.md`.
 //!
 //! ```sh
-//! cargo run -p stiction-tests --bin state_diagram
+//! cargo run -p stiction-tests --example state_diagram
 //! ```
 
 use std::error::Error;
