@@ -55,6 +55,7 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf
       thumbv6m-none-eabi) board=microbit ;;
       *) continue ;;
     esac
+    [ "$board" != microbit ] || cargo clippy -p stiction-pico --locked --target "$target" -- -D warnings
     for log in '' rtt semihosting; do
       cargo clippy -p "stiction-$board" --no-default-features --features "$log" --locked --target "$target" -- -D warnings
     done

@@ -134,8 +134,8 @@ fn takes(chip: &mut Chip, line: &mut UnixStream) -> bool {
 
 /// Hands on what the chip has sent; what nobody reads is lost. Whether the line is still open.
 fn gives(line: &mut UnixStream, bytes: &[u8]) -> bool {
-    match line.write(bytes) {
-        Ok(_) => true,
+    match line.write_all(bytes) {
+        Ok(()) => true,
         Err(error) => is_passing(&error),
     }
 }

@@ -156,7 +156,7 @@ impl Uart {
     fn causes(&self) -> u32 {
         let receive_level = self.level(self.levels >> 3).max(1);
         let can_receive = self.received.len() >= receive_level;
-        self.raised | u32::from(can_receive) * CAN_RECEIVE
+        self.raised | (u32::from(can_receive) * CAN_RECEIVE)
     }
 
     /// A register is read.

@@ -121,17 +121,8 @@ impl Bench {
 
     /// A drag with a sample for every tick.
     fn drag(&mut self, case: &Case) -> u32 {
-        let sequence = self.client.sequence;
-        let bytes = case.scene.described(|scene| {
-            let command = Command::Scene(SceneCommand::from(scene));
-            self.client.encode(command)
-        });
-        self.chip.bring(&bytes);
-        let reason = self.wait(|said| match said {
-            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
-            _ => None,
-        });
-        assert_eq!(reason, Reason::Done);
+        case.scene
+            .described(|scene| self.done(Command::Scene(SceneCommand::from(scene))));
         let mut frames = 0;
         for sample in case.path.frames(Some(1000.0)) {
             self.send(Command::Hand(narrow_hand(&sample.hand)));
