@@ -11,7 +11,7 @@
 use core::sync::atomic::{AtomicBool, Ordering};
 
 use rp2040_hal::clocks::{Clock as _, ClocksManager, init_clocks_and_plls};
-use rp2040_hal::fugit::{ExtU32, RateExtU32};
+use rp2040_hal::fugit::{ExtU32, MicrosDurationU32, RateExtU32};
 use rp2040_hal::gpio::bank0::{Gpio0, Gpio1};
 use rp2040_hal::gpio::{FunctionUart, Pin, Pins, PullDown};
 use rp2040_hal::pac::{self, UART0};
@@ -169,10 +169,13 @@ impl Clock {
         clock
     }
 
+    fn period(&self) -> MicrosDurationU32 {
+        (1_000_000 / u32::from(self.rate.max(1))).micros()
+    }
+
     /// The next tick is a whole number of periods after the one before, and not in the past.
     fn arm(&mut self) {
-        let period = (1_000_000 / u32::from(self.rate.max(1))).micros();
-        let now = self.timer.get_counter();
+        let (period, now) = (self.period(), self.timer.get_counter());
         self.next += period;
         while self.next <= now {
             self.next += period;
@@ -180,9 +183,13 @@ impl Clock {
         let _ = self.alarm.schedule_at(self.next);
     }
 
-    /// Ticks of a second from the next one on.
+    /// Ticks of a second from the present one on.
     pub(crate) fn set_rate(&mut self, rate: u16) {
-        self.rate = rate;
+        if rate != self.rate {
+            self.next -= self.period();
+            self.rate = rate;
+            self.arm();
+        }
     }
 
     /// A tick has come: what time it is (µs, wrapping).
