@@ -1,4 +1,4 @@
-//! What the linker must know of the chip, by target, and which scene is compiled into an image.
+//! For the programs of the feature `board`: what the linker must know of the chip, by target, and which scene is compiled into an image.
 
 use std::env;
 use std::path::{Path, PathBuf};
@@ -19,6 +19,10 @@ fn main() {
         "cargo::rustc-check-cfg=cfg(chip, values(\"stm32f405\", \"nrf51822\", \"rp2040\", \"an505\", \"virt\"))"
     );
     println!("cargo::rustc-env=STICTION_SCENE_FILE={}", scene.display());
+    // A board outside has its own programs, and a file of its own for the linker, which must not find this one.
+    if env::var_os("CARGO_FEATURE_BOARD").is_none() {
+        return;
+    }
 
     let asked = env::var(CHIP).ok();
     let chip = match variable("TARGET").as_str() {

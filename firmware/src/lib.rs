@@ -23,6 +23,7 @@
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
+//! pace.rs        when ticks are due, for a board that ticks in its main loop
 //! station.rs     the program of a board: bytes -> samples and commands -> control loop -> force and reports
 //! ```
 //!
@@ -40,6 +41,8 @@ pub mod job;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod line;
 pub mod model;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod pace;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod pantograph;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]

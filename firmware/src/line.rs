@@ -2,6 +2,8 @@
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
+use embedded_io::{Read, ReadReady, Write, WriteReady};
+
 use crate::ring::Ring;
 use crate::station::Link;
 
@@ -12,6 +14,9 @@ pub struct Line<const N: usize> {
     to_send: Ring<N>,
     lost: AtomicU32,
 }
+
+/// Bytes that are read from a port at once.
+const PIECE: usize = 32;
 
 /// A clock of a board.
 pub trait Clock {
@@ -63,6 +68,34 @@ impl<const N: usize> Line<N> {
         self.lost.load(Ordering::Relaxed)
     }
 
+    /// Moves bytes without waiting: from a port while there is room for them, and to it while it takes them. To be called by the
+    /// interrupt only, or, where the driver of the port has buffers of its own, between ticks.
+    pub fn serve<P: Read + ReadReady + Write + WriteReady>(&self, port: &mut P) {
+        let mut bytes = [0; PIECE];
+        // What finds no room stays with the port.
+        while self.room() >= PIECE && port.read_ready().unwrap_or(false) {
+            match port.read(&mut bytes) {
+                Ok(0) => break,
+                Ok(count) => bytes
+                    .iter()
+                    .take(count)
+                    .for_each(|&byte| self.receive(byte)),
+                Err(_) => return self.lose(),
+            }
+        }
+        while let Some(byte) = self.peek()
+            && port.write_ready().unwrap_or(false)
+            && matches!(port.write(&[byte]), Ok(1))
+        {
+            self.next();
+        }
+    }
+
+    /// Whether something is to be sent.
+    pub fn has_to_send(&self) -> bool {
+        self.peek().is_some()
+    }
+
     /// What the tick has of it; `wake` lets the interrupt come when there is something to send.
     pub const fn link<'a, C: Clock>(&'a self, clock: &'a mut C, wake: fn()) -> LineLink<'a, C, N> {
         LineLink {
@@ -107,6 +140,94 @@ mod tests {
         fn now_ns(&mut self) -> u32 {
             7
         }
+    }
+
+    /// A port of which the other side is two arrays: bytes come from `came`, and as many as there is room for go to `went`.
+    struct Port<'a> {
+        came: &'a [u8],
+        went: heapless::Vec<u8, 3>,
+        fails: bool,
+    }
+
+    impl embedded_io::ErrorType for Port<'_> {
+        type Error = embedded_io::ErrorKind;
+    }
+
+    impl Read for Port<'_> {
+        fn read(&mut self, bytes: &mut [u8]) -> Result<usize, Self::Error> {
+            if core::mem::take(&mut self.fails) {
+                return Err(embedded_io::ErrorKind::Other);
+            }
+            // As a receiver of 5 bytes gives them.
+            let count = self.came.len().min(bytes.len()).min(5);
+            assert!(count > 0, "a read that waits");
+            bytes[..count].copy_from_slice(&self.came[..count]);
+            self.came = &self.came[count..];
+            Ok(count)
+        }
+    }
+
+    impl ReadReady for Port<'_> {
+        fn read_ready(&mut self) -> Result<bool, Self::Error> {
+            Ok(self.fails || !self.came.is_empty())
+        }
+    }
+
+    impl Write for Port<'_> {
+        fn write(&mut self, bytes: &[u8]) -> Result<usize, Self::Error> {
+            assert!(!self.went.is_full(), "a write that waits");
+            let taken = bytes.iter().map_while(|&b| self.went.push(b).ok());
+            Ok(taken.count())
+        }
+
+        fn flush(&mut self) -> Result<(), Self::Error> {
+            unreachable!("a flush waits")
+        }
+    }
+
+    impl WriteReady for Port<'_> {
+        fn write_ready(&mut self) -> Result<bool, Self::Error> {
+            Ok(!self.went.is_full())
+        }
+    }
+
+    #[test]
+    fn a_port_is_served_without_waiting_and_what_finds_no_room_stays_with_it() {
+        let (line, mut clock) = (Line::<64>::new(), Stopped);
+        let came: [u8; 80] = core::array::from_fn(|i| i as u8);
+        let mut port = Port {
+            came: &came,
+            went: heapless::Vec::new(),
+            fails: false,
+        };
+        assert!(line.link(&mut clock, || {}).send(&[1, 2, 3, 4, 5]));
+        line.serve(&mut port);
+        assert_eq!(port.went, [1, 2, 3]);
+        // Read while a whole piece finds room.
+        assert_eq!(port.came, &came[35..]);
+        port.went.clear();
+        let mut taken: heapless::Vec<u8, 80> = heapless::Vec::new();
+        for _ in 0..3 {
+            let mut link = line.link(&mut clock, || {});
+            taken.extend(core::iter::from_fn(|| link.take()));
+            line.serve(&mut port);
+        }
+        assert_eq!(port.went, [4, 5]);
+        assert_eq!((taken.as_slice(), line.lost()), (came.as_slice(), 0));
+    }
+
+    #[test]
+    fn an_error_of_a_port_is_a_lost_byte_and_the_next_call_goes_on() {
+        let line = Line::<64>::new();
+        let mut port = Port {
+            came: &[9],
+            went: heapless::Vec::new(),
+            fails: true,
+        };
+        line.serve(&mut port);
+        assert_eq!((line.lost(), line.room()), (1, 64));
+        line.serve(&mut port);
+        assert_eq!((line.lost(), line.room()), (1, 63));
     }
 
     #[test]

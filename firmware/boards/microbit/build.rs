@@ -16,7 +16,8 @@ fn main() -> ExitCode {
             // They would need more stack than there is.
             obstacles: ObstacleRoom::default(),
         },
-        memory: "nrf51822.x",
+        scene: "../../scenes/board.toml",
+        memory: Some("../../memory/nrf51822.x"),
     };
     board.run()
 }

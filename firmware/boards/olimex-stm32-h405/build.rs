@@ -19,7 +19,8 @@ fn main() -> ExitCode {
                 corners: 16,
             },
         },
-        memory: "stm32f405.x",
+        scene: "../../scenes/board.toml",
+        memory: Some("../../memory/stm32f405.x"),
     };
     board.run()
 }

@@ -19,7 +19,8 @@ fn main() -> ExitCode {
                 corners: 16,
             },
         },
-        memory: "rp2040.x",
+        scene: "../../scenes/board.toml",
+        memory: Some("../../memory/rp2040.x"),
     };
     board.run()
 }

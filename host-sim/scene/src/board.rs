@@ -21,12 +21,15 @@ pub struct BoardBuild {
     /// What the solver of the board's own scene has, as any scene may come over the wire: obstacles with the feature `obstacles`
     /// alone. That of a scene file which is named by STICTION_SCENE has what this scene needs.
     pub room: SceneModel,
-    /// Where flash and RAM are: a file of `firmware/memory`.
-    pub memory: &'static str,
+    /// The file of the scene that is compiled in where none is named, in the folder of the package or by a path from there.
+    pub scene: &'static str,
+    /// Where flash and RAM are, as the linker is to read it: a file likewise. None: the crates of the chip know it, and what else the
+    /// linker must be given.
+    pub memory: Option<&'static str>,
 }
 
 impl BoardBuild {
-    /// Does all that the script of a package in `firmware/boards` has to do.
+    /// Does all that the script of a board's package has to do: `scene.rs` in the folder of the build, and what the linker needs.
     pub fn run(&self) -> ExitCode {
         println!("cargo::rerun-if-changed=build.rs");
         match self.built() {
@@ -53,26 +56,33 @@ impl BoardBuild {
         if variable("TARGET")? != self.target {
             return Ok(());
         }
-        let firmware = PathBuf::from(variable("CARGO_MANIFEST_DIR")?).join("../..");
+        let package = PathBuf::from(variable("CARGO_MANIFEST_DIR")?);
         let folder = PathBuf::from(variable("OUT_DIR")?);
         let own = OwnScene {
-            file: firmware.join("scenes/board.toml"),
+            file: package.join(self.scene),
             room: self.room_of_features(),
         };
         compile(&own, self.number, &folder)?;
-        let memory = firmware.join("memory").join(self.memory);
-        println!("cargo::rerun-if-changed={}", memory.display());
-        fs::copy(&memory, folder.join("memory.x"))
-            .map_err(|error| InputError::of_file(&memory, error))?;
-        println!("cargo::rustc-link-search={}", folder.display());
-        println!("cargo::rustc-link-arg-bins=-Tlink.x");
-        println!("cargo::rustc-link-arg-bins=--nmagic");
+        if let Some(memory) = self.memory {
+            link(&package.join(memory), &folder)?;
+        }
         let logs = ["CARGO_FEATURE_RTT", "CARGO_FEATURE_SEMIHOSTING"];
         if logs.into_iter().any(|log| env::var_os(log).is_some()) {
             println!("cargo::rustc-link-arg-bins=-Tdefmt.x");
         }
         Ok(())
     }
+}
+
+/// The linker finds flash and RAM by a copy of this file in the folder of the build.
+fn link(memory: &Path, folder: &Path) -> Result<(), InputError> {
+    println!("cargo::rerun-if-changed={}", memory.display());
+    fs::copy(memory, folder.join("memory.x"))
+        .map_err(|error| InputError::of_file(memory, error))?;
+    println!("cargo::rustc-link-search={}", folder.display());
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    println!("cargo::rustc-link-arg-bins=--nmagic");
+    Ok(())
 }
 
 /// What cargo sets for every build script.
