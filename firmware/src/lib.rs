@@ -21,6 +21,7 @@
 //! device.rs      the control loop: sample -> solver -> safety -> force; changes while it runs
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
+//! knob.rs        a haptic device of one motor and one encoder
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
 //! pace.rs        when ticks are due, for a board that ticks in its main loop
@@ -38,6 +39,8 @@ pub mod count;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod device;
 pub mod job;
+#[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
+pub mod knob;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod line;
 pub mod model;

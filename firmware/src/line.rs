@@ -24,6 +24,16 @@ pub trait Clock {
     fn now_ns(&mut self) -> u32;
 }
 
+/// A clock that gives µs, wrapping.
+#[derive(Clone, Copy, Debug)]
+pub struct Micros<F>(pub F);
+
+impl<F: FnMut() -> u32> Clock for Micros<F> {
+    fn now_ns(&mut self) -> u32 {
+        (self.0)().wrapping_mul(1_000)
+    }
+}
+
 impl<const N: usize> Line<N> {
     /// Nothing came yet.
     pub const fn new() -> Self {
@@ -39,6 +49,11 @@ impl<const N: usize> Line<N> {
         if !self.received.put(byte) {
             self.lose();
         }
+    }
+
+    /// Bytes came, one after the other. To be called by the interrupt only.
+    pub fn receive_all<'a>(&self, bytes: impl IntoIterator<Item = &'a u8>) {
+        bytes.into_iter().for_each(|&byte| self.receive(byte));
     }
 
     /// A byte came too fast. To be called by the interrupt only.
@@ -76,10 +91,7 @@ impl<const N: usize> Line<N> {
         while self.room() >= PIECE && port.read_ready().unwrap_or(false) {
             match port.read(&mut bytes) {
                 Ok(0) => break,
-                Ok(count) => bytes
-                    .iter()
-                    .take(count)
-                    .for_each(|&byte| self.receive(byte)),
+                Ok(count) => self.receive_all(bytes.iter().take(count)),
                 Err(_) => return self.lose(),
             }
         }
@@ -134,13 +146,8 @@ impl<C: Clock, const N: usize> Link for LineLink<'_, C, N> {
 mod tests {
     use super::*;
 
-    struct Stopped;
-
-    impl Clock for Stopped {
-        fn now_ns(&mut self) -> u32 {
-            7
-        }
-    }
+    /// At 7 µs before it wraps.
+    const STOPPED: Micros<fn() -> u32> = Micros(|| u32::MAX - 6);
 
     /// A port of which the other side is two arrays: bytes come from `came`, and as many as there is room for go to `went`.
     struct Port<'a> {
@@ -193,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_port_is_served_without_waiting_and_what_finds_no_room_stays_with_it() {
-        let (line, mut clock) = (Line::<64>::new(), Stopped);
+        let (line, mut clock) = (Line::<64>::new(), STOPPED);
         let came: [u8; 80] = core::array::from_fn(|i| i as u8);
         let mut port = Port {
             came: &came,
@@ -232,13 +239,13 @@ mod tests {
 
     #[test]
     fn bytes_go_both_ways_and_those_without_room_are_counted() {
-        let (line, mut clock) = (Line::<4>::new(), Stopped);
-        (0..6).for_each(|byte| line.receive(byte));
+        let (line, mut clock) = (Line::<4>::new(), STOPPED);
+        line.receive_all(&[0, 1, 2, 3, 4, 5]);
         let mut link = line.link(&mut clock, || {});
         let taken: [_; 5] = core::array::from_fn(|_| link.take());
         assert_eq!(taken, [Some(0), Some(1), Some(2), Some(3), None]);
         assert!(link.send(&[8, 9, 10]) && !link.send(&[11, 12]));
-        assert_eq!(link.now_ns(), 7);
+        assert_eq!(link.now_ns().wrapping_add(7_000), 0);
         let sent: [_; 4] = core::array::from_fn(|_| line.next());
         assert_eq!(sent, [Some(8), Some(9), Some(10), None]);
         assert_eq!(line.lost(), 2);

@@ -25,9 +25,10 @@ mod geometry;
 mod kinematics;
 mod motor;
 
+pub(crate) use encoder::Joint;
 pub use encoder::Joints;
 pub use geometry::{
-    Encoder, Geometry, GeometryError, GeometryParameter, HandleMount, MotorConstants,
+    Encoder, Geometry, GeometryError, GeometryParameter, HandleMount, KnobGeometry, MotorConstants,
 };
 pub use kinematics::{Configuration, Fault, Kinematics};
 pub use motor::{Motor, MotorFault};

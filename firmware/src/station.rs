@@ -27,8 +27,9 @@ mod report;
 mod setup;
 mod watch;
 
+pub use crate::station_of;
 pub use outbox::Link;
-pub use setup::{SLOWEST_TICK, SceneType, Setup};
+pub use setup::{BoardNumber, SLOWEST_TICK, SceneType, Setup};
 pub use watch::{Log, News, Seen, Watch};
 
 use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};

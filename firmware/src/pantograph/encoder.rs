@@ -6,7 +6,7 @@ use stiction_core::Angle;
 
 /// One joint: whole turns and the counts within a turn since home.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Joint {
+pub(crate) struct Joint {
     encoder: Encoder,
     last: u16,
     turns: i32,
@@ -15,8 +15,18 @@ struct Joint {
 }
 
 impl Joint {
+    /// At its encoder's offset, with what the counter shows there.
+    pub(crate) const fn new(encoder: Encoder, count: u16) -> Self {
+        Self {
+            encoder,
+            last: count,
+            turns: 0,
+            counts: 0,
+        }
+    }
+
     /// The counter moved by less than half of its range since it was last read.
-    fn update(&mut self, count: u16) {
+    pub(crate) fn update(&mut self, count: u16) {
         // As a 16-bit number with a sign: -32 768 to 32 767.
         let moved = count.wrapping_sub(self.last).cast_signed();
         self.last = count;
@@ -34,7 +44,7 @@ impl Joint {
         self.counts = counts.checked_rem_euclid(turn).unwrap_or(0);
     }
 
-    fn angle(&self) -> Angle<f32> {
+    pub(crate) fn angle(&self) -> Angle<f32> {
         let part = self.counts as f32 / self.encoder.counts_per_turn as f32;
         let rest = Angle {
             turns: self.turns,
@@ -55,14 +65,12 @@ impl Joints {
     pub fn new(geometry: &Geometry, counts: [u16; 3]) -> Self {
         let [left, right, handle] = geometry.encoders;
         let [a, b, c] = counts;
-        let joint = |encoder, last| Joint {
-            encoder,
-            last,
-            turns: 0,
-            counts: 0,
-        };
         Self {
-            joints: [joint(left, a), joint(right, b), joint(handle, c)],
+            joints: [
+                Joint::new(left, a),
+                Joint::new(right, b),
+                Joint::new(handle, c),
+            ],
         }
     }
 

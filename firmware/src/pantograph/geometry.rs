@@ -1,4 +1,4 @@
-//! The pantograph as it is built: lengths, encoders, mounting of the handle, motors. Checked once.
+//! The device as it is built, a pantograph or a knob: lengths, encoders, mounting of the handle, motors. Checked once.
 
 use core::fmt;
 
@@ -80,15 +80,47 @@ impl Geometry {
             within(P::Distal(i), length, SHORTEST, LONGEST)?;
         }
         for (i, encoder) in self.encoders.iter().enumerate() {
-            let counts = encoder.counts_per_turn;
-            if !(4..=MOST_COUNTS).contains(&counts) {
-                let most = MOST_COUNTS as f32;
-                return refused(P::CountsPerTurn(i), counts as f32, [4.0, most]);
-            }
-            let turn = core::f32::consts::TAU;
-            within(P::EncoderOffset(i), encoder.offset, -turn, turn)?;
+            encoder.check(i)?;
         }
         within(P::LeastSine, self.least_sine, 0.01, 0.99)
+    }
+}
+
+impl Encoder {
+    /// The encoder of this index.
+    fn check(&self, i: usize) -> Result<(), GeometryError> {
+        use GeometryParameter as P;
+        let counts = self.counts_per_turn;
+        if !(4..=MOST_COUNTS).contains(&counts) {
+            let most = MOST_COUNTS as f32;
+            return refused(P::CountsPerTurn(i), counts as f32, [4.0, most]);
+        }
+        let turn = core::f32::consts::TAU;
+        within(P::EncoderOffset(i), self.offset, -turn, turn)
+    }
+}
+
+/// A knob as it is built: it moves the hand along x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KnobGeometry {
+    /// The hand where the knob's angle is zero, in the scene's world (m).
+    pub origin: [f32; 2],
+    /// How far a radian moves the hand along +x (m): of a tip on the knob's rim, its radius; 1e-3 to 10.
+    pub radius: f32,
+    /// Of the knob. Its offset is the angle at power-up, whatever the knob's position then.
+    pub encoder: Encoder,
+}
+
+impl KnobGeometry {
+    /// # Errors
+    /// [`GeometryError`] names the first parameter that is not finite or out of its range; the encoder has the index 0.
+    pub fn check(&self) -> Result<(), GeometryError> {
+        use GeometryParameter as P;
+        for value in self.origin {
+            within(P::Origin, value, -LONGEST, LONGEST)?;
+        }
+        within(P::Radius, self.radius, SHORTEST, LONGEST)?;
+        self.encoder.check(0)
     }
 }
 
@@ -112,8 +144,10 @@ impl MotorConstants {
 /// The parameter that a [`GeometryError`] is about. Indices: 0 left, 1 right, 2 handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum GeometryParameter {
-    /// The middle of the base (m).
+    /// The middle of the base, or the hand of a knob at angle zero (m).
     Origin,
+    /// Of a knob (m).
+    Radius,
     /// The distance of the base joints (m).
     Base,
     /// l1 or l2 (m).
@@ -138,6 +172,7 @@ impl fmt::Display for GeometryParameter {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::Origin => write!(f, "origin (m)"),
+            Self::Radius => write!(f, "radius (m)"),
             Self::Base => write!(f, "distance of the base joints (m)"),
             Self::Proximal(i) => write!(f, "proximal link {i} (m)"),
             Self::Distal(i) => write!(f, "distal link {i} (m)"),

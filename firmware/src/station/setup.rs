@@ -7,7 +7,7 @@ use crate::safety::{Limits, Passivity};
 use stiction_core::frame::{
     Mode, NumberType, Reason, Stepping, Subject, frame_bytes, scene_bytes, wire_bytes,
 };
-use stiction_core::{Description, Real, Scene};
+use stiction_core::{Description, Fixed, Real, Scene};
 
 /// What a board is and how it works after power-up.
 #[derive(Clone, Debug)]
@@ -32,23 +32,58 @@ pub struct Setup {
     pub scene: Description<'static, f32>,
 }
 
+/// A number type of boards.
+pub trait BoardNumber: Real<Si = f32> {
+    /// How the wire calls it.
+    const NUMBER: NumberType;
+}
+
+impl BoardNumber for f32 {
+    const NUMBER: NumberType = NumberType::F32;
+}
+
+impl BoardNumber for Fixed {
+    const NUMBER: NumberType = NumberType::Fixed;
+}
+
 /// What a compiled-in scene says by its type: how much of the solver is in the image.
 pub trait SceneType {
+    /// What its solver computes with.
+    type Number: BoardNumber;
     /// Its model.
     type Model: BoardModel;
     /// Room for so many vertices.
     const VERTICES: usize;
     /// Room for so many surfaces.
     const SURFACES: usize;
+    /// How the wire calls its number type.
+    const NUMBER: NumberType = Self::Number::NUMBER;
     /// Bytes of the longest frame that brings a scene.
     const FRAME: usize =
         frame_bytes(scene_bytes(Self::VERTICES, Self::SURFACES) + Self::Model::OBSTACLE_BYTES);
 }
 
-impl<R: Real, const V: usize, const S: usize, M: BoardModel> SceneType for Scene<R, V, S, M> {
+impl<R: BoardNumber, const V: usize, const S: usize, M: BoardModel> SceneType
+    for Scene<R, V, S, M>
+{
+    type Number = R;
     type Model = M;
     const VERTICES: usize = V;
     const SURFACES: usize = S;
+}
+
+/// The type of the program of a board with a compiled-in scene, a [`SceneType`]: a [`Station`](crate::station::Station).
+#[macro_export]
+macro_rules! station_of {
+    ($scene:ty) => {
+        $crate::station::Station<
+            <$scene as $crate::station::SceneType>::Number,
+            { <$scene as $crate::station::SceneType>::VERTICES },
+            { <$scene as $crate::station::SceneType>::SURFACES },
+            <$scene as $crate::station::SceneType>::Model,
+            { <$scene as $crate::station::SceneType>::FRAME },
+        >
+    };
 }
 
 /// The fewest ticks with which silence is found in time (Hz).

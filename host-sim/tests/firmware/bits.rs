@@ -37,6 +37,12 @@ fn next_pose(board: &mut Board) -> Pose {
 /// where something is missing.
 pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType) -> Option<u32> {
     let mut board = Board::start(chip)?;
+    same_bits_of::<R>(&mut board, number);
+    Some(SAMPLES)
+}
+
+/// The same of a board that runs.
+pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberType) {
     assert_eq!(board.info().number, number);
     let own = Mode {
         stepping: Stepping::PerSample,
@@ -56,13 +62,16 @@ pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberTy
         board.done(Command::Mode(mode));
         let mut beside = Beside::<R>::new(&mode);
         beside.solver = beside.solver.with_budget(board.info().budget);
-        let poses = poses(&mut board);
+        let poses = poses(board);
         for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
-            assert_same(pose, &beside.step(hand), &format!("{} {i}", chip.name()));
+            assert_same(
+                pose,
+                &beside.step(hand),
+                &format!("{} {i}", board.chip.name()),
+            );
         }
         assert_eq!(poses.len(), SAMPLES as usize);
     }
-    Some(SAMPLES)
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(crate) const AGAIN: Duration = Duration::from_secs(5);
 
 /// A board that runs.
 pub(crate) struct Board {
-    chip: &'static Chip,
+    pub(crate) chip: &'static Chip,
     pub(crate) image: Image,
     emulator: Emulator,
     line: UnixStream,

@@ -20,3 +20,4 @@ mod random;
 mod scene;
 mod session;
 mod table;
+mod template;
