@@ -61,8 +61,8 @@ fn the_hand_goes_by_the_radius_from_wherever_the_knob_was_at_power_up() {
             let [x, y] = knob.sample(0).unwrap().hand.position;
             let turned = f64::from(i) / 2_400.0 * TAU * if reversed { -1.0 } else { 1.0 };
             let wanted = 0.01 + 0.015 * turned;
-            // The part of a turn, the turn, the product and the sum are rounded.
-            let rounded = 4.0 * f64::from(f32::EPSILON / 2.0) * (0.02 + wanted.abs());
+            // The part of a turn, its angle, the sum with whole turns, and the path are rounded; a part may be nearly a turn.
+            let rounded = 4.0 * f64::from(f32::EPSILON / 2.0) * (0.015 * TAU + wanted.abs());
             assert!(
                 (f64::from(x) - wanted).abs() < rounded,
                 "{i}: {x}, not {wanted}"
