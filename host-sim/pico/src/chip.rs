@@ -1,11 +1,9 @@
 //! The chip: one core of the RP2040, its memory and what surrounds it, one instruction after the other.
 
-use rp2040_emu::bus::ppb::Ppb;
-use rp2040_emu::core::{CoreBus, CortexM0Plus, Nvic};
-use rp2040_emu::{Bus, Config, Emulator, ROM_SIZE};
+use rp2040_emu::core::CortexM0Plus;
+use rp2040_emu::{Config, Emulator, ROM_SIZE};
 
-use crate::uart::Uart;
-use crate::watchdog::Watchdog;
+use crate::bus::{Fabric, Own, TIMER};
 
 /// Where the flash begins.
 pub const FLASH: u32 = 0x1000_0000;
@@ -14,11 +12,6 @@ pub const MEGAHERTZ: u32 = 125;
 /// The vector table lies behind the second boot stage.
 pub const VECTORS: u32 = 0x100;
 
-/// Peripherals, each of them 16 KB, whose upper 12 KB change bits of the registers in the lower 4.
-const UART0: u32 = 0x4003_4000;
-const TIMER: u32 = 0x4005_4000;
-const WATCHDOG: u32 = 0x4005_8000;
-const PERIPHERAL: u32 = !0x3FFF;
 /// Of the timer: which of its alarms ask for their interrupts, 0 to 3.
 const ALARMS: u32 = TIMER + 0x40;
 /// The interrupt of the serial line.
@@ -36,16 +29,8 @@ pub struct Chip {
     /// When the chip was last reset (cycles).
     reset_at: u64,
     resets: u32,
-}
-
-/// What the crate leaves out.
-#[derive(Debug, Default)]
-struct Own {
-    uart: Uart,
-    watchdog: Watchdog,
-    now: u64,
-    /// A peripheral that acts by itself was read or written.
-    is_touched: bool,
+    /// Of its pins, by what is connected to them.
+    levels: u32,
 }
 
 impl std::fmt::Debug for Chip {
@@ -73,6 +58,7 @@ impl Chip {
             next: 0,
             reset_at: 0,
             resets: 0,
+            levels: 0,
         };
         chip.boot();
         chip
@@ -80,6 +66,7 @@ impl Chip {
 
     fn boot(&mut self) {
         self.emulator.reset();
+        self.emulator.bus.gpio_in = self.levels;
         self.emulator.direct_boot_from_flash(VECTORS);
         self.reset_at = self.own.now;
         self.settle();
@@ -109,6 +96,12 @@ impl Chip {
     /// Bytes that have left it by the serial line since the last call.
     pub fn gone(&mut self) -> Vec<u8> {
         self.own.uart.gone()
+    }
+
+    /// What is connected to the pins of a mask, bit by bit, gives them these levels from now on.
+    pub const fn set_pins(&mut self, mask: u32, levels: u32) {
+        self.levels = self.levels & !mask | levels & mask;
+        self.emulator.bus.gpio_in = self.levels;
     }
 
     /// A word of memory, or of a register whose reading changes nothing.
@@ -253,6 +246,11 @@ impl Chip {
     fn pass(&mut self, cycles: u64) {
         self.own.now += cycles;
         self.emulator.bus.advance_lazy_scheduled(cycles);
+        for pio in &mut self.emulator.bus.pio {
+            if pio.any_sm_enabled() {
+                pio.step_n(cycles as u32, self.levels);
+            }
+        }
     }
 
     /// What happens up to now around the core, and when the next thing does. An interrupt that is asked for waits, unless it is active.
@@ -287,178 +285,4 @@ impl Chip {
 /// Of an instruction, by its first half (bytes).
 pub const fn length(instruction: u16) -> u32 {
     if instruction >> 11 > 0b11100 { 4 } else { 2 }
-}
-
-/// What the core reads and writes.
-struct Fabric<'a> {
-    bus: &'a mut Bus,
-    own: &'a mut Own,
-}
-
-impl Fabric<'_> {
-    /// The word at an address of a peripheral that the crate leaves out.
-    #[inline]
-    fn own_read(&mut self, at: u32) -> Option<u32> {
-        if at >> 28 != 4 {
-            return None;
-        }
-        let offset = at & 0xFFC;
-        match at & PERIPHERAL {
-            TIMER => self.own.is_touched = true,
-            UART0 => {
-                self.own.is_touched = true;
-                self.own.uart.advance(self.own.now);
-                return Some(self.own.uart.read(offset));
-            }
-            WATCHDOG if Watchdog::has(offset) => return Some(self.own.watchdog.read(offset)),
-            _ => {}
-        }
-        None
-    }
-
-    /// The same where it is written.
-    #[inline]
-    fn own_write(&mut self, at: u32, value: u32) -> bool {
-        if at >> 28 != 4 {
-            return false;
-        }
-        let (offset, own) = (at & 0xFFC, &mut *self.own);
-        let changed = |stored: u32| match at >> 12 & 3 {
-            0 => value,
-            1 => stored ^ value,
-            2 => stored | value,
-            _ => stored & !value,
-        };
-        match at & PERIPHERAL {
-            TIMER => own.is_touched = true,
-            UART0 => {
-                own.is_touched = true;
-                own.uart.advance(own.now);
-                let value = changed(own.uart.stored(offset));
-                own.uart.write(offset, value, own.now);
-                return true;
-            }
-            WATCHDOG if Watchdog::has(offset) => {
-                own.is_touched = true;
-                let value = changed(own.watchdog.read(offset));
-                let clock = (own.now, u64::from(MEGAHERTZ));
-                own.watchdog.write(offset, value, clock);
-                return true;
-            }
-            _ => {}
-        }
-        false
-    }
-}
-
-/// The byte or half word at an address, of its word.
-const fn part(word: u32, at: u32) -> u32 {
-    word >> (at % 4 * 8)
-}
-
-impl CoreBus for Fabric<'_> {
-    #[inline]
-    fn read8(&mut self, at: u32) -> u8 {
-        match self.own_read(at) {
-            Some(word) => part(word, at) as u8,
-            None => self.bus.read8(at),
-        }
-    }
-
-    #[inline]
-    fn read16(&mut self, at: u32) -> u16 {
-        match self.own_read(at) {
-            Some(word) => part(word, at) as u16,
-            None => self.bus.read16(at),
-        }
-    }
-
-    #[inline]
-    fn read32(&mut self, at: u32) -> u32 {
-        match self.own_read(at) {
-            Some(word) => word,
-            None => self.bus.read32(at),
-        }
-    }
-
-    #[inline]
-    fn write8(&mut self, at: u32, value: u8) {
-        // A peripheral gets a byte in all four places of its word.
-        if !self.own_write(at, u32::from(value) * 0x0101_0101) {
-            self.bus.write8(at, value);
-        }
-    }
-
-    #[inline]
-    fn write16(&mut self, at: u32, value: u16) {
-        if !self.own_write(at, u32::from(value) * 0x0001_0001) {
-            self.bus.write16(at, value);
-        }
-    }
-
-    #[inline]
-    fn write32(&mut self, at: u32, value: u32) {
-        if !self.own_write(at, value) {
-            self.bus.write32(at, value);
-        }
-    }
-
-    #[inline]
-    fn set_active_pc(&mut self, at: u32) {
-        self.bus.set_active_pc(at);
-    }
-
-    #[inline]
-    fn bus_fault(&self) -> bool {
-        self.bus.bus_fault()
-    }
-
-    fn bus_fault_addr(&self) -> u32 {
-        self.bus.bus_fault_addr()
-    }
-
-    fn clear_bus_fault(&mut self) {
-        self.bus.clear_bus_fault();
-    }
-
-    #[inline]
-    fn ppb(&self, core: usize) -> &Ppb {
-        CoreBus::ppb(self.bus, core)
-    }
-
-    #[inline]
-    fn ppb_mut(&mut self, core: usize) -> &mut Ppb {
-        CoreBus::ppb_mut(self.bus, core)
-    }
-
-    #[inline]
-    fn nvic(&self, core: usize) -> &Nvic {
-        CoreBus::nvic(self.bus, core)
-    }
-
-    #[inline]
-    fn nvic_mut(&mut self, core: usize) -> &mut Nvic {
-        CoreBus::nvic_mut(self.bus, core)
-    }
-
-    #[inline]
-    fn active_core(&self) -> usize {
-        self.bus.active_core()
-    }
-
-    fn event_flag(&self, core: usize) -> bool {
-        CoreBus::event_flag(self.bus, core)
-    }
-
-    fn consume_event_flag(&mut self, core: usize) -> bool {
-        CoreBus::consume_event_flag(self.bus, core)
-    }
-
-    fn set_wfe_waiting(&mut self, core: usize, is_waiting: bool) {
-        CoreBus::set_wfe_waiting(self.bus, core, is_waiting);
-    }
-
-    fn signal_sev(&mut self) {
-        CoreBus::signal_sev(self.bus);
-    }
 }

@@ -10,6 +10,7 @@
 
 #[cfg(unix)]
 mod board;
+mod bus;
 mod chip;
 mod uart;
 mod watchdog;
