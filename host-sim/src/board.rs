@@ -40,7 +40,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use stiction_core::Evolution;
-use stiction_scene::{Among, HostModel, SceneFile};
+use stiction_scene::SceneFile;
 
 pub use address::ConnectArgs;
 pub(crate) use address::PLACE;
@@ -156,12 +156,7 @@ pub fn board(args: &BoardArgs) -> Result<bool, BoardError> {
 fn usable_scene(args: &BoardArgs) -> Result<SceneFile, BoardError> {
     let scene = open_scene(&args.scene, Number::F32)?;
     if !args.keep {
-        // Said with the key and the line, which the board does not know.
-        if scene.obstacles.is_empty() {
-            scene.scene::<f32>()?;
-        } else {
-            <Among>::scene::<f32>(&scene)?;
-        }
+        input::suits_boards(&scene)?;
     }
     let inputs = input::files(&args.scene, &scene, args.hand.as_deref());
     let written = files::written(args.out.as_ref(), args.record.as_ref());

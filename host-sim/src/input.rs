@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stiction_scene::{InputError, SceneFile};
+use stiction_scene::{Among, HostModel, InputError, SceneFile};
 
 pub use stiction_live::input::open_path;
 use stiction_live::input::path_file;
@@ -18,6 +18,14 @@ pub(crate) fn open_scene(name: &Path, number: Number) -> Result<SceneFile, Input
     match scenes::find(name) {
         Some(source) => SceneFile::parse(source, number.limit()),
         None => Err(InputError::of_file(name, scenes::unknown())),
+    }
+}
+
+/// A board can have a scene: what is wrong with it is said with the key and the line, which the board does not know.
+pub(crate) fn suits_boards(scene: &SceneFile) -> Result<(), InputError> {
+    match scene.obstacles.is_empty() {
+        true => scene.scene::<f32>().map(drop),
+        false => <Among>::scene::<f32>(scene).map(drop),
     }
 }
 

@@ -25,6 +25,8 @@
 //!
 //! [`view`] shows a scene in real time, with the hand of whoever holds the mouse.
 //!
+//! [`image`] builds the image of a board, and writes it as a file that is flashed.
+//!
 //! [`footprint`] builds the solver that a scene needs for two chips, and tells how large it is there and what a frame costs.
 
 mod balance;
@@ -34,6 +36,7 @@ pub mod code;
 pub mod emulator;
 mod files;
 pub mod footprint;
+pub mod image;
 pub mod input;
 pub mod options;
 pub mod plot;

@@ -7,6 +7,7 @@ use stiction_host_sim::board::{BoardArgs, InfoArgs, board, info};
 use stiction_host_sim::check::{CheckArgs, check};
 use stiction_host_sim::code::{CodeArgs, code};
 use stiction_host_sim::footprint::{FootprintArgs, footprint};
+use stiction_host_sim::image::{ImageArgs, image};
 use stiction_host_sim::replay::{ReplayArgs, replay};
 use stiction_host_sim::run::{RunArgs, run};
 use stiction_host_sim::sweep::{SweepArgs, sweep};
@@ -49,6 +50,8 @@ enum Command {
     Board(BoardArgs),
     /// What a board says about itself
     Info(InfoArgs),
+    /// Build the image of a board: a file for its drive (UF2), or for a debug probe (ELF)
+    Image(ImageArgs),
     /// A scene as C code, for the C library
     Code(CodeArgs),
 }
@@ -97,6 +100,7 @@ fn done(command: Command) -> ExitCode {
         Command::Footprint(args) => footprint(&args).map(|()| true).map_err(Into::into),
         Command::Board(args) => board(&args).map_err(Into::into),
         Command::Info(args) => info(&args).map(|()| true).map_err(Into::into),
+        Command::Image(args) => image(&args).map(|()| true).map_err(Into::into),
         Command::Code(args) => code(&args).map(|()| true).map_err(Into::into),
         Command::View(args) => view(&args).map(|()| true).map_err(Into::into),
     };

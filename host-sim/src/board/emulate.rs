@@ -68,13 +68,12 @@ impl Emulator {
     pub(super) fn start(board: EmulatedBoard, image: Image<'_>) -> Result<Self, EmulatorError> {
         board.board().require_emulator()?;
         report::tell(format_args!("building the image of {} ...", board.name()));
-        let image = match (image, board) {
-            (Image::Plain, _) => board.board().image("", None)?,
-            (Image::Obstacles(_), EmulatedBoard::Olimex | EmulatedBoard::Pico) => {
+        let image = match image {
+            Image::Plain => board.board().image("", None)?,
+            Image::Obstacles(_) if board.board().takes_obstacles() => {
                 board.board().image(OBSTACLES, None)?
             }
-            // It has the memory for a scene of its own alone.
-            (Image::Obstacles(scene), EmulatedBoard::Microbit) => {
+            Image::Obstacles(scene) => {
                 let folder = tempfile::tempdir()?;
                 let file = folder.path().join("scene.toml");
                 fs::write(&file, scene)?;

@@ -68,6 +68,9 @@ pub(crate) const F405_AMONG: Chip = Chip {
     ..F405
 };
 
+/// The images that are built. Who builds one holds this until it has a copy: the next one takes its place.
+pub(crate) static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
 /// An image and what is in it.
 pub(crate) struct Image {
     pub(crate) path: PathBuf,
@@ -85,10 +88,8 @@ impl Chip {
         self.image_of(None)
     }
 
-    /// The image with a bundled scene of the host compiled in, or with the board's own. It is built once and copied: in the
-    /// folder of the build the next one takes its place.
+    /// The image with a bundled scene of the host compiled in, or with the board's own. It is built once and copied.
     pub(crate) fn image_of(&self, scene: Option<&str>) -> Option<Image> {
-        static BUILT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
         if_installed(self.board.require_emulator())?;
         let name = [self.name(), self.features, scene.unwrap_or("own")].join("-");
         let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);

@@ -21,3 +21,4 @@ mod scene;
 mod session;
 mod table;
 mod template;
+mod uf2;

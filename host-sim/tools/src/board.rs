@@ -10,6 +10,7 @@ use tempfile::TempDir;
 
 use crate::image::{built, cargo_build};
 use crate::process::{EmulatorError, require_qemu_arm};
+use crate::uf2::Family;
 use crate::{BOARDS, workspace};
 
 /// QEMU for the boards that it knows.
@@ -28,6 +29,8 @@ pub struct Board {
     pub name: &'static str,
     /// Serial lines of its machine in QEMU before the one that the image uses; none where QEMU does not know it.
     unused_lines: Option<usize>,
+    /// Of its chip, where that is flashed by a drive.
+    pub family: Option<Family>,
 }
 
 impl Board {
@@ -35,18 +38,30 @@ impl Board {
     pub const OLIMEX: Self = Self {
         name: "olimex-stm32-h405",
         unused_lines: Some(1),
+        family: None,
     };
     /// BBC micro:bit: nRF51822, Cortex-M0.
     pub const MICROBIT: Self = Self {
         name: "microbit",
         unused_lines: Some(0),
+        family: None,
     };
 
     /// Raspberry Pi Pico: RP2040, Cortex-M0+.
     pub const PICO: Self = Self {
         name: "pico",
         unused_lines: None,
+        family: Some(Family::RP2040),
     };
+
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::OLIMEX, Self::MICROBIT, Self::PICO];
+
+    /// It has the memory for obstacles over the wire, with the feature [`OBSTACLES`]; otherwise for those of a scene that is compiled in
+    /// alone, in an image for little flash.
+    pub fn takes_obstacles(self) -> bool {
+        self != Self::MICROBIT
+    }
 
     /// The folder of its package.
     pub fn folder(self) -> PathBuf {

@@ -57,26 +57,48 @@ fn artifact(message: &str) -> Option<PathBuf> {
         .map(PathBuf::from)
 }
 
-/// The contents of a flash that begins at an address and has been written with an image; what the image leaves is 0.
+/// A piece of the flash and what an image writes there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Where it begins.
+    pub at: u32,
+    /// What is written.
+    pub bytes: Vec<u8>,
+}
+
+/// What is written into the flash with an image.
 ///
 /// # Errors
-/// The file cannot be read, or is no image of 32 bits for a flash there.
-pub fn flashed(image: &Path, begin: u32) -> Result<Vec<u8>, EmulatorError> {
+/// The file cannot be read, or is no image of 32 bits.
+pub fn parts(image: &Path) -> Result<Vec<Part>, EmulatorError> {
     let bytes = fs::read(image)?;
     let unread = |error: object::Error| EmulatorError::Output(error.to_string());
     let file = elf::FileHeader32::<Endianness>::parse(&*bytes).map_err(unread)?;
     let endian = file.endian().map_err(unread)?;
-    let mut flash = Vec::new();
+    let mut parts = Vec::new();
     for part in file.program_headers(endian, &*bytes).map_err(unread)? {
-        let unplaced = || EmulatorError::Output(format!("nothing belongs to {begin:#x}"));
-        let data = part.data(endian, &*bytes).map_err(|()| unplaced())?;
-        if part.p_type(endian) != elf::PT_LOAD || data.is_empty() {
-            continue;
+        let at = part.p_paddr(endian);
+        let cut = || EmulatorError::Output(format!("the image lacks what belongs to {at:#x}"));
+        let data = part.data(endian, &*bytes).map_err(|()| cut())?;
+        if part.p_type(endian) == elf::PT_LOAD && !data.is_empty() {
+            let bytes = data.to_owned();
+            parts.push(Part { at, bytes });
         }
-        let at = part.p_paddr(endian).checked_sub(begin);
-        let at = at.ok_or_else(unplaced)? as usize;
-        flash.resize(flash.len().max(at + data.len()), 0);
-        flash[at..at + data.len()].copy_from_slice(data);
+    }
+    Ok(parts)
+}
+
+/// The contents of a flash that begins at an address and has been written with an image; what the image leaves is 0.
+///
+/// # Errors
+/// Those of [`parts`], or something belongs before the flash.
+pub fn flashed(image: &Path, begin: u32) -> Result<Vec<u8>, EmulatorError> {
+    let mut flash = Vec::new();
+    for Part { at, bytes } in parts(image)? {
+        let unplaced = || EmulatorError::Output(format!("{at:#x} is not in the flash"));
+        let at = at.checked_sub(begin).ok_or_else(unplaced)? as usize;
+        flash.resize(flash.len().max(at + bytes.len()), 0);
+        flash[at..at + bytes.len()].copy_from_slice(&bytes);
     }
     Ok(flash)
 }

@@ -1,6 +1,7 @@
 //! What programs and tests that measure have in common: the boards in QEMU ([`board`]), what is in their images ([`image`]), which
 //! programs do the work and what is missing ([`process`]), sections of a README ([`readme`]), files that are whole ([`files`]),
-//! text in columns ([`table`]), the name of the machine ([`machine`]), scripts without their comments ([`script`]).
+//! text in columns ([`table`]), the name of the machine ([`machine`]), scripts without their comments ([`script`]), images as files for
+//! the drive of a board ([`uf2`]).
 
 pub mod board;
 pub mod files;
@@ -10,6 +11,7 @@ pub mod process;
 pub mod readme;
 pub mod script;
 pub mod table;
+pub mod uf2;
 
 use std::env;
 use std::path::{Path, PathBuf};

@@ -1,0 +1,164 @@
+//! `stiction image`: from the name of a board, and a scene where one is named, to a file that is flashed: UF2, for the drive of a
+//! board that has one, or ELF, for a debug probe.
+//!
+//! The image is that without a log: who copies a file to a drive has no probe that would show it, and the image is smaller and has
+//! fewer places that can panic. With the log it is flashed by `cargo run` in the folder of the board.
+
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
+use stiction_scene::{InputError, SceneFile};
+use stiction_tools::board::{Board, OBSTACLES};
+use stiction_tools::files::write;
+use stiction_tools::image::{Contents, parts};
+use stiction_tools::process::EmulatorError;
+use stiction_tools::table::thousands;
+use stiction_tools::uf2::{Family, blocks, uf2};
+
+use crate::files::{WriteError, check};
+use crate::input::{open_scene, suits_boards};
+use crate::number::{Number, named};
+use crate::report;
+
+/// The arguments of `stiction image`.
+#[derive(Args, Clone, Debug)]
+pub struct ImageArgs {
+    /// The board
+    #[arg(value_parser = board_parser())]
+    board: Board,
+    /// Scene file (TOML), or the name of a bundled scene, to compile in instead of the board's own: the board has room for this scene alone
+    scene: Option<PathBuf>,
+    /// Room for scenes with obstacles over the wire
+    #[arg(long, conflicts_with = "scene")]
+    obstacles: bool,
+    /// File to write: FILE.uf2, for the drive of a board that has one, or FILE.elf; without it stiction-BOARD.uf2 or stiction-BOARD.elf
+    #[arg(long, value_name = "FILE", value_parser = file_parser())]
+    out: Option<(PathBuf, Format)>,
+}
+
+/// Why there is no image.
+#[derive(Debug, thiserror::Error)]
+pub enum ImageError {
+    /// The scene cannot be used.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The image cannot be built.
+    #[error(transparent)]
+    Build(#[from] EmulatorError),
+    /// The file cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The board is not flashed so.
+    #[error("{0} has no drive that takes UF2, allowed: --out FILE.elf")]
+    NoDrive(&'static str),
+    /// The board has no room for them.
+    #[error(
+        "{0} has no room for obstacles over the wire, allowed: a scene with obstacles to compile in"
+    )]
+    NoObstacles(&'static str),
+}
+
+/// How an image is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Format {
+    Uf2,
+    Elf,
+}
+
+fn board_parser() -> impl TypedValueParser<Value = Board> {
+    PossibleValuesParser::new(Board::ALL.map(|board| board.name))
+        .try_map(|name| named(Board::ALL, |board| board.name, &name))
+}
+
+/// A file that is to be written; its name need not be text.
+fn file_parser() -> impl TypedValueParser<Value = (PathBuf, Format)> {
+    OsStringValueParser::new().try_map(|name: OsString| {
+        let file = PathBuf::from(name);
+        let format = match file.extension().and_then(|end| end.to_str()) {
+            Some("uf2") => Format::Uf2,
+            Some("elf") => Format::Elf,
+            _ => return Err("allowed: a file name that ends in .uf2 or .elf"),
+        };
+        Ok((file, format))
+    })
+}
+
+/// Builds the image of a board and writes it.
+///
+/// # Errors
+/// A scene that cannot be used, an image that cannot be built, a file that cannot be written.
+pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
+    let board = args.board;
+    let (out, format) = out(args);
+    let family = match (format, board.family) {
+        (Format::Elf, _) => None,
+        (Format::Uf2, None) => return Err(ImageError::NoDrive(board.name)),
+        (Format::Uf2, family) => family,
+    };
+    if args.obstacles && !board.takes_obstacles() {
+        return Err(ImageError::NoObstacles(board.name));
+    }
+    let scene = args.scene.as_deref().map(usable_scene).transpose()?;
+    check(args.scene.as_deref(), [("--out", out.clone())])?;
+    report::tell(format_args!("building the image of {} ...", board.name));
+    let image = match &scene {
+        Some(scene) => built_with(board, scene)?,
+        None => board.image(if args.obstacles { OBSTACLES } else { "" }, None)?,
+    };
+    let bytes = match family {
+        Some(family) => uf2(&parts(&image)?, family)?,
+        None => fs::read(&image).map_err(WriteError::of(&image))?,
+    };
+    write(&out, &bytes).map_err(WriteError::of(&out))?;
+    report::print(&told(&out, &bytes, &Contents::of(&image)?, family));
+    Ok(())
+}
+
+/// The file and how it is written.
+fn out(args: &ImageArgs) -> (PathBuf, Format) {
+    let board = args.board;
+    args.out.clone().unwrap_or_else(|| {
+        let (end, format) = match board.family {
+            Some(_) => ("uf2", Format::Uf2),
+            None => ("elf", Format::Elf),
+        };
+        (format!("stiction-{}.{end}", board.name).into(), format)
+    })
+}
+
+/// A scene that a board can have.
+fn usable_scene(name: &Path) -> Result<SceneFile, InputError> {
+    let scene = open_scene(name, Number::F32)?;
+    suits_boards(&scene)?;
+    Ok(scene)
+}
+
+/// The image of a board with a scene compiled in.
+fn built_with(board: Board, scene: &SceneFile) -> Result<PathBuf, EmulatorError> {
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("scene.toml");
+    fs::write(&file, scene.source().text())?;
+    match scene.obstacles.is_empty() || board.takes_obstacles() {
+        true => board.image("", Some(&file)),
+        // Otherwise it would not fit.
+        false => board.small_image(&file),
+    }
+}
+
+/// The file, what it takes of the board, and how it gets there.
+fn told(out: &Path, bytes: &[u8], contents: &Contents, family: Option<Family>) -> String {
+    let size = thousands(bytes.len() as u64);
+    let (flash, variables) = (thousands(contents.flash), thousands(contents.variables));
+    let mut text = format!("{}: {size} bytes", out.display());
+    if family.is_some() {
+        text += &format!(", {} blocks", thousands(blocks(bytes) as u64));
+    }
+    text += &format!("\n  flash {flash} bytes, RAM {variables} bytes and the stack\n");
+    if family.is_some() {
+        text += "  to flash it: hold BOOTSEL while the board is plugged in, and copy the file to the drive that appears\n";
+    }
+    text
+}
