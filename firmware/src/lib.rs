@@ -26,6 +26,7 @@
 //! line.rs        the two rings of a board's line, and its clock
 //! pace.rs        when ticks are due, for a board that ticks in its main loop
 //! station.rs     the program of a board: bytes -> samples and commands -> control loop -> force and reports
+//! usb.rs         by what a computer knows a board on its USB
 //! ```
 //!
 //! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
@@ -54,3 +55,4 @@ pub mod ring;
 pub mod safety;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod station;
+pub mod usb;

@@ -31,6 +31,7 @@ mod setup;
 mod steps;
 mod stream;
 mod tracker;
+mod usb;
 mod verify;
 mod wish;
 

@@ -9,6 +9,7 @@ use clap::Args;
 use super::emulate::{EmulatedBoard, Emulator, Image};
 use super::error::BoardError;
 use super::link::{Link, reason};
+use super::usb::{AUTO, Port};
 
 /// The arguments that say where the board is.
 #[derive(Args, Clone, Debug)]
@@ -30,7 +31,7 @@ pub(crate) const PLACE: &str = "place";
 #[derive(Args, Clone, Debug, Default)]
 #[group(id = PLACE, multiple = false)]
 struct PlaceArgs {
-    /// The board is on a serial port
+    /// The board is on a serial port; auto: on USB, wherever it is found there (Linux)
     #[arg(long, value_name = "/dev/tty...")]
     port: Option<PathBuf>,
     /// The board is behind a unix socket
@@ -66,6 +67,9 @@ impl ConnectArgs {
     pub(super) fn address(&self, image: Image<'_>) -> Result<Address, BoardError> {
         let place = self.place.clone();
         Ok(match (place.port, place.socket, place.tcp) {
+            (Some(port), ..) if port.as_os_str() == AUTO => {
+                Address::Usb(Port::of_the_board()?, self.baud)
+            }
             (Some(port), ..) => Address::Port(port, self.baud),
             (_, Some(socket), _) => Address::Socket(socket),
             (.., Some(tcp)) => Address::Tcp(tcp),
@@ -85,6 +89,8 @@ impl ConnectArgs {
 #[derive(Debug)]
 pub(super) enum Address {
     Port(PathBuf, u32),
+    /// Found on USB, and there again wherever it is plugged in.
+    Usb(Port, u32),
     Socket(PathBuf),
     Tcp(String),
     Emulated(Emulator),
@@ -95,6 +101,7 @@ impl Address {
     pub(super) fn open(&mut self) -> Result<Link, BoardError> {
         let opened = match self {
             Self::Port(place, baud) => Link::port(place, *baud),
+            Self::Usb(port, baud) => Link::port(port.again()?, *baud),
             Self::Socket(place) => Link::socket(place),
             Self::Tcp(address) => Link::tcp(address),
             Self::Emulated(emulator) => return Ok(emulator.open()?),
@@ -110,6 +117,7 @@ impl fmt::Display for Address {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Port(place, baud) => write!(f, "{} at {baud} baud", place.display()),
+            Self::Usb(port, _) => write!(f, "{port}"),
             Self::Socket(place) => write!(f, "{}", place.display()),
             Self::Tcp(address) => f.write_str(address),
             Self::Emulated(emulator) => write!(f, "emulated {}", emulator.board().name()),

@@ -20,6 +20,7 @@ use rp2040_hal::uart::{DataBits, Reader, StopBits, UartConfig, UartPeripheral, W
 use rp2040_hal::usb::UsbBus;
 use rp2040_hal::{Sio, Timer};
 use stiction_firmware::line::{self, Line};
+use stiction_firmware::usb;
 use usb_device::bus::UsbBusAllocator;
 use usb_device::device::{StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbVidPid};
 use usbd_serial::SerialPort;
@@ -264,10 +265,9 @@ pub(crate) struct Usb {
 impl Usb {
     fn new(bus: &'static UsbBusAllocator<UsbBus>, serial_number: &'static str) -> Self {
         let port = SerialPort::new(bus);
-        // Of Raspberry Pi, for serial lines of a Pico.
-        let device = UsbDeviceBuilder::new(bus, UsbVidPid(0x2E8A, 0x000A));
+        let device = UsbDeviceBuilder::new(bus, UsbVidPid(usb::VENDOR, usb::PICO));
         let names = StringDescriptors::default()
-            .manufacturer("stiction")
+            .manufacturer(usb::MANUFACTURER)
             .product(PRODUCT)
             .serial_number(serial_number);
         let Ok(device) = device
