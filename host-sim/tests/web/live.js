@@ -45,12 +45,12 @@ const browserFile = findChromium();
 const target = process.env.CARGO_TARGET_DIR ?? join(workspace, "target");
 const programFile = resolve(process.env.STICTION ?? join(target, "debug", "stiction"));
 
+/** Why tests without a page cannot run here, or false. */
+export const missingProgram = existsSync(programFile)
+  ? false
+  : `no ${programFile}: set STICTION, or type cargo build`;
 /** Why the tests cannot run here, or false. */
-const missing = !browserFile
-  ? "no Chromium: set CHROMIUM, or install it"
-  : !existsSync(programFile)
-    ? `no ${programFile}: set STICTION, or type cargo build`
-    : false;
+const missing = browserFile ? missingProgram : "no Chromium: set CHROMIUM, or install it";
 if (missing && process.env.CI === "true") throw new Error(missing);
 
 /** Folders that go with the process. @type {string[]} */

@@ -1,0 +1,151 @@
+// The Pico over USB, in an emulator of its own: the file of `stiction image` on an RP2040 of rp2040js, which shares nothing with the
+// emulator of the program. A computer finds the board, opens its line, and its poses have the bits of the program.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { Decoder, encode, STATES } from "../../web/frame.js";
+import { missingProgram, newFolder, runProgram } from "./live.js";
+import { MS, UsbHost } from "./usb-host.js";
+
+const workspace = fileURLToPath(new URL("../../../", import.meta.url));
+/** The scene that the board has from power-up on. */
+const SCENE = join(workspace, "firmware/scenes/board.toml");
+/** Samples of the hand, and how many of a second. */
+const SAMPLES = 400;
+const RATE = 1000;
+
+/**
+ * A hand that presses the box 10 mm into the floor, draws it 50 mm to the right and tips it: x, y [m], phi [rad], as f32.
+ * @param {number} i
+ */
+function hand(i) {
+  const part = i / (SAMPLES - 1);
+  const down = Math.min(part / 0.25, 1);
+  const along = Math.max(part - 0.25, 0) / 0.75;
+  return [0.05 * along, 0.055 - 0.015 * down, 0.8 * along].map(Math.fround);
+}
+
+/** The file for the drive, or null where something that builds it is not installed. @param {string} folder */
+async function image(folder) {
+  const file = join(folder, "pico.uf2");
+  try {
+    // There it finds the sources.
+    await runProgram(["image", "pico", "--out", file], workspace);
+  } catch (error) {
+    if (process.env.CI !== "true" && String(error).includes("missing: ")) return null;
+    throw error;
+  }
+  return new Uint8Array(readFileSync(file));
+}
+
+/** What the program computes of the same hand. @param {string} folder @param {number} budget of a step */
+async function expected(folder, budget) {
+  const rows = Array.from({ length: SAMPLES }, (_, i) => [i / RATE, ...hand(i)].join(","));
+  writeFileSync(join(folder, "hand.csv"), `t,x,y,phi\n${rows.join("\n")}\n`);
+  const how = ["--number", "fixed", "--budget", String(budget), "--quiet"];
+  await runProgram(["run", SCENE, "--hand", "hand.csv", ...how, "--out", "trace.jsonl"], folder);
+  const records = readFileSync(join(folder, "trace.jsonl"), "utf8").trim().split("\n");
+  return records.map((record) => JSON.parse(record)).filter((record) => record.pose);
+}
+
+/** A board and the messages on its line. */
+class Client {
+  /** @param {UsbHost} host */
+  constructor(host) {
+    this.host = host;
+    /** @type {any[]} */
+    this.heard = [];
+    this.decoder = new Decoder((message) => this.heard.push(message));
+    host.take = (bytes) => this.decoder.push(bytes);
+    this.sequence = 0;
+  }
+
+  /** @param {any} message */
+  send(message) {
+    this.host.send(encode({ sequence: this.sequence, time: 0, ...message }));
+    this.sequence = (this.sequence + 1) % 256;
+  }
+
+  /** Waits for a message of a type. @param {string} type */
+  wait(type) {
+    this.host.until(() => this.heard.some((message) => message.type === type), type);
+    return this.heard.find((message) => message.type === type);
+  }
+
+  /** A command that is carried out. @param {any} message */
+  done(message) {
+    this.heard = [];
+    this.send(message);
+    assert.equal(this.wait("reply").reason, 0, message.type);
+  }
+}
+
+test("a Pico on USB is found, opened, and has the bits of the program", { skip: missingProgram }, async (context) => {
+  const folder = newFolder();
+  const file = await image(folder);
+  if (!file) return context.skip("what builds the image is not installed");
+  const host = new UsbHost(file);
+  const client = new Client(host);
+  // Its serial number is that of the flash, which the empty ROM of the emulator does not ask for.
+  const texts = ["stiction", "stiction on Pico", "0".repeat(16)];
+  const identity = { vendor: 0x2e8a, product: 0x000a, texts };
+  assert.deepEqual(host.enumerate(), identity);
+  host.run(50 * MS);
+  assert.deepEqual(client.heard, [], "nobody has opened the line");
+
+  host.open(true);
+  client.send({ type: "hello" });
+  const info = client.wait("info");
+  assert.deepEqual([info.name, info.number], ["pico", 1]);
+  // At more ticks of a second poses and forces would not fit the line of a UART, by which a mode is judged.
+  const [{ axis_x, axis_y }, tick_rate] = [info, 500];
+  const every = { events: 1, pose_every: 1, forces_every: 1, health_every: 0 };
+  client.done({ type: "mode", evolution: 0, stepping: 1, axis_x, axis_y, tick_rate, ...every });
+  client.done({ type: "reset", what: 0 });
+
+  const records = await expected(folder, info.budget);
+  assert.equal(records.length, SAMPLES);
+  client.heard = [];
+  const from = client.sequence;
+  // All at once: the board takes them as it can, and the computer waits.
+  for (let i = 0; i < SAMPLES; i++) {
+    const [x, y, phi] = hand(i);
+    client.send({ type: "hand", x, y, phi, turns: 0, depth: 0, held: 1 });
+  }
+  const heard = (/** @type {string} */ type) => client.heard.filter((message) => message.type === type);
+  host.until(() => heard("forces").length >= SAMPLES, `forces of ${SAMPLES} samples`);
+  const [poses, forces] = [heard("pose"), heard("forces")];
+  assert.deepEqual([poses.length, forces.length, client.decoder.faults], [SAMPLES, SAMPLES, {}]);
+  poses.forEach((pose, i) => {
+    const { wrench, pose: [x, y, theta], state } = records[i];
+    assert.equal(pose.sample, (from + i) % 256);
+    assert.deepEqual([pose.x, pose.y, pose.theta], [x, y, theta].map(Math.fround), `pose ${i}`);
+    assert.equal(STATES[pose.state], state);
+    const { wrench_x, wrench_y, wrench_m } = forces[i];
+    assert.deepEqual([wrench_x, wrench_y, wrench_m], wrench.map(Math.fround), `wrench ${i}`);
+  });
+  const states = new Set(records.map(({ state }) => state));
+  assert.ok(states.has("edge") && states.has("single-vertex"), [...states].join());
+  assert.ok(records.reduce((sum, { slips }) => sum + slips, 0) > 1);
+
+  host.open(false);
+  host.run(10 * MS);
+  client.heard = [];
+  host.run(50 * MS);
+  assert.deepEqual(client.heard, [], "the line is closed");
+
+  // Plugged in again while the line is open, it waits until a program opens it.
+  host.open(true);
+  client.done({ type: "reset", what: 0 });
+  assert.deepEqual(host.plugAgain(), identity);
+  client.heard = [];
+  host.run(50 * MS);
+  assert.deepEqual(client.heard, []);
+  host.open(true);
+  client.send({ type: "hello" });
+  assert.equal(client.wait("info").name, "pico");
+});
+
