@@ -13,6 +13,8 @@ import { MS, UsbHost } from "./usb-host.js";
 const workspace = fileURLToPath(new URL("../../../", import.meta.url));
 /** The scene that the board has from power-up on. */
 const SCENE = join(workspace, "firmware/scenes/board.toml");
+/** What it says of itself on USB. Its serial number is that of the flash, which the empty ROM of the emulator does not ask for. */
+const IDENTITY = { vendor: 0x2e8a, product: 0x000a, texts: ["stiction", "stiction on Pico", "0".repeat(16)] };
 /** Samples of the hand, and how many of a second. */
 const SAMPLES = 400;
 const RATE = 1000;
@@ -83,19 +85,42 @@ class Client {
   }
 }
 
-test("a Pico on USB is found, opened, and has the bits of the program", { skip: missingProgram }, async (context) => {
-  const folder = newFolder();
-  const file = await image(folder);
-  if (!file) return context.skip("what builds the image is not installed");
-  const host = new UsbHost(file);
-  const client = new Client(host);
-  // Its serial number is that of the flash, which the empty ROM of the emulator does not ask for.
-  const texts = ["stiction", "stiction on Pico", "0".repeat(16)];
-  const identity = { vendor: 0x2e8a, product: 0x000a, texts };
-  assert.deepEqual(host.enumerate(), identity);
-  host.run(50 * MS);
-  assert.deepEqual(client.heard, [], "nobody has opened the line");
+/** What a board says of itself over its UART. @param {UsbHost} host */
+function overUart(host) {
+  /** At 921600 baud (cycles). */
+  const BYTE = Math.ceil((10 * 125e6) / 921_600);
+  const [uart] = host.chip.uart;
+  /** @type {any} */
+  let info = null;
+  const decoder = new Decoder((message) => {
+    if (message.type === "info") info = message;
+  });
+  uart.onByte = (byte) => decoder.push(Uint8Array.of(byte));
+  for (const byte of encode({ type: "hello", sequence: 0, time: 0 })) {
+    uart.feedByte(byte);
+    host.run(BYTE);
+  }
+  host.until(() => info, "answer over the UART");
+  return info;
+}
 
+/**
+ * A test with a Pico that a computer has just found; `host` is that computer.
+ * @param {string} name @param {(host: UsbHost, client: Client, folder: string) => void | Promise<void>} body
+ */
+function usbTest(name, body) {
+  test(name, { skip: missingProgram }, async (context) => {
+    const folder = newFolder();
+    const file = await image(folder);
+    if (!file) return context.skip("what builds the image is not installed");
+    const host = new UsbHost(file);
+    const client = new Client(host);
+    assert.deepEqual(host.enumerate(), IDENTITY);
+    await body(host, client, folder);
+  });
+}
+
+usbTest("a Pico over USB has the bits of the program, however fast the samples come", async (host, client, folder) => {
   host.open(true);
   client.send({ type: "hello" });
   const info = client.wait("info");
@@ -108,6 +133,10 @@ test("a Pico on USB is found, opened, and has the bits of the program", { skip: 
 
   const records = await expected(folder, info.budget);
   assert.equal(records.length, SAMPLES);
+  const states = new Set(records.map(({ state }) => state));
+  assert.ok(states.has("edge") && states.has("single-vertex"), [...states].join());
+  assert.ok(records.reduce((sum, { slips }) => sum + slips, 0) > 1);
+
   client.heard = [];
   const from = client.sequence;
   // All at once: the board takes them as it can, and the computer waits.
@@ -127,25 +156,35 @@ test("a Pico on USB is found, opened, and has the bits of the program", { skip: 
     const { wrench_x, wrench_y, wrench_m } = forces[i];
     assert.deepEqual([wrench_x, wrench_y, wrench_m], wrench.map(Math.fround), `wrench ${i}`);
   });
-  const states = new Set(records.map(({ state }) => state));
-  assert.ok(states.has("edge") && states.has("single-vertex"), [...states].join());
-  assert.ok(records.reduce((sum, { slips }) => sum + slips, 0) > 1);
-
-  host.open(false);
-  host.run(10 * MS);
-  client.heard = [];
-  host.run(50 * MS);
-  assert.deepEqual(client.heard, [], "the line is closed");
-
-  // Plugged in again while the line is open, it waits until a program opens it.
-  host.open(true);
-  client.done({ type: "reset", what: 0 });
-  assert.deepEqual(host.plugAgain(), identity);
-  client.heard = [];
-  host.run(50 * MS);
-  assert.deepEqual(client.heard, []);
-  host.open(true);
-  client.send({ type: "hello" });
-  assert.equal(client.wait("info").name, "pico");
 });
 
+usbTest("the line is USB while a program has it open there, else the UART", (host, client) => {
+  /** Nothing comes over USB. @param {string} why */
+  const silent = (why) => {
+    // What was on its way.
+    host.run(10 * MS);
+    client.heard = [];
+    host.run(50 * MS);
+    assert.deepEqual(client.heard, [], why);
+  };
+  silent("nobody has opened the line");
+  assert.equal(overUart(host).name, "pico");
+
+  host.open(true);
+  client.wait("pose");
+  host.open(false);
+  silent("it is closed");
+  assert.equal(overUart(host).name, "pico");
+
+  // The plug is pulled while the line is open.
+  host.open(true);
+  client.wait("pose");
+  host.fallSilent();
+  assert.equal(overUart(host).name, "pico");
+
+  // Plugged in again, it waits until a program opens it.
+  assert.deepEqual(host.plugAgain(), IDENTITY);
+  silent("nobody has opened the line again");
+  host.open(true);
+  client.wait("pose");
+});

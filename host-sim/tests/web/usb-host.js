@@ -233,6 +233,18 @@ export class UsbHost {
     return this.enumerate();
   }
 
+  /** The bus is silent for longer than 3 ms, as where the plug is pulled from a board with a supply of its own, or the computer sleeps. */
+  fallSilent() {
+    /** In the register SIE_STATUS; rp2040js knows it, but not how a program clears it. */
+    const SUSPENDED = 1 << 4;
+    const usb = /** @type {any} */ (this.chip.usbCtrl);
+    usb.sieStatus |= SUSPENDED;
+    usb.sieStatusUpdated();
+    this.run(MS / 10);
+    usb.sieStatus &= ~SUSPENDED;
+    usb.sieStatusUpdated();
+  }
+
   /** From plugging in to the configuration: what the board says of itself. */
   enumerate() {
     this.until(() => this.isReset, "reset of the bus");

@@ -22,7 +22,9 @@ use rp2040_hal::{Sio, Timer};
 use stiction_firmware::line::{self, Line};
 use stiction_firmware::usb;
 use usb_device::bus::UsbBusAllocator;
-use usb_device::device::{StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbVidPid};
+use usb_device::device::{
+    StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbDeviceState, UsbVidPid,
+};
 use usbd_serial::SerialPort;
 
 use crate::stop::stop;
@@ -283,7 +285,9 @@ impl Usb {
     /// What came in, as much as there is room for, and out likewise.
     pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
         self.device.poll(&mut [&mut self.port]);
-        USB_IS_OPEN.store(self.port.dtr(), Ordering::Relaxed);
+        // A pulled plug closes nothing: the bus falls silent.
+        let is_there = self.device.state() == UsbDeviceState::Configured;
+        USB_IS_OPEN.store(is_there && self.port.dtr(), Ordering::Relaxed);
         let mut bytes = [0; PACKET];
         // What is not read stays with the computer.
         while line.room() >= PACKET
