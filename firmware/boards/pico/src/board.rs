@@ -27,6 +27,7 @@ use usb_device::device::{
 };
 use usbd_serial::SerialPort;
 
+use crate::flash::{self, NUMBER};
 use crate::stop::stop;
 
 /// The second boot stage: it lets the chip run code from its flash.
@@ -71,23 +72,6 @@ impl Bus {
     }
 }
 
-/// Bytes of the number that the flash of a board has as its own.
-const NUMBER: usize = 8;
-
-/// The number of the flash; zeros where the chip has no ROM, which asks for it: in an emulator.
-fn flash_number() -> [u8; NUMBER] {
-    /// "Mu", and a version: RP2040 datasheet, section 2.8.3.
-    const ROM: (*const u16, u16) = (0x10 as *const u16, u16::from_le_bytes(*b"Mu"));
-    let mut number = [0; NUMBER];
-    // SAFETY: the address is one of the ROM; nothing else runs, from the flash or at all: interrupts are off until all is set up.
-    unsafe {
-        if ROM.0.read_volatile() == ROM.1 {
-            cortex_m::interrupt::free(|_| rp2040_flash::flash::flash_unique_id(&mut number, true));
-        }
-    }
-    number
-}
-
 /// Bytes as text, hexadecimal.
 fn write_hex(bytes: [u8; NUMBER], text: &mut [u8; 2 * NUMBER]) {
     let digit = |value: u8| value + if value < 10 { b'0' } else { b'A' - 10 };
@@ -129,7 +113,7 @@ impl Board {
         let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
         let uart = UartPeripheral::new(device.UART0, pins, &mut device.RESETS);
         let uart = Uart::new(uart, &clocks);
-        write_hex(flash_number(), &mut bus.serial_number);
+        write_hex(flash::number(BOOT2), &mut bus.serial_number);
         let serial_number = core::str::from_utf8(&bus.serial_number).unwrap_or_default();
         let allocator = bus.allocator.insert(UsbBusAllocator::new(UsbBus::new(
             device.USBCTRL_REGS,

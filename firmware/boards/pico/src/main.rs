@@ -14,6 +14,8 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+mod flash;
+#[cfg(target_os = "none")]
 #[path = "../../log.rs"]
 mod log;
 #[cfg(target_os = "none")]
