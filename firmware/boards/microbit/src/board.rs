@@ -11,7 +11,10 @@ use nrf51_hal::clocks::Clocks;
 use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
 use nrf51_hal::wdt::handles::HdlN;
 use nrf51_hal::wdt::{self, WatchdogHandle};
+use stiction_firmware::device::{FromLine, NoActuators};
 use stiction_firmware::line::{self, Line};
+
+use crate::work::{Program, Work};
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
@@ -23,22 +26,28 @@ const RX: u32 = 25;
 /// A tick that does not come for so long ends in a reset, in ticks of 32 768 Hz: 50 ms.
 const PATIENCE: u32 = 1_638;
 
+/// This board has no device.
+pub(crate) type Device = (FromLine, NoActuators);
+
 /// What the tasks work with.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
-    pub(crate) clock: Clock,
-    pub(crate) watchdog: Watchdog,
+    pub(crate) work: Work,
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second.
-    pub(crate) fn start(device: pac::Peripherals, rate: u16) -> Self {
+    /// Everything running for a program.
+    pub(crate) fn start(device: pac::Peripherals, program: Program) -> Self {
         // The crystal: the oscillator inside is too far off for a serial line.
         let _ = Clocks::new(device.CLOCK).enable_ext_hfosc();
         Self {
             uart: Uart::new(device.UART0, &device.GPIO),
-            clock: Clock::new(device.TIMER0, rate),
-            watchdog: Watchdog::new(device.WDT),
+            work: Work {
+                clock: Clock::new(device.TIMER0, program.mode().tick_rate),
+                watchdog: Watchdog::new(device.WDT),
+                device: (FromLine, NoActuators),
+                program,
+            },
         }
     }
 }

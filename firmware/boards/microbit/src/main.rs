@@ -15,6 +15,9 @@ mod log;
 #[cfg(target_os = "none")]
 #[path = "../../stop.rs"]
 mod stop;
+#[cfg(target_os = "none")]
+#[path = "../../work.rs"]
+mod work;
 
 /// This machine is none.
 #[cfg(not(target_os = "none"))]
@@ -24,36 +27,22 @@ fn main() {
 }
 
 #[cfg(target_os = "none")]
-mod scene {
-    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
-}
-
-#[cfg(target_os = "none")]
 #[rtic::app(device = nrf51_hal::pac, peripherals = true)]
 mod app {
-    use crate::board::{self, Board, Clock, Uart, Watchdog};
-    use crate::log::{self, info};
-    use crate::scene::{CompiledScene, OBSTACLES, SCENE};
-    use crate::stop::stop;
+    use crate::board::{self, Board, Uart};
+    use crate::work::{self, SCENE, Work};
     use nrf51_hal::pac::Interrupt;
+    use stiction_core::Evolution;
     use stiction_core::frame::{Mode, NumberType};
-    use stiction_core::{Evolution, Fixed};
-    use stiction_firmware::device::{FromLine, NoActuators};
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
-    use stiction_firmware::station::{Log, SceneType, Setup, Station, Watch};
+    use stiction_firmware::station::Setup;
 
-    /// Room for so many vertices: what is compiled in, see build.rs.
-    const V: usize = CompiledScene::VERTICES;
-    /// Room for so many surfaces.
-    const S: usize = CompiledScene::SURFACES;
     /// Ticks of a second.
     const RATE: u16 = 200;
     /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
     /// Half of its time is for the interrupts of the line and what else a tick does.
     const WORK_RATE: u32 = 16_000_000 / 3_430 / 2;
-    type Model = <CompiledScene as SceneType>::Model;
-    type Program = Station<Fixed, V, S, Model, { CompiledScene::FRAME }>;
 
     static SETUP: Setup = Setup {
         name: "microbit",
@@ -75,7 +64,6 @@ mod app {
     const ROOM: usize = 256;
 
     static LINE: Line<ROOM> = Line::new();
-    static WATCH: Watch = Watch::new();
 
     #[shared]
     struct Shared {}
@@ -83,30 +71,13 @@ mod app {
     #[local]
     struct Local {
         uart: Uart,
-        clock: Clock,
-        watchdog: Watchdog,
-        program: Program,
+        work: Work,
     }
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
-            stop()
-        };
-        let rate = SETUP.mode.tick_rate;
-        let Board {
-            uart,
-            clock,
-            watchdog,
-        } = Board::start(cx.device, rate);
-        info!("{=str}, {=u16} ticks a second", SETUP.name, rate);
-        let local = Local {
-            uart,
-            clock,
-            watchdog,
-            program,
-        };
-        (Shared {}, local)
+        let Board { uart, work } = Board::start(cx.device, work::program(&SETUP));
+        (Shared {}, Local { uart, work })
     }
 
     /// What comes first is what must not wait.
@@ -115,33 +86,14 @@ mod app {
         cx.local.uart.serve(&LINE);
     }
 
-    #[task(binds = TIMER0, priority = 2, local = [clock, watchdog, program])]
+    #[task(binds = TIMER0, priority = 2, local = [work])]
     fn tick(cx: tick::Context) {
-        let tick::LocalResources {
-            clock,
-            watchdog,
-            program,
-            ..
-        } = cx.local;
-        let now_us = clock.tick();
-        // This board has no device.
-        program.tick(
-            now_us,
-            &mut LINE.link(clock, || rtic::pend(Interrupt::UART0)),
-            &mut (FromLine, NoActuators),
-        );
-        clock.set_rate(program.mode().tick_rate);
-        WATCH.show(&program.health());
-        // Last: a tick that did not do its work feeds nothing.
-        watchdog.feed();
+        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::UART0));
     }
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        let mut news = Log::new(&WATCH, SETUP.mode.tick_rate);
-        loop {
-            news.look(&WATCH, |news| log::tell(news, LINE.lost()));
-            // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
-        }
+        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        work::log(&SETUP, || LINE.lost(), || {})
     }
 }

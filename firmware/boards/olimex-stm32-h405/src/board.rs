@@ -25,6 +25,7 @@ mod pantograph;
 pub(crate) use pantograph::Device;
 
 use crate::stop::stop;
+use crate::work::{Program, Work};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
@@ -54,14 +55,12 @@ pub(crate) type Device = (FromLine, NoActuators);
 /// What the tasks work with.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
-    pub(crate) clock: Clock,
-    pub(crate) watchdog: Watchdog,
-    pub(crate) device: Device,
+    pub(crate) work: Work,
 }
 
 impl Board {
-    /// Everything running, with so many ticks a second, and no motor driven.
-    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u16) -> Self {
+    /// Everything running for a program, and no motor driven.
+    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, program: Program) -> Self {
         prime(&device.RCC);
         let config = Config::hse(8.MHz())
             .sysclk(CORE.Hz())
@@ -73,7 +72,7 @@ impl Board {
         device.TIM5.cr1().modify(|_, w| w.cen().set_bit());
 
         systick.set_clock_source(SystClkSource::Core);
-        let clock = Clock::start(device.TIM5, systick, rate);
+        let clock = Clock::start(device.TIM5, systick, program.mode().tick_rate);
 
         let a = device.GPIOA.split(&mut rcc);
         let config = serial::Config::default().baudrate(BAUD.bps());
@@ -109,9 +108,12 @@ impl Board {
         actuators_on();
         Self {
             uart: Uart { tx, rx },
-            clock,
-            watchdog: Watchdog(watchdog),
-            device: own,
+            work: Work {
+                clock,
+                watchdog: Watchdog(watchdog),
+                device: own,
+                program,
+            },
         }
     }
 }
@@ -192,8 +194,8 @@ impl Clock {
         }
     }
 
-    /// The time, wrapping. To be asked for once in 4 s at least.
-    pub(crate) fn now_us(&mut self) -> u32 {
+    /// A tick has come: what time it is (µs, wrapping). One comes in 4 s at least.
+    pub(crate) fn tick(&mut self) -> u32 {
         let count = self.count();
         let passed = count.wrapping_sub(self.last);
         self.last = count;

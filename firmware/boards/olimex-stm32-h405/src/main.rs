@@ -17,6 +17,9 @@ mod log;
 #[cfg(target_os = "none")]
 #[path = "../../stop.rs"]
 mod stop;
+#[cfg(target_os = "none")]
+#[path = "../../work.rs"]
+mod work;
 
 /// This machine is none.
 #[cfg(not(target_os = "none"))]
@@ -35,32 +38,19 @@ mod device {
 }
 
 #[cfg(target_os = "none")]
-mod scene {
-    include!(concat!(env!("OUT_DIR"), "/scene.rs"));
-}
-
-#[cfg(target_os = "none")]
 #[rtic::app(device = stm32f4xx_hal::pac, peripherals = true)]
 mod app {
-    use crate::board::{self, Board, Clock, Device, Uart, Watchdog};
+    use crate::board::{self, Board, Uart};
     use crate::device::{LIMITS, PASSIVITY};
-    use crate::log::{self, info};
-    use crate::scene::{CompiledScene, OBSTACLES, SCENE};
-    use crate::stop::stop;
+    use crate::work::{self, SCENE, Work};
     use stiction_core::frame::{Mode, NumberType};
     use stiction_firmware::line::Line;
-    use stiction_firmware::station::{Log, SceneType, Setup, Station, Watch};
+    use stiction_firmware::station::Setup;
     use stm32f4xx_hal::pac::Interrupt;
 
-    /// Room for so many vertices: what is compiled in, see build.rs.
-    const V: usize = CompiledScene::VERTICES;
-    /// Room for so many surfaces.
-    const S: usize = CompiledScene::SURFACES;
     /// Units of work of a second: one takes 630 cycles at most in a long step (host-sim/README.md, at 2 cycles of an instruction).
     /// An eighth of its time is for the interrupts of the line.
     const WORK_RATE: u32 = 168_000_000 / 630 / 8 * 7;
-    type Model = <CompiledScene as SceneType>::Model;
-    type Program = Station<f32, V, S, Model, { CompiledScene::FRAME }>;
 
     static SETUP: Setup = Setup {
         name: "olimex-stm32-h405",
@@ -78,7 +68,6 @@ mod app {
     const ROOM: usize = 1_024;
 
     static LINE: Line<ROOM> = Line::new();
-    static WATCH: Watch = Watch::new();
 
     #[shared]
     struct Shared {}
@@ -86,33 +75,13 @@ mod app {
     #[local]
     struct Local {
         uart: Uart,
-        clock: Clock,
-        watchdog: Watchdog,
-        device: Device,
-        program: Program,
+        work: Work,
     }
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Ok(program) = Program::among(&SETUP, OBSTACLES) else {
-            stop()
-        };
-        let rate = SETUP.mode.tick_rate;
-        let Board {
-            uart,
-            clock,
-            watchdog,
-            device,
-        } = Board::start(cx.device, cx.core.SYST, rate);
-        info!("{=str}, {=u16} ticks a second", SETUP.name, rate);
-        let local = Local {
-            uart,
-            clock,
-            watchdog,
-            device,
-            program,
-        };
-        (Shared {}, local)
+        let Board { uart, work } = Board::start(cx.device, cx.core.SYST, work::program(&SETUP));
+        (Shared {}, Local { uart, work })
     }
 
     /// What comes first is what must not wait: a byte stays in the receiver for 11 µs.
@@ -121,33 +90,14 @@ mod app {
         cx.local.uart.serve(&LINE);
     }
 
-    #[task(binds = SysTick, priority = 2, local = [clock, watchdog, device, program])]
+    #[task(binds = SysTick, priority = 2, local = [work])]
     fn tick(cx: tick::Context) {
-        let tick::LocalResources {
-            clock,
-            watchdog,
-            device,
-            program,
-            ..
-        } = cx.local;
-        let now_us = clock.now_us();
-        program.tick(
-            now_us,
-            &mut LINE.link(clock, || rtic::pend(Interrupt::USART2)),
-            device,
-        );
-        clock.set_rate(program.mode().tick_rate);
-        WATCH.show(&program.health());
-        // Last: a tick that did not do its work feeds nothing.
-        watchdog.feed();
+        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::USART2));
     }
 
     #[idle]
     fn idle(_: idle::Context) -> ! {
-        let mut news = Log::new(&WATCH, SETUP.mode.tick_rate);
-        loop {
-            news.look(&WATCH, |news| log::tell(news, LINE.lost()));
-            // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
-        }
+        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        work::log(&SETUP, || LINE.lost(), || {})
     }
 }

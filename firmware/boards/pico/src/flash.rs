@@ -4,10 +4,9 @@
 
 use core::arch::naked_asm;
 
-use rp2040_hal::rom_data::{connect_internal_flash, flash_exit_xip};
+use crate::hal::rom_data::{connect_internal_flash, flash_exit_xip};
+use crate::rp::usb::NUMBER;
 
-/// Bytes of the number.
-pub(crate) const NUMBER: usize = 8;
 /// Bytes that the flash sends before it.
 const DUMMY: usize = 4;
 

@@ -1,0 +1,60 @@
+//! The serial line of a chip of Raspberry Pi.
+
+use stiction_firmware::line::Line;
+
+use crate::hal::clocks::{Clock as _, ClocksManager};
+use crate::hal::fugit::RateExtU32;
+use crate::hal::gpio::bank0::{Gpio0, Gpio1};
+use crate::hal::gpio::{FunctionUart, Pin, PullDown};
+use crate::hal::pac::UART0;
+use crate::hal::uart::{DataBits, Disabled, Reader, StopBits, UartConfig, UartPeripheral, Writer};
+use crate::stop::stop;
+
+/// Of the serial line.
+pub(crate) const BAUD: u32 = 921_600;
+
+type UartPins = (
+    Pin<Gpio0, FunctionUart, PullDown>,
+    Pin<Gpio1, FunctionUart, PullDown>,
+);
+
+/// The serial line.
+pub(crate) struct Uart {
+    reader: Reader<UART0, UartPins>,
+    writer: Writer<UART0, UartPins>,
+}
+
+impl Uart {
+    pub(crate) fn new(
+        uart: UartPeripheral<Disabled, UART0, UartPins>,
+        clocks: &ClocksManager,
+    ) -> Self {
+        let config = UartConfig::new(BAUD.Hz(), DataBits::Eight, None, StopBits::One);
+        let Ok(mut uart) = uart.enable(config, clocks.peripheral_clock.freq()) else {
+            stop()
+        };
+        uart.set_fifos(true);
+        uart.enable_rx_interrupt();
+        let (reader, writer) = uart.split();
+        Self { reader, writer }
+    }
+
+    /// What came in, and as much out as there is room for.
+    pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
+        let mut bytes = [0; 32];
+        match self.reader.read_raw(&mut bytes) {
+            Ok(count) => line.receive_all(bytes.iter().take(count)),
+            Err(nb::Error::WouldBlock) => {}
+            Err(nb::Error::Other(error)) => {
+                error.discarded.iter().for_each(|_| line.lose());
+            }
+        }
+        self.writer.disable_tx_interrupt();
+        while let Some(byte) = line.peek() {
+            if self.writer.write_raw(&[byte]).is_err() {
+                return self.writer.enable_tx_interrupt();
+            }
+            line.next();
+        }
+    }
+}

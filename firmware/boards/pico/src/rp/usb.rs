@@ -1,0 +1,103 @@
+//! The serial line of a chip of Raspberry Pi over USB.
+
+use core::sync::atomic::{AtomicBool, Ordering};
+
+use stiction_firmware::line::Line;
+use stiction_firmware::usb::{MANUFACTURER, VENDOR};
+use usb_device::bus::UsbBusAllocator;
+use usb_device::device::{
+    StringDescriptors, UsbDevice, UsbDeviceBuilder, UsbDeviceState, UsbVidPid,
+};
+use usbd_serial::SerialPort;
+
+use crate::board::{PRODUCT, PRODUCT_ID};
+use crate::hal::usb::UsbBus;
+use crate::stop::stop;
+
+/// Bytes of the number that every board has as its own.
+pub(crate) const NUMBER: usize = 8;
+/// Bytes of a packet.
+const PACKET: usize = 64;
+
+/// A program has the line over USB open.
+static IS_OPEN: AtomicBool = AtomicBool::new(false);
+
+/// Whether a program has the line over USB open.
+pub(crate) fn is_open() -> bool {
+    IS_OPEN.load(Ordering::Relaxed)
+}
+
+/// What stays where it is as long as the line over USB is there: empty until [`Usb::start`].
+pub(crate) struct Bus {
+    allocator: Option<UsbBusAllocator<UsbBus>>,
+    /// Of the board, as text.
+    serial_number: [u8; 2 * NUMBER],
+}
+
+impl Bus {
+    pub(crate) const fn new() -> Self {
+        Self {
+            allocator: None,
+            serial_number: [b'0'; 2 * NUMBER],
+        }
+    }
+}
+
+/// The serial line over USB.
+pub(crate) struct Usb {
+    device: UsbDevice<'static, UsbBus>,
+    port: SerialPort<'static, UsbBus>,
+}
+
+impl Usb {
+    /// The line of a board that has this number as its own.
+    pub(crate) fn start(place: &'static mut Bus, bus: UsbBus, number: [u8; NUMBER]) -> Self {
+        write_hex(number, &mut place.serial_number);
+        let serial_number = core::str::from_utf8(&place.serial_number).unwrap_or_default();
+        let bus = place.allocator.insert(UsbBusAllocator::new(bus));
+        let port = SerialPort::new(bus);
+        let device = UsbDeviceBuilder::new(bus, UsbVidPid(VENDOR, PRODUCT_ID));
+        let names = StringDescriptors::default()
+            .manufacturer(MANUFACTURER)
+            .product(PRODUCT)
+            .serial_number(serial_number);
+        let Ok(device) = device
+            .strings(&[names])
+            .and_then(|device| device.max_packet_size_0(64))
+        else {
+            stop()
+        };
+        let device = device.device_class(usbd_serial::USB_CLASS_CDC).build();
+        Self { device, port }
+    }
+
+    /// What came in, as much as there is room for, and out likewise.
+    pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
+        self.device.poll(&mut [&mut self.port]);
+        // A pulled plug closes nothing: the bus falls silent.
+        let is_there = self.device.state() == UsbDeviceState::Configured;
+        IS_OPEN.store(is_there && self.port.dtr(), Ordering::Relaxed);
+        let mut bytes = [0; PACKET];
+        // What is not read stays with the computer.
+        while line.room() >= PACKET
+            && let Ok(count @ 1..) = self.port.read(&mut bytes)
+        {
+            line.receive_all(bytes.iter().take(count));
+        }
+        while let Some(byte) = line.peek() {
+            if !matches!(self.port.write(&[byte]), Ok(1)) {
+                break;
+            }
+            line.next();
+        }
+        let _ = self.port.flush();
+    }
+}
+
+/// Bytes as text, hexadecimal.
+fn write_hex(bytes: [u8; NUMBER], text: &mut [u8; 2 * NUMBER]) {
+    let digit = |value: u8| value + if value < 10 { b'0' } else { b'A' - 10 };
+    for (byte, place) in bytes.iter().zip(text.chunks_exact_mut(2)) {
+        place.copy_from_slice(&[digit(byte >> 4), digit(byte & 15)]);
+    }
+}
