@@ -2,7 +2,7 @@
 
 use crate::beside::{Beside, assert_same};
 use crate::board::Board;
-use crate::chip::{Chip, F405, MICROBIT, PICO};
+use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::{Said, hand_path};
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
@@ -87,4 +87,9 @@ fn poses_of_the_microbit_are_those_of_fixed() {
 #[test]
 fn poses_of_the_pico_are_those_of_fixed() {
     same_bits::<Fixed>(&PICO, NumberType::Fixed);
+}
+
+#[test]
+fn poses_in_the_place_of_the_pico_2_are_those_of_f32() {
+    same_bits::<f32>(&AN505, NumberType::F32);
 }

@@ -8,7 +8,6 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Health};
 use stiction_tools::board::Emulator;
-use stiction_tools::image::RAM;
 
 /// Nothing takes longer.
 const PATIENCE: Duration = Duration::from_secs(180);
@@ -195,7 +194,8 @@ impl Board {
     /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
     /// than what was never touched.
     pub(crate) fn stack(&mut self) -> usize {
-        let size = usize::try_from(self.image.contents.stack_top.unwrap() - RAM).unwrap();
+        let ram = self.chip.board.ram;
+        let size = usize::try_from(self.image.contents.stack_top.unwrap() - ram).unwrap();
         let begun = Instant::now();
         let Self {
             emulator,
@@ -204,7 +204,7 @@ impl Board {
             ..
         } = self;
         // A line that nobody reads holds the emulator up.
-        let ram = emulator.memory(RAM, size, || {
+        let ram = emulator.memory(ram, size, || {
             assert!(begun.elapsed() < PATIENCE);
             came.extend(read(line));
         });

@@ -1,7 +1,7 @@
 //! What the images take: flash, RAM, stack, instructions, within the budgets of `firmware/budgets.toml`.
 
 use crate::board::Board;
-use crate::chip::{Chip, F405, F405_AMONG, MICROBIT, PICO};
+use crate::chip::{AN505, Chip, F405, F405_AMONG, MICROBIT, PICO};
 use crate::client::{Known, Said, hand_path, scene};
 use crate::common::BOX;
 use std::fs;
@@ -162,6 +162,11 @@ fn the_microbit_is_within_its_budget() {
 fn the_pico_is_within_its_budget() {
     // What serves USB has places where it panics: `pico` shows what happens then.
     figures_within_budget(&PICO);
+}
+
+#[test]
+fn in_the_place_of_the_pico_2_all_is_within_its_budget() {
+    within_budget(&AN505);
 }
 
 /// Nothing panics in it, and it fits.

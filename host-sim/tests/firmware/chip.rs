@@ -56,6 +56,22 @@ pub(crate) const PICO: Chip = Chip {
     line_rate: 92_160,
 };
 
+/// Nothing emulates it.
+pub(crate) const PICO2: Chip = Chip {
+    board: Board::PICO2,
+    features: "",
+    is_small: false,
+    shift: 0,
+    line_rate: 92_160,
+};
+
+/// In the place of the Pico 2: an instruction takes 1.2 of its cycles.
+pub(crate) const AN505: Chip = Chip {
+    board: Board::AN505,
+    shift: 3,
+    ..PICO2
+};
+
 /// For little flash.
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,

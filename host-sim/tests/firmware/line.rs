@@ -2,7 +2,7 @@
 
 use crate::beside::{Beside, assert_same};
 use crate::board::{AGAIN, Board};
-use crate::chip::{Chip, F405, MICROBIT, PICO};
+use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::{Client, Said, hand_path, scene};
 use crate::common::BOX;
 use crate::random::{Random, garbled};
@@ -108,6 +108,12 @@ fn silence_on_the_microbit_is_zero_force_within_20_ms() {
 fn silence_on_the_pico_is_zero_force_within_20_ms() {
     let _alone = alone();
     silence(&PICO);
+}
+
+#[test]
+fn silence_in_the_place_of_the_pico_2_is_zero_force_within_20_ms() {
+    let _alone = alone();
+    silence(&AN505);
 }
 
 /// How large a force is (N).
@@ -218,6 +224,12 @@ fn a_client_dies_in_a_frame_and_another_goes_on_with_the_pico() {
     client_dies(&PICO);
 }
 
+#[test]
+fn a_client_dies_in_a_frame_and_another_goes_on_in_the_place_of_the_pico_2() {
+    let _alone = alone();
+    client_dies(&AN505);
+}
+
 /// Noise, and then pings: first as fast as the emulator takes them, which a board survives; then as fast as a line brings
 /// them, which costs no tick.
 fn flood(chip: &'static Chip, size: usize) {
@@ -264,6 +276,12 @@ fn a_flood_does_not_stop_the_microbit() {
 fn a_flood_does_not_stop_the_pico() {
     let _alone = alone();
     flood(&PICO, 60_000);
+}
+
+#[test]
+fn a_flood_does_not_stop_what_is_in_the_place_of_the_pico_2() {
+    let _alone = alone();
+    flood(&AN505, 60_000);
 }
 
 /// Both directions are damaged: every pose that the board sends is that of a sample that was sent, bit for bit, and every
@@ -362,12 +380,19 @@ fn no_wrong_pose_over_a_faulty_line_to_the_pico() {
 }
 
 #[test]
+fn no_wrong_pose_over_a_faulty_line_to_what_is_in_the_place_of_the_pico_2() {
+    let _alone = alone();
+    faulty_line::<f32>(&AN505, 4_000, 400);
+}
+
+#[test]
 #[ignore = "takes minutes"]
 fn no_wrong_pose_in_100_000_frames_over_faulty_lines() {
     let _alone = alone();
     faulty_line::<f32>(&F405, 100_000, 400);
     faulty_line::<Fixed>(&MICROBIT, 100_000, 400);
     faulty_line::<Fixed>(&PICO, 100_000, 400);
+    faulty_line::<f32>(&AN505, 100_000, 400);
 }
 
 /// Commands while the box is pressed to the floor, in the image itself.
@@ -424,6 +449,7 @@ fn another_tick_rate_misses_no_tick() {
     another_tick_rate(&F405, [500, 1000, 250, 1000]);
     another_tick_rate(&MICROBIT, [125, 250, 100, 500]);
     another_tick_rate(&PICO, [500, 1000, 250, 2000]);
+    another_tick_rate(&AN505, [2500, 1000, 250, 5000]);
 }
 
 #[test]
@@ -432,4 +458,5 @@ fn commands_in_mid_contact() {
     in_mid_contact(&F405);
     in_mid_contact(&MICROBIT);
     in_mid_contact(&PICO);
+    in_mid_contact(&AN505);
 }

@@ -15,6 +15,7 @@ mod line;
 mod log;
 mod pantograph;
 mod pico;
+mod pico2;
 #[path = "../../../firmware/tests/station/random.rs"]
 mod random;
 mod scene;

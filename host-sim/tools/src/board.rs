@@ -1,5 +1,6 @@
 //! The boards of `firmware/boards`, emulated: the image is built, the emulator started with the serial line on a socket of its own, and
-//! ended with the value [`Emulator`]. The Pico runs in this process, the others in QEMU.
+//! ended with the value [`Emulator`]. The Pico runs in this process, the others in QEMU. The Pico 2 has no emulator: in QEMU another board
+//! stands in for it.
 
 use std::fs;
 use std::io::{Read, Write};
@@ -8,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::image::{built, cargo_build};
+use crate::image::{RAM, built, cargo_build};
 use crate::process::{EmulatorError, require_qemu_arm};
 use crate::uf2::Family;
 use crate::{BOARDS, workspace};
@@ -27,35 +28,66 @@ pub const OBSTACLES: &str = "obstacles";
 pub struct Board {
     /// Of its folder in `firmware/boards`, and of its machine in QEMU.
     pub name: &'static str,
-    /// Serial lines of its machine in QEMU before the one that the image uses; none where QEMU does not know it.
-    unused_lines: Option<usize>,
+    /// Where its RAM begins; with flip-link the stack grows down to here.
+    pub ram: u64,
     /// Of its chip, where that is flashed by a drive.
     pub family: Option<Family>,
+    runs_in: RunsIn,
+}
+
+/// What emulates a board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum RunsIn {
+    /// QEMU.
+    Qemu {
+        /// Serial lines of the machine before the one that the image uses.
+        unused_lines: usize,
+    },
+    /// This process.
+    Program,
+    /// Nothing.
+    Nothing,
 }
 
 impl Board {
     /// Olimex STM32-H405: STM32F405, Cortex-M4F.
     pub const OLIMEX: Self = Self {
         name: "olimex-stm32-h405",
-        unused_lines: Some(1),
+        ram: RAM,
         family: None,
+        runs_in: RunsIn::Qemu { unused_lines: 1 },
     };
     /// BBC micro:bit: nRF51822, Cortex-M0.
     pub const MICROBIT: Self = Self {
         name: "microbit",
-        unused_lines: Some(0),
+        ram: RAM,
         family: None,
+        runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
-
     /// Raspberry Pi Pico: RP2040, Cortex-M0+.
     pub const PICO: Self = Self {
         name: "pico",
-        unused_lines: None,
+        ram: RAM,
         family: Some(Family::RP2040),
+        runs_in: RunsIn::Program,
+    };
+    /// Raspberry Pi Pico 2: RP2350, Cortex-M33. It can be built, not emulated.
+    pub const PICO2: Self = Self {
+        name: "pico2",
+        ram: RAM,
+        family: Some(Family::RP2350_ARM_S),
+        runs_in: RunsIn::Nothing,
+    };
+    /// Arm MPS2+ with the FPGA image AN505: Cortex-M33. It stands in for the Pico 2.
+    pub const AN505: Self = Self {
+        name: "mps2-an505",
+        ram: 0x3800_0000,
+        family: None,
+        runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
 
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::OLIMEX, Self::MICROBIT, Self::PICO];
+    /// All that there are to own.
+    pub const ALL: [Self; 4] = [Self::OLIMEX, Self::MICROBIT, Self::PICO, Self::PICO2];
 
     /// It has the memory for obstacles over the wire, with the feature [`OBSTACLES`]; otherwise for those of a scene that is compiled in
     /// alone, in an image for little flash.
@@ -102,20 +134,21 @@ impl Board {
 
     /// What it is emulated by.
     pub const fn emulator(self) -> &'static str {
-        match self.unused_lines {
-            Some(_) => "QEMU",
-            None => "this program",
+        match self.runs_in {
+            RunsIn::Qemu { .. } => "QEMU",
+            RunsIn::Program => "this program",
+            RunsIn::Nothing => "nothing",
         }
     }
 
-    /// Its emulator is there.
+    /// Its emulator is there, if it has one.
     ///
     /// # Errors
     /// It is not.
     pub fn require_emulator(self) -> Result<(), EmulatorError> {
-        match self.unused_lines {
-            Some(_) => require_qemu_arm(),
-            None => Ok(()),
+        match self.runs_in {
+            RunsIn::Qemu { .. } => require_qemu_arm(),
+            RunsIn::Program | RunsIn::Nothing => Ok(()),
         }
     }
 
@@ -165,9 +198,9 @@ impl Emulator {
         is_apart: bool,
     ) -> Result<Self, EmulatorError> {
         let folder = tempfile::tempdir()?;
-        let runs = match board.unused_lines {
-            Some(lines) => {
-                let mut qemu = board.qemu(lines, image, clock);
+        let runs = match board.runs_in {
+            RunsIn::Qemu { unused_lines } => {
+                let mut qemu = board.qemu(unused_lines, image, clock);
                 qemu.current_dir(folder.path());
                 #[cfg(unix)]
                 if is_apart {
@@ -175,7 +208,11 @@ impl Emulator {
                 }
                 Runs::Qemu(qemu.spawn()?)
             }
-            None => pico(image, &folder.path().join(LINE))?,
+            RunsIn::Program => pico(image, &folder.path().join(LINE))?,
+            RunsIn::Nothing => {
+                let name = board.name;
+                return Err(EmulatorError::Output(format!("{name} has no emulator")));
+            }
         };
         Ok(Self { runs, folder })
     }

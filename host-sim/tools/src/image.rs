@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use crate::process::{EmulatorError, output_of};
 
-/// The RAM of the chips begins here, and with flip-link the stack grows down to here.
+/// The RAM of the chips begins here, or above.
 pub const RAM: u64 = 0x2000_0000;
 
 /// Cargo, building in a folder with a profile; its messages tell [`built`] which file it has built.

@@ -1,0 +1,230 @@
+//! Clock and line of QEMU's machine mps2-an505, an FPGA image of Arm (AN505) on the board MPS2+; the processor is in its secure state.
+//!
+//! | what | where |
+//! |---|---|
+//! | serial line, as fast as QEMU takes bytes | UART0 |
+//! | ticks | SysTick, 20 MHz |
+//! | clock | the first half of the dual timer, 32 bits, 20 MHz |
+//! | motors, watchdog | none |
+#![allow(unsafe_code)]
+
+use core::ptr::{with_exposed_provenance, with_exposed_provenance_mut};
+
+// Its start-up code.
+use cortex_m::peripheral::SYST;
+use cortex_m::peripheral::syst::SystClkSource;
+use cortex_m_rt as _;
+use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::line::{self, Line};
+
+use crate::work::{Program, Work};
+
+/// Of the serial line that the Pico 2 has; this one has no rate.
+pub(crate) const BAUD: u32 = 921_600;
+/// Of SysTick and the dual timer (Hz).
+const COUNTS: u32 = 20_000_000;
+const PER_US: u32 = COUNTS / 1_000_000;
+const NS: u32 = 1_000_000_000 / COUNTS;
+
+/// What RTIC wants to know of a chip.
+pub(crate) mod chip {
+    use cortex_m::interrupt::InterruptNumber;
+
+    /// Fewer than it has.
+    pub(crate) const NVIC_PRIO_BITS: u8 = 3;
+
+    /// The interrupts that are used.
+    #[derive(Clone, Copy)]
+    #[repr(u16)]
+    pub(crate) enum Interrupt {
+        /// Receiver and sender.
+        UART0 = 42,
+    }
+
+    pub(crate) use Interrupt as interrupt;
+
+    // SAFETY: the numbers are those of the chip.
+    unsafe impl InterruptNumber for Interrupt {
+        fn number(self) -> u16 {
+            self as u16
+        }
+    }
+
+    /// Nothing that can be taken: registers are at their addresses.
+    pub(crate) struct Peripherals;
+
+    impl Peripherals {
+        /// They are taken once, before anything runs.
+        pub(crate) const unsafe fn steal() -> Self {
+            Self
+        }
+    }
+
+    unsafe extern "C" {
+        fn DefaultHandler();
+        fn UART0();
+    }
+
+    const LAST: usize = Interrupt::UART0 as usize;
+
+    /// Where the processor finds the interrupts.
+    #[unsafe(link_section = ".vector_table.interrupts")]
+    #[unsafe(no_mangle)]
+    static __INTERRUPTS: [unsafe extern "C" fn(); LAST + 1] = {
+        let mut vectors = [DefaultHandler as unsafe extern "C" fn(); LAST + 1];
+        vectors[LAST] = UART0;
+        vectors
+    };
+}
+
+/// This board has no device.
+pub(crate) type Device = (FromLine, NoActuators);
+
+/// What the tasks work with.
+pub(crate) struct Board {
+    pub(crate) uart: Uart,
+    pub(crate) work: Work,
+}
+
+impl Board {
+    /// Everything running for a program.
+    pub(crate) fn start(systick: SYST, program: Program) -> Self {
+        Self {
+            uart: Uart::start(),
+            work: Work {
+                clock: Clock::start(systick, program.mode().tick_rate),
+                watchdog: Watchdog,
+                device: (FromLine, NoActuators),
+                program,
+            },
+        }
+    }
+}
+
+/// Reads a register.
+fn read(at: usize) -> u32 {
+    // SAFETY: all addresses here are those of registers, whose reading changes at most what the register is there for.
+    unsafe { with_exposed_provenance::<u32>(at).read_volatile() }
+}
+
+/// Writes a register.
+fn write(at: usize, value: u32) {
+    // SAFETY: all addresses here are those of registers, which change no memory.
+    unsafe { with_exposed_provenance_mut::<u32>(at).write_volatile(value) };
+}
+
+/// Ticks, and time from a counter of its own: SysTick alone cannot tell how many ticks were missed.
+pub(crate) struct Clock {
+    systick: SYST,
+    /// Ticks of a second.
+    rate: u16,
+    last: u32,
+    /// Counts that do not make a µs yet.
+    rest: u32,
+    now_us: u32,
+}
+
+impl Clock {
+    /// Registers of the dual timer.
+    const TIMER: usize = 0x5000_2000;
+    const VALUE: usize = Self::TIMER + 0x04;
+    const CONTROL: usize = Self::TIMER + 0x08;
+    /// It counts, all 32 bits, and begins again by itself.
+    const RUNS_WHOLE: u32 = 1 << 7 | 1 << 1;
+
+    fn start(mut systick: SYST, rate: u16) -> Self {
+        write(Self::CONTROL, Self::RUNS_WHOLE);
+        systick.set_clock_source(SystClkSource::Core);
+        let mut clock = Self {
+            systick,
+            rate: 0,
+            last: Self::count(),
+            rest: 0,
+            now_us: 0,
+        };
+        clock.set_rate(rate);
+        clock.systick.enable_counter();
+        clock.systick.enable_interrupt();
+        clock
+    }
+
+    /// It counts down.
+    fn count() -> u32 {
+        !read(Self::VALUE)
+    }
+
+    /// Ticks of a second from now on, at least 2.
+    pub(crate) fn set_rate(&mut self, rate: u16) {
+        if rate != self.rate {
+            self.rate = rate;
+            let counts = COUNTS / u32::from(rate.max(2));
+            self.systick.set_reload(counts.saturating_sub(1));
+            self.systick.clear_current();
+        }
+    }
+
+    /// A tick has come: what time it is (µs, wrapping). One comes in 200 s at least.
+    pub(crate) fn tick(&mut self) -> u32 {
+        let count = Self::count();
+        let counts = count.wrapping_sub(self.last).saturating_add(self.rest);
+        self.last = count;
+        self.rest = counts % PER_US;
+        self.now_us = self.now_us.wrapping_add(counts / PER_US);
+        self.now_us
+    }
+}
+
+impl line::Clock for Clock {
+    fn now_ns(&mut self) -> u32 {
+        Self::count().wrapping_mul(NS)
+    }
+}
+
+/// The serial line.
+pub(crate) struct Uart;
+
+impl Uart {
+    const DATA: usize = 0x5020_0000;
+    const STATE: usize = Self::DATA + 0x04;
+    const CONTROL: usize = Self::DATA + 0x08;
+    /// Interrupts that are asked for; writing them ends that.
+    const ASKED: usize = Self::DATA + 0x0C;
+    const DIVIDER: usize = Self::DATA + 0x10;
+    /// In the state: bytes wait.
+    const SENDS: u32 = 1 << 0;
+    const RECEIVED: u32 = 1 << 1;
+    /// Both directions, with an interrupt each.
+    const BOTH: u32 = 0b1111;
+    /// The least that the line takes.
+    const LEAST_DIVIDER: u32 = 16;
+
+    fn start() -> Self {
+        write(Self::DIVIDER, Self::LEAST_DIVIDER);
+        write(Self::CONTROL, Self::BOTH);
+        Self
+    }
+
+    /// A byte in, a byte out, after which the line asks again.
+    pub(crate) fn serve<const N: usize>(&mut self, line: &Line<N>) {
+        write(Self::ASKED, read(Self::ASKED));
+        let state = read(Self::STATE);
+        if state & Self::RECEIVED != 0 {
+            line.receive(read(Self::DATA) as u8);
+        }
+        if state & Self::SENDS == 0
+            && let Some(byte) = line.next()
+        {
+            write(Self::DATA, byte.into());
+        }
+    }
+}
+
+/// None: what is emulated needs no reset.
+pub(crate) struct Watchdog;
+
+impl Watchdog {
+    pub(crate) const fn feed(&mut self) {}
+}
+
+/// There are none.
+pub(crate) const fn actuators_off() {}

@@ -1,0 +1,93 @@
+//! stiction in the place of a Raspberry Pi Pico 2: QEMU does not know its chip, but another one with the same processor, a Cortex-M33.
+//! It runs what the Pico 2 runs, as often; clock, line and pins are its own. In this folder `cargo emulate` starts it.
+//!
+//! ```text
+//! priority 3  UART0    a byte in, a byte out, by bounded queues
+//! priority 2  SysTick  the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
+//! idle                 logs
+//! ```
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+mod board;
+#[cfg(target_os = "none")]
+#[path = "../../log.rs"]
+mod log;
+#[cfg(target_os = "none")]
+#[path = "../../pico2/src/speed.rs"]
+mod speed;
+#[cfg(target_os = "none")]
+#[path = "../../stop.rs"]
+mod stop;
+#[cfg(target_os = "none")]
+#[path = "../../work.rs"]
+mod work;
+
+/// This machine is none.
+#[cfg(not(target_os = "none"))]
+fn main() {
+    eprintln!("an image for an emulator: type cargo emulate in firmware/boards/mps2-an505");
+    std::process::exit(2);
+}
+
+#[cfg(target_os = "none")]
+#[rtic::app(device = crate::board::chip, peripherals = true)]
+mod app {
+    use crate::board::chip::Interrupt;
+    use crate::board::{self, Board, Uart};
+    use crate::speed;
+    use crate::work::{self, SCENE, Work};
+    use stiction_core::frame::{Mode, NumberType};
+    use stiction_firmware::line::Line;
+    use stiction_firmware::safety::Limits;
+    use stiction_firmware::station::Setup;
+
+    static SETUP: Setup = Setup {
+        name: "mps2-an505",
+        number: NumberType::F32,
+        line_rate: board::BAUD / 10,
+        fastest_tick: speed::FASTEST_TICK,
+        work_rate: speed::WORK_RATE,
+        limits: Limits::DEFAULT,
+        passivity: None,
+        mode: Mode::DEFAULT,
+        scene: SCENE,
+    };
+
+    /// Bytes that wait, each way: 11 ms.
+    const ROOM: usize = 1_024;
+
+    static LINE: Line<ROOM> = Line::new();
+
+    #[shared]
+    struct Shared {}
+
+    #[local]
+    struct Local {
+        uart: Uart,
+        work: Work,
+    }
+
+    #[init]
+    fn init(cx: init::Context) -> (Shared, Local) {
+        let Board { uart, work } = Board::start(cx.core.SYST, work::program(&SETUP));
+        (Shared {}, Local { uart, work })
+    }
+
+    /// What comes first is what must not wait.
+    #[task(binds = UART0, priority = 3, local = [uart])]
+    fn serial(cx: serial::Context) {
+        cx.local.uart.serve(&LINE);
+    }
+
+    #[task(binds = SysTick, priority = 2, local = [work])]
+    fn tick(cx: tick::Context) {
+        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::UART0));
+    }
+
+    #[idle]
+    fn idle(_: idle::Context) -> ! {
+        // No sleep: in one a debugger hears no log, and the emulator's clock leaps over ticks.
+        work::log(&SETUP, || LINE.lost(), || {})
+    }
+}

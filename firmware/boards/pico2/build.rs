@@ -1,0 +1,26 @@
+//! Which scene is compiled in, where the linker finds flash and RAM, and what it must know of the log.
+
+use std::process::ExitCode;
+
+use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+
+fn main() -> ExitCode {
+    let board = BoardBuild {
+        target: "thumbv8m.main-none-eabihf",
+        number: NumberType::F32,
+        room: SceneModel {
+            vertices: 8,
+            surfaces: 4,
+            friction: true,
+            weight: true,
+            // Of the feature `obstacles`: see firmware/README.md.
+            obstacles: ObstacleRoom {
+                count: 4,
+                corners: 16,
+            },
+        },
+        scene: "../../scenes/board.toml",
+        memory: Some("../../memory/rp2350.x"),
+    };
+    board.run()
+}

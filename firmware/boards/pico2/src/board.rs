@@ -1,0 +1,104 @@
+//! The RP2350 of the board, its Arm cores; its pins are those of `rp`.
+// The section of what the ROM looks for.
+#![allow(unsafe_code)]
+
+use crate::hal::block::ImageDef;
+use crate::hal::clocks::{Clock as _, init_clocks_and_plls};
+use crate::hal::gpio::Pins;
+use crate::hal::rom_data::sys_info_api::chip_info;
+use crate::hal::timer::{Alarm0, CopyableTimer0};
+use crate::hal::uart::UartPeripheral;
+use crate::hal::usb::UsbBus;
+use crate::hal::{Sio, pac};
+use crate::rp::NO_DEVICE;
+use crate::rp::uart::Uart;
+use crate::rp::usb::{Bus, NUMBER, Usb};
+use crate::speed::CLOCK;
+use crate::stop::stop;
+use crate::work::{Program, Work};
+
+pub(crate) use crate::rp::clock::Clock;
+pub(crate) use crate::rp::{Device, Watchdog, actuators_off};
+
+/// What the image is: the ROM of the chip runs no other (RP2350 datasheet, 5.9).
+#[unsafe(link_section = ".start_block")]
+#[used]
+static IMAGE: ImageDef = ImageDef::secure_exe();
+
+/// Of the crystal (Hz).
+const CRYSTAL: u32 = 12_000_000;
+pub(crate) use stiction_firmware::usb::PICO_2 as PRODUCT_ID;
+/// What the board is called on USB.
+pub(crate) const PRODUCT: &str = "stiction on Pico 2";
+
+pub(crate) type Timer = crate::hal::Timer<CopyableTimer0>;
+pub(crate) type Alarm = Alarm0<CopyableTimer0>;
+
+/// The number of the chip as its maker prints it: first its wafer. Zeros where the ROM does not tell.
+fn chip_number() -> [u8; NUMBER] {
+    let Ok(Some(chip)) = chip_info() else {
+        return [0; NUMBER];
+    };
+    let number = u64::from(chip.wafer_id) << 32 | u64::from(chip.device_id);
+    number.to_be_bytes()
+}
+
+/// What the tasks work with.
+pub(crate) struct Board {
+    pub(crate) uart: Uart,
+    pub(crate) usb: Usb,
+    pub(crate) work: Work,
+}
+
+impl Board {
+    /// Everything running for a program.
+    pub(crate) fn start(
+        mut device: pac::Peripherals,
+        bus: &'static mut Bus,
+        program: Program,
+    ) -> Self {
+        let mut watchdog = crate::hal::Watchdog::new(device.WATCHDOG);
+        let clocks = init_clocks_and_plls(
+            CRYSTAL,
+            device.XOSC,
+            device.CLOCKS,
+            device.PLL_SYS,
+            device.PLL_USB,
+            &mut device.RESETS,
+            &mut watchdog,
+        );
+        let Ok(clocks) = clocks else { stop() };
+        // What the crate makes of the crystal is what the budget of a step counts on.
+        if clocks.system_clock.freq().to_Hz() != CLOCK {
+            stop()
+        }
+        let sio = Sio::new(device.SIO);
+        let pins = Pins::new(
+            device.IO_BANK0,
+            device.PADS_BANK0,
+            sio.gpio_bank0,
+            &mut device.RESETS,
+        );
+        let timer = Timer::new_timer0(device.TIMER0, &mut device.RESETS, &clocks);
+        let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
+        let uart = UartPeripheral::new(device.UART0, pins, &mut device.RESETS);
+        let uart = Uart::new(uart, &clocks);
+        let usb = UsbBus::new(
+            device.USB,
+            device.USB_DPRAM,
+            clocks.usb_clock,
+            true,
+            &mut device.RESETS,
+        );
+        Self {
+            uart,
+            usb: Usb::start(bus, usb, chip_number()),
+            work: Work {
+                watchdog: Watchdog::start(watchdog),
+                clock: Clock::new(timer, program.mode().tick_rate),
+                device: NO_DEVICE,
+                program,
+            },
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! stiction on the Raspberry Pi Pico 2: in this folder `cargo run` flashes the board.
+//!
+//! ```text
+//! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
+//! priority 3  TIMER0   the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
+//! priority 2  USB      packets in and out, by bounded queues; the computer waits where a tick goes on
+//! idle                 logs
+//! ```
+//!
+//! One core does all: no tick waits for USB, as it interrupts it, and USB loses nothing, as the computer sends again what is not
+//! taken. The line is USB while a program has it open there, else UART.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+mod board;
+#[cfg(target_os = "none")]
+#[path = "../../log.rs"]
+mod log;
+#[cfg(target_os = "none")]
+#[path = "../../pico/src/rp/mod.rs"]
+mod rp;
+#[cfg(target_os = "none")]
+mod speed;
+#[cfg(target_os = "none")]
+#[path = "../../stop.rs"]
+mod stop;
+#[cfg(target_os = "none")]
+#[path = "../../work.rs"]
+mod work;
+
+#[cfg(target_os = "none")]
+use rp235x_hal as hal;
+
+/// This machine is none.
+#[cfg(not(target_os = "none"))]
+fn main() {
+    eprintln!("an image for a board: type cargo run in firmware/boards/pico2");
+    std::process::exit(2);
+}
+
+#[cfg(target_os = "none")]
+#[rtic::app(device = crate::hal::pac, peripherals = true)]
+mod app {
+    use crate::board::Board;
+    use crate::hal::pac::Interrupt;
+    use crate::rp::uart::{self, Uart};
+    use crate::rp::usb::{self, Bus, Usb};
+    use crate::speed;
+    use crate::work::{self, SCENE, Work};
+    use stiction_core::frame::{Mode, NumberType};
+    use stiction_firmware::line::Line;
+    use stiction_firmware::safety::Limits;
+    use stiction_firmware::station::Setup;
+
+    static SETUP: Setup = Setup {
+        name: "pico2",
+        number: NumberType::F32,
+        line_rate: uart::BAUD / 10,
+        fastest_tick: speed::FASTEST_TICK,
+        work_rate: speed::WORK_RATE,
+        limits: Limits::DEFAULT,
+        passivity: None,
+        mode: Mode::DEFAULT,
+        scene: SCENE,
+    };
+
+    /// Bytes that wait, each way: 11 ms.
+    const ROOM: usize = 1_024;
+
+    static UART: Line<ROOM> = Line::new();
+    static USB: Line<ROOM> = Line::new();
+
+    #[shared]
+    struct Shared {}
+
+    #[local]
+    struct Local {
+        uart: Uart,
+        usb: Usb,
+        work: Work,
+    }
+
+    #[init(local = [bus: Bus = Bus::new()])]
+    fn init(cx: init::Context) -> (Shared, Local) {
+        let Board { uart, usb, work } =
+            Board::start(cx.device, cx.local.bus, work::program(&SETUP));
+        (Shared {}, Local { uart, usb, work })
+    }
+
+    /// What comes first is what must not wait.
+    #[task(binds = UART0_IRQ, priority = 4, local = [uart])]
+    fn serial(cx: serial::Context) {
+        cx.local.uart.serve(&UART);
+    }
+
+    #[task(binds = USBCTRL_IRQ, priority = 2, local = [usb])]
+    fn packets(cx: packets::Context) {
+        cx.local.usb.serve(&USB);
+    }
+
+    #[task(binds = TIMER0_IRQ_0, priority = 3, local = [work])]
+    fn tick(cx: tick::Context) {
+        let (line, wake): (_, fn()) = if usb::is_open() {
+            (&USB, || rtic::pend(Interrupt::USBCTRL_IRQ))
+        } else {
+            (&UART, || rtic::pend(Interrupt::UART0_IRQ))
+        };
+        cx.local.work.tick(line, wake);
+    }
+
+    #[idle]
+    fn idle(_: idle::Context) -> ! {
+        let lost = || UART.lost().saturating_add(USB.lost());
+        // A debugger reads the memory of this chip in its sleep, too.
+        work::log(&SETUP, lost, cortex_m::asm::wfi)
+    }
+}
