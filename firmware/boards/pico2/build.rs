@@ -19,7 +19,10 @@ fn main() -> ExitCode {
                 corners: 16,
             },
         },
-        scene: "../../scenes/board.toml",
+        scene: match std::env::var_os("CARGO_FEATURE_KNOB") {
+            Some(_) => "../../scenes/knob.toml",
+            None => "../../scenes/board.toml",
+        },
         memory: Some("../../memory/rp2350.x"),
     };
     board.run()

@@ -1,7 +1,7 @@
 //! The device at the Olimex board, as its file has it: every number can be used, and the scene of the board is within what
 //! it can show.
 
-#[path = "../../boards/olimex-stm32-h405/src/device.rs"]
+#[path = "../../devices/pantograph.rs"]
 mod device;
 
 use device::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};

@@ -9,7 +9,7 @@ mod client;
 mod commands;
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../../boards/olimex-stm32-h405/src/device.rs"]
+#[path = "../../devices/pantograph.rs"]
 mod example;
 mod faulty_line;
 mod flood;

@@ -10,6 +10,7 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(all(target_os = "none", feature = "pantograph"))]
+#[path = "../../../devices/pantograph.rs"]
 mod device;
 #[cfg(target_os = "none")]
 #[path = "../../log.rs"]

@@ -8,9 +8,9 @@ use crate::hal::gpio::Pins;
 use crate::hal::uart::UartPeripheral;
 use crate::hal::usb::UsbBus;
 use crate::hal::{Sio, pac};
-use crate::rp::NO_DEVICE;
 use crate::rp::uart::Uart;
 use crate::rp::usb::{Bus, Usb};
+use crate::rp::{Parts, pins};
 use crate::stop::stop;
 use crate::work::{Program, Work};
 
@@ -65,8 +65,8 @@ impl Board {
             &mut device.RESETS,
         );
         let timer = Timer::new(device.TIMER, &mut device.RESETS, &clocks);
-        let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
-        let uart = UartPeripheral::new(device.UART0, pins, &mut device.RESETS);
+        let (line, pins) = pins::split(pins);
+        let uart = UartPeripheral::new(device.UART0, line, &mut device.RESETS);
         let uart = Uart::new(uart, &clocks);
         let usb = UsbBus::new(
             device.USBCTRL_REGS,
@@ -75,13 +75,21 @@ impl Board {
             true,
             &mut device.RESETS,
         );
+        let own = crate::rp::start(Parts {
+            pio: device.PIO0,
+            pwm: device.PWM,
+            pins,
+            resets: &mut device.RESETS,
+            was_reset: Watchdog::has_reset(),
+        });
+        let Ok(own) = own else { stop() };
         Self {
             uart,
             usb: Usb::start(bus, usb, flash::number(BOOT2)),
             work: Work {
                 watchdog: Watchdog::start(watchdog),
                 clock: Clock::new(timer, program.mode().tick_rate),
-                device: NO_DEVICE,
+                device: own,
                 program,
             },
         }

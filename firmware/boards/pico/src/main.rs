@@ -44,10 +44,10 @@ mod app {
     use crate::hal::pac::Interrupt;
     use crate::rp::uart::{self, Uart};
     use crate::rp::usb::{self, Bus, Usb};
+    use crate::rp::{LIMITS, PASSIVITY};
     use crate::work::{self, SCENE, Work};
     use stiction_core::frame::{Mode, NumberType};
     use stiction_firmware::line::Line;
-    use stiction_firmware::safety::Limits;
     use stiction_firmware::station::Setup;
 
     /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
@@ -60,8 +60,8 @@ mod app {
         line_rate: uart::BAUD / 10,
         fastest_tick: 2_000,
         work_rate: WORK_RATE,
-        limits: Limits::DEFAULT,
-        passivity: None,
+        limits: LIMITS,
+        passivity: PASSIVITY,
         mode: Mode::DEFAULT,
         scene: SCENE,
     };

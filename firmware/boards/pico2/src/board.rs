@@ -10,10 +10,10 @@ use crate::hal::timer::{Alarm0, CopyableTimer0};
 use crate::hal::uart::UartPeripheral;
 use crate::hal::usb::UsbBus;
 use crate::hal::{Sio, pac};
-use crate::rp::NO_DEVICE;
 use crate::rp::uart::Uart;
 use crate::rp::usb::{Bus, NUMBER, Usb};
-use crate::speed::CLOCK;
+use crate::rp::{Parts, pins};
+pub(crate) use crate::speed::CLOCK;
 use crate::stop::stop;
 use crate::work::{Program, Work};
 
@@ -80,8 +80,8 @@ impl Board {
             &mut device.RESETS,
         );
         let timer = Timer::new_timer0(device.TIMER0, &mut device.RESETS, &clocks);
-        let pins = (pins.gpio0.into_function(), pins.gpio1.into_function());
-        let uart = UartPeripheral::new(device.UART0, pins, &mut device.RESETS);
+        let (line, pins) = pins::split(pins);
+        let uart = UartPeripheral::new(device.UART0, line, &mut device.RESETS);
         let uart = Uart::new(uart, &clocks);
         let usb = UsbBus::new(
             device.USB,
@@ -90,13 +90,21 @@ impl Board {
             true,
             &mut device.RESETS,
         );
+        let own = crate::rp::start(Parts {
+            pio: device.PIO0,
+            pwm: device.PWM,
+            pins,
+            resets: &mut device.RESETS,
+            was_reset: Watchdog::has_reset(),
+        });
+        let Ok(own) = own else { stop() };
         Self {
             uart,
             usb: Usb::start(bus, usb, chip_number()),
             work: Work {
                 watchdog: Watchdog::start(watchdog),
                 clock: Clock::new(timer, program.mode().tick_rate),
-                device: NO_DEVICE,
+                device: own,
                 program,
             },
         }

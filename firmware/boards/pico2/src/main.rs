@@ -45,11 +45,11 @@ mod app {
     use crate::hal::pac::Interrupt;
     use crate::rp::uart::{self, Uart};
     use crate::rp::usb::{self, Bus, Usb};
+    use crate::rp::{LIMITS, PASSIVITY};
     use crate::speed;
     use crate::work::{self, SCENE, Work};
     use stiction_core::frame::{Mode, NumberType};
     use stiction_firmware::line::Line;
-    use stiction_firmware::safety::Limits;
     use stiction_firmware::station::Setup;
 
     static SETUP: Setup = Setup {
@@ -58,8 +58,8 @@ mod app {
         line_rate: uart::BAUD / 10,
         fastest_tick: speed::FASTEST_TICK,
         work_rate: speed::WORK_RATE,
-        limits: Limits::DEFAULT,
-        passivity: None,
+        limits: LIMITS,
+        passivity: PASSIVITY,
         mode: Mode::DEFAULT,
         scene: SCENE,
     };

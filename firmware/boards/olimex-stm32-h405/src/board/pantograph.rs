@@ -59,7 +59,7 @@ impl Parts {
     /// Counters that count, and motors without torque.
     ///
     /// # Errors
-    /// Of the numbers in `src/device.rs`.
+    /// Of the numbers in `firmware/devices/pantograph.rs`.
     pub(super) fn start(self, rcc: &mut Rcc) -> Result<Device, GeometryError> {
         let (left, right, handle) = self.encoders;
         // A track that is not connected does not move.
@@ -87,7 +87,7 @@ impl Parts {
     }
 }
 
-/// It was switched on, or reset by hand, in its home position as `src/device.rs` has it. After a reset by the watchdog,
+/// It was switched on, or reset by hand, in its home position as `firmware/devices/pantograph.rs` has it. After a reset by the watchdog,
 /// which is remembered until the power goes, the mechanism may be anywhere.
 fn is_at_home(rcc: &Rcc) -> bool {
     let at_home = rcc.csr().read().wdgrstf().bit_is_clear();

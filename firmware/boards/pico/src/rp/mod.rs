@@ -7,20 +7,58 @@
 //! | serial line, 921600 8N1 | UART0: GP0 out, GP1 in |
 //! | serial line over USB | the board's USB |
 //! | ticks and clock | a timer, 1 MHz |
-//! | motors | none; no pin but GP0 drives anything when it stops |
+//! | motors | none, or those of the feature `knob` or `pantograph`; no pin but GP0 drives anything when it stops |
+//!
+//! The pins of a device are in `pins.rs`.
 
 pub(crate) mod clock;
+#[cfg(any(feature = "knob", feature = "pantograph"))]
+mod encoder;
+#[cfg(feature = "knob")]
+mod knob;
+#[cfg(any(feature = "knob", feature = "pantograph"))]
+mod motor;
+#[cfg(not(any(feature = "knob", feature = "pantograph")))]
+mod no_device;
+#[cfg(feature = "pantograph")]
+mod pantograph;
+pub(crate) mod pins;
 pub(crate) mod uart;
 pub(crate) mod usb;
 
 use fugit::ExtU32;
-use stiction_firmware::device::{FromLine, NoActuators};
 
 use crate::hal::{self, fugit, pac};
 
-/// No such board has a device.
-pub(crate) type Device = (FromLine, NoActuators);
-pub(crate) const NO_DEVICE: Device = (FromLine, NoActuators);
+#[cfg(all(feature = "knob", feature = "pantograph"))]
+compile_error!("one device at most: the feature `knob` or the feature `pantograph`");
+
+#[cfg(feature = "knob")]
+#[path = "../../../../devices/knob.rs"]
+mod numbers;
+#[cfg(feature = "pantograph")]
+#[path = "../../../../devices/pantograph.rs"]
+mod numbers;
+
+#[cfg(feature = "knob")]
+pub(crate) use knob::{Device, start};
+#[cfg(not(any(feature = "knob", feature = "pantograph")))]
+pub(crate) use no_device::{Device, LIMITS, PASSIVITY, start};
+#[cfg(any(feature = "knob", feature = "pantograph"))]
+pub(crate) use numbers::{LIMITS, PASSIVITY};
+#[cfg(feature = "pantograph")]
+pub(crate) use pantograph::{Device, start};
+
+/// What a device is made of.
+#[cfg_attr(not(feature = "pantograph"), allow(dead_code))]
+pub(crate) struct Parts<'a> {
+    pub(crate) pio: pac::PIO0,
+    pub(crate) pwm: pac::PWM,
+    pub(crate) pins: pins::DevicePins,
+    pub(crate) resets: &'a mut pac::RESETS,
+    /// The watchdog has reset the board since it was switched on.
+    pub(crate) was_reset: bool,
+}
 
 /// A tick that does not come for so long ends in a reset (ms).
 const PATIENCE: u32 = 20;
@@ -29,6 +67,14 @@ const PATIENCE: u32 = 20;
 pub(crate) struct Watchdog(hal::Watchdog);
 
 impl Watchdog {
+    /// It has reset the board since that was switched on, or was reset by hand.
+    #[allow(unsafe_code)]
+    pub(crate) fn has_reset() -> bool {
+        // SAFETY: a register that can only be read.
+        let reason = unsafe { &*pac::WATCHDOG::ptr() }.reason().read();
+        reason.bits() != 0
+    }
+
     /// From now on.
     pub(crate) fn start(mut watchdog: hal::Watchdog) -> Self {
         watchdog.start(PATIENCE.millis());

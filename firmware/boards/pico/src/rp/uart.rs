@@ -4,19 +4,13 @@ use stiction_firmware::line::Line;
 
 use crate::hal::clocks::{Clock as _, ClocksManager};
 use crate::hal::fugit::RateExtU32;
-use crate::hal::gpio::bank0::{Gpio0, Gpio1};
-use crate::hal::gpio::{FunctionUart, Pin, PullDown};
 use crate::hal::pac::UART0;
 use crate::hal::uart::{DataBits, Disabled, Reader, StopBits, UartConfig, UartPeripheral, Writer};
+use crate::rp::pins::UartPins;
 use crate::stop::stop;
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 921_600;
-
-type UartPins = (
-    Pin<Gpio0, FunctionUart, PullDown>,
-    Pin<Gpio1, FunctionUart, PullDown>,
-);
 
 /// The serial line.
 pub(crate) struct Uart {

@@ -1,4 +1,4 @@
-//! The haptic device at this board: a five-bar pantograph. The numbers are those of an example that nobody has built: put
+//! The haptic device at a board: a five-bar pantograph. The numbers are those of an example that nobody has built: put
 //! those of yours in their place. `stiction_firmware::pantograph` draws the mechanism; SI units, angles counter-clockwise.
 //!
 //! The tests of `stiction-firmware` read this file and say which number cannot be used.

@@ -1,0 +1,43 @@
+//! A motor's pins: a PWM of 20 kHz, above what a hand feels and an ear hears, and a direction.
+
+use stiction_firmware::pantograph::{GeometryError, Motor, MotorConstants};
+
+use super::pins::Free;
+use crate::board::CLOCK;
+use crate::hal::gpio::{FunctionPwm, FunctionSioOutput, Pin, PinId, PullDown, ValidFunction};
+use crate::hal::pwm::{A, Channel, FreeRunning, Slice, SliceId, ValidPwmOutputPin};
+
+/// Of the PWM (Hz).
+const PWM: u32 = 20_000;
+/// Counts of a period, less one.
+const TOP: u16 = (CLOCK / PWM - 1) as u16;
+
+/// A motor at the first channel of a slice.
+pub(super) type MotorAt<S, D> =
+    Motor<Channel<Slice<S, FreeRunning>, A>, Pin<D, FunctionSioOutput, PullDown>>;
+
+/// A motor without torque. Its pins are pulled down by the chip only while it runs.
+///
+/// # Errors
+/// Of the constants.
+pub(super) fn motor<S, P, D>(
+    mut slice: Slice<S, FreeRunning>,
+    duty: Free<P>,
+    direction: Free<D>,
+    constants: MotorConstants,
+) -> Result<MotorAt<S, D>, GeometryError>
+where
+    S: SliceId,
+    P: PinId + ValidFunction<FunctionPwm> + ValidPwmOutputPin<S, A>,
+    D: PinId + ValidFunction<FunctionSioOutput>,
+{
+    slice.default_config();
+    slice.set_top(TOP);
+    slice.enable();
+    slice.channel_a.output_to(duty);
+    Motor::new(
+        slice.channel_a,
+        direction.into_push_pull_output(),
+        constants,
+    )
+}

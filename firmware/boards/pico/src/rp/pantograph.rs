@@ -1,0 +1,82 @@
+//! The pantograph at the pins of this board: three encoders and a hold switch in, PWM and directions of three motors out.
+
+use embedded_hal::digital::InputPin;
+use stiction_firmware::pantograph::{Counters, GeometryError, Pantograph};
+
+use super::encoder::{self, Encoder};
+use super::motor::{MotorAt, motor};
+use super::{Parts, numbers};
+use crate::hal::gpio::bank0::{Gpio17, Gpio19, Gpio21, Gpio22};
+use crate::hal::gpio::{FunctionSioInput, Pin, PullUp};
+use crate::hal::pio::{PIOExt, SM0, SM1, SM2};
+use crate::hal::pwm::{Pwm0, Pwm1, Pwm2, Slices};
+use crate::log::error;
+
+/// The device of this board.
+pub(crate) type Device = Pantograph<Encoders, Motors>;
+type Motors = (
+    MotorAt<Pwm0, Gpio17>,
+    MotorAt<Pwm1, Gpio19>,
+    MotorAt<Pwm2, Gpio21>,
+);
+
+/// Three encoders, and the hold switch.
+pub(crate) struct Encoders {
+    left: Encoder<SM0>,
+    right: Encoder<SM1>,
+    handle: Encoder<SM2>,
+    hold: Pin<Gpio22, FunctionSioInput, PullUp>,
+    /// Otherwise nobody knows where the mechanism is, and it never gives force.
+    at_home: bool,
+}
+
+impl Counters for Encoders {
+    fn counts(&mut self) -> Option<[u16; 3]> {
+        let counts = [
+            self.left.count()?,
+            self.right.count()?,
+            self.handle.count()?,
+        ];
+        self.at_home.then_some(counts)
+    }
+
+    fn held(&mut self) -> bool {
+        self.hold.is_low().unwrap_or(false)
+    }
+}
+
+/// Counters that count, and motors without torque. Where the watchdog has reset the board, the mechanism may be anywhere.
+///
+/// # Errors
+/// Of the numbers.
+pub(crate) fn start(parts: Parts<'_>) -> Result<Device, GeometryError> {
+    let Parts {
+        pio,
+        pwm,
+        pins,
+        resets,
+        was_reset,
+    } = parts;
+    if was_reset {
+        error!("stopped before: no force until it is switched on again in its home position");
+    }
+    let (mut pio, first, second, third, _) = pio.split(resets);
+    let program = encoder::install(&mut pio);
+    let (left, right, handle) = pins.encoders;
+    let encoders = Encoders {
+        left: Encoder::start(&program, first, left),
+        right: Encoder::start(&program, second, right),
+        handle: Encoder::start(&program, third, handle),
+        hold: pins.hold.into_pull_up_input(),
+        at_home: !was_reset,
+    };
+    let slices = Slices::new(pwm, resets);
+    let (duties, directions) = (pins.duties, pins.directions);
+    let [left, right, handle] = numbers::MOTORS;
+    let motors = (
+        motor(slices.pwm0, duties.0, directions.0, left)?,
+        motor(slices.pwm1, duties.1, directions.1, right)?,
+        motor(slices.pwm2, duties.2, directions.2, handle)?,
+    );
+    Pantograph::new(&numbers::GEOMETRY, encoders, motors)
+}
