@@ -72,6 +72,12 @@ pub(crate) const AN505: Chip = Chip {
     ..PICO2
 };
 
+/// With a knob of its own.
+pub(crate) const KNOB: Chip = Chip {
+    features: "knob",
+    ..PICO
+};
+
 /// For little flash.
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,

@@ -1,6 +1,7 @@
 //! The images of the boards in QEMU, talked to over their serial lines.
 #![cfg(unix)]
 
+mod bench;
 #[path = "../../../firmware/tests/station/beside.rs"]
 mod beside;
 mod bits;
@@ -11,6 +12,7 @@ mod chip;
 mod client;
 #[path = "../../../firmware/tests/common/mod.rs"]
 mod common;
+mod knob;
 mod line;
 mod log;
 mod pantograph;

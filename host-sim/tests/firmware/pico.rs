@@ -1,81 +1,15 @@
 //! The Pico on its own clock, step by step: random drags at 1 kHz, and what happens when all is lost.
 #![cfg(feature = "cycles")]
 
+use crate::bench::{Bench, MS, PATIENCE};
 use crate::budgets::Budget;
 use crate::chip::PICO;
 use crate::client::{Client, Said};
-use stiction_core::frame::{Command, Drive, Health, Reason, SceneCommand};
+use stiction_core::frame::{Command, Drive, Health, SceneCommand};
 use stiction_core::{Hand, narrow_hand};
-use stiction_emulated_pico::{Chip, FLASH, MEGAHERTZ};
 use stiction_host_sim::trade::{Case, Group, Suite};
-use stiction_tools::image::flashed;
-
-/// Cycles of a ms.
-const MS: u64 = MEGAHERTZ as u64 * 1_000;
-/// No answer takes longer (ms).
-const PATIENCE: u32 = 2_000;
-
-/// A Pico and its client, in one thread: time goes on only here.
-struct Bench {
-    chip: Chip,
-    client: Client,
-}
 
 impl Bench {
-    /// From power-up; nothing where something is missing.
-    fn start() -> Option<Self> {
-        let image = PICO.image()?;
-        let mut bench = Self {
-            chip: Chip::new(flashed(&image.path, FLASH).unwrap()),
-            client: Client::new(),
-        };
-        bench.wait(|said| matches!(said, Said::Pose(_)).then_some(()));
-        Some(bench)
-    }
-
-    /// A ms goes by.
-    fn pass(&mut self) {
-        self.chip.run(MS);
-        self.client.listen(&self.chip.gone());
-    }
-
-    fn send(&mut self, command: Command<'_>) {
-        let bytes = self.client.encode(command);
-        self.chip.bring(&bytes);
-    }
-
-    /// Waits for a report; those before it are passed over.
-    fn wait<T>(&mut self, mut wanted: impl FnMut(&Said) -> Option<T>) -> T {
-        for _ in 0..PATIENCE {
-            while let Some(heard) = self.client.heard.pop_front() {
-                if let Some(found) = wanted(&heard.said) {
-                    return found;
-                }
-            }
-            self.pass();
-        }
-        panic!("no answer in {PATIENCE} ms: {:?}", self.chip)
-    }
-
-    /// A command that is carried out.
-    fn done(&mut self, command: Command<'_>) {
-        let sequence = self.client.sequence;
-        self.send(command);
-        let reason = self.wait(|said| match said {
-            Said::Reply(answer) if answer.command.sequence == sequence => Some(answer.reason),
-            _ => None,
-        });
-        assert_eq!(reason, Reason::Done);
-    }
-
-    fn health(&mut self) -> Health {
-        self.client.heard.clear();
-        self.wait(|said| match said {
-            Said::Health(health) => Some(*health),
-            _ => None,
-        })
-    }
-
     /// The hand presses until the board gives force.
     fn press(&mut self) {
         for _ in 0..PATIENCE {
@@ -136,7 +70,7 @@ impl Bench {
 
 #[test]
 fn a_panic_is_zero_force_and_a_restart() {
-    let Some(mut bench) = Bench::start() else {
+    let Some(mut bench) = Bench::start(&PICO) else {
         return;
     };
     bench.press();
@@ -151,7 +85,7 @@ fn a_panic_is_zero_force_and_a_restart() {
 
 #[test]
 fn a_fault_is_zero_force_and_a_restart() {
-    let Some(mut bench) = Bench::start() else {
+    let Some(mut bench) = Bench::start(&PICO) else {
         return;
     };
     bench.press();
@@ -162,7 +96,7 @@ fn a_fault_is_zero_force_and_a_restart() {
 
 /// Random drags until so many frames have passed: what the board says afterwards, and the ticks missed in them.
 fn random_drags(frames: u32) -> Option<(Health, u32)> {
-    let mut bench = Bench::start()?;
+    let mut bench = Bench::start(&PICO)?;
     let suite = Suite::new(None, false).unwrap();
     let cases = suite.cases.iter();
     let cases = cases.filter(|case| case.group == Group::Random);
