@@ -54,6 +54,11 @@ fn the_emulated_microbit_has_the_bits_of_this_computer() {
     streamed_and_verified("microbit", 100.0);
 }
 
+#[test]
+fn what_is_emulated_in_the_place_of_the_pico_2_has_the_bits_of_this_computer() {
+    streamed_and_verified("mps2-an505", 1_000.0);
+}
+
 /// A bundled scene with obstacles, every answer with the bits of this computer, and the obstacles by their names in the trace.
 fn among_obstacles(board: &str, rate: &str, scene: &str) {
     let folder = Folder::new();

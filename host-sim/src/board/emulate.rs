@@ -25,6 +25,9 @@ pub enum EmulatedBoard {
     Microbit,
     /// RP2040, Cortex-M0+: fixed point
     Pico,
+    /// Cortex-M33, in the place of the RP2350 of a Pico 2: f32
+    #[value(name = "mps2-an505", alias = "an505")]
+    An505,
 }
 
 impl EmulatedBoard {
@@ -33,6 +36,7 @@ impl EmulatedBoard {
             Self::Olimex => Board::OLIMEX,
             Self::Microbit => Board::MICROBIT,
             Self::Pico => Board::PICO,
+            Self::An505 => Board::AN505,
         }
     }
 

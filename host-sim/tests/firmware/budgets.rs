@@ -48,7 +48,7 @@ fn health_in(board: &mut Board, mode: Mode) -> Health {
 }
 
 /// Samples of the hand, no more of them on their way than the queue of a board holds.
-fn follow(board: &mut Board, hands: impl IntoIterator<Item = Hand<f32>>) {
+pub(crate) fn follow(board: &mut Board, hands: impl IntoIterator<Item = Hand<f32>>) {
     for (i, hand) in hands.into_iter().enumerate() {
         board.send(Command::Hand(hand));
         if i % WINDOW == WINDOW - 1 {

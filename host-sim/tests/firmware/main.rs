@@ -1,6 +1,7 @@
 //! The images of the boards in QEMU, talked to over their serial lines.
 #![cfg(unix)]
 
+mod an505;
 mod bench;
 #[path = "../../../firmware/tests/station/beside.rs"]
 mod beside;

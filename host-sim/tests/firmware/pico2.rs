@@ -3,7 +3,6 @@
 
 use crate::budgets::Budget;
 use crate::chip::PICO2;
-use stiction_tools::board::Board;
 use stiction_tools::image::flashed;
 
 /// Where the chip has its memory (RP2350 datasheet, 2.2), and how much of it the board.
@@ -79,13 +78,4 @@ fn the_pico_2_is_within_its_budget() {
     let budget = Budget::of(&PICO2);
     budget.holds("flash", image.contents.flash);
     budget.holds("variables", image.contents.variables);
-    // What serves USB has places where it panics, as on the Pico. Nothing else has.
-    let panics = image.contents.panics();
-    println!("{panics:?}");
-}
-
-/// What is emulated in its place has the same processor, and ticks as often.
-#[test]
-fn nothing_emulates_the_pico_2() {
-    assert_eq!(Board::PICO2.emulator(), "nothing");
 }
