@@ -7,6 +7,7 @@ use std::os::unix::net::UnixStream;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use stiction_core::frame::{Command, Health};
+use stiction_host_sim::emulator::Chip as Processor;
 use stiction_tools::board::Emulator;
 
 /// Nothing takes longer.
@@ -185,7 +186,8 @@ impl Board {
     /// Time on the board's clock as instructions; of the Pico, whose instructions take their time, as cycles.
     pub(crate) fn instructions(&self, ns: u32) -> u32 {
         if self.chip.board == PICO.board {
-            ns / 8
+            let cycles = u64::from(ns) * u64::from(Processor::CortexM0Plus.megahertz()) / 1_000;
+            cycles as u32
         } else {
             ns >> self.chip.shift
         }

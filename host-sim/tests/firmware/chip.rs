@@ -72,7 +72,15 @@ pub(crate) const AN505: Chip = Chip {
     ..PICO2
 };
 
+/// As it is flashed, with its log.
+#[cfg(feature = "cycles")]
+pub(crate) const PICO_FLASHED: Chip = Chip {
+    features: "rtt",
+    ..PICO
+};
+
 /// With a knob of its own.
+#[cfg(feature = "cycles")]
 pub(crate) const KNOB: Chip = Chip {
     features: "knob",
     ..PICO

@@ -3,7 +3,7 @@
 
 use crate::bench::{Bench, MS, PATIENCE};
 use crate::budgets::Budget;
-use crate::chip::PICO;
+use crate::chip::{self as board, Image, PICO, PICO_FLASHED};
 use crate::client::{Client, Said};
 use stiction_core::frame::{Command, Drive, Health, SceneCommand};
 use stiction_core::{Hand, narrow_hand};
@@ -68,30 +68,56 @@ impl Bench {
     }
 }
 
+/// What becomes of a board after something is done to it: with the image without a log, and with that which `cargo run` flashes, of which
+/// the log holds panics of its own.
+fn survives(boards: &[&board::Chip], disaster: impl Fn(&mut Bench, &Image)) {
+    for board in boards {
+        let Some(mut bench) = Bench::start(board) else {
+            return;
+        };
+        bench.press();
+        disaster(&mut bench, &board.image().unwrap());
+        bench.recovers();
+    }
+}
+
+/// Where a function is, by a part of its name.
+fn place(image: &Image, name: &str) -> Option<u32> {
+    let mut symbols = image.contents.symbols.iter();
+    let (_, place) = symbols.find(|(symbol, _)| symbol.contains(name))?;
+    Some(*place as u32 & !1)
+}
+
 #[test]
 fn a_panic_is_zero_force_and_a_restart() {
-    let Some(mut bench) = Bench::start(&PICO) else {
-        return;
-    };
-    bench.press();
-    // Where all panics begin.
-    let contents = PICO.image().unwrap().contents;
-    let mut symbols = contents.symbols.iter();
-    let place = symbols.find(|(name, _)| name.contains("panic_fmt"));
-    let (_, place) = place.expect("the image can panic, in what serves USB");
-    bench.chip.go_on_at(*place as u32 & !1);
-    bench.recovers();
+    survives(&[&PICO, &PICO_FLASHED], |bench, image| {
+        // Where all panics begin.
+        let panic = place(image, "panic_fmt").expect("the image can panic, in what serves USB");
+        bench.chip.go_on_at(panic);
+    });
+}
+
+#[test]
+fn a_panic_within_the_log_is_zero_force_and_a_restart() {
+    survives(&[&PICO_FLASHED], |bench, image| {
+        // The log is taken once a second, and not given back this time.
+        let write = place(image, "_defmt_write").expect("the image logs");
+        let second = bench.chip.cycles() + 1_100 * MS;
+        while bench.chip.at() != write && bench.chip.cycles() < second {
+            bench.chip.step();
+        }
+        assert_eq!(bench.chip.at(), write, "nothing is logged");
+        let panic = place(image, "panic_fmt").unwrap();
+        bench.chip.go_on_at(panic);
+    });
 }
 
 #[test]
 fn a_fault_is_zero_force_and_a_restart() {
-    let Some(mut bench) = Bench::start(&PICO) else {
-        return;
-    };
-    bench.press();
     // There is nothing.
-    bench.chip.go_on_at(0x3000_0000);
-    bench.recovers();
+    survives(&[&PICO, &PICO_FLASHED], |bench, _| {
+        bench.chip.go_on_at(0x3000_0000);
+    });
 }
 
 /// Random drags until so many frames have passed: what the board says afterwards, and the ticks missed in them.

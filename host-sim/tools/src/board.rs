@@ -2,8 +2,11 @@
 //! ended with the value [`Emulator`]. The Pico runs in this process, the others in QEMU. The Pico 2 has no emulator: in QEMU another board
 //! stands in for it.
 
+#[cfg(unix)]
 use std::fs;
-use std::io::{Read, Write};
+use std::io::Read;
+#[cfg(unix)]
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 

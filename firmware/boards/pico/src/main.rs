@@ -50,9 +50,9 @@ mod app {
     use stiction_firmware::line::Line;
     use stiction_firmware::station::Setup;
 
-    /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
+    /// Units of work of a second: one takes 3173 cycles at most in a long step, counted (host-sim/README.md).
     /// A quarter of its time is for the interrupts of the lines and what else a tick does.
-    const WORK_RATE: u32 = board::CLOCK / 3_430 / 4 * 3;
+    const WORK_RATE: u32 = board::CLOCK / 3_173 / 4 * 3;
 
     static SETUP: Setup = Setup {
         name: "pico",
