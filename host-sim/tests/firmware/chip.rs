@@ -86,6 +86,12 @@ pub(crate) const KNOB: Chip = Chip {
     ..PICO
 };
 
+/// With a log, and an end where it stops.
+pub(crate) const ENDING_AN505: Chip = Chip {
+    features: "semihosting",
+    ..AN505
+};
+
 /// For little flash.
 pub(crate) const SMALL_MICROBIT: Chip = Chip {
     is_small: true,

@@ -16,6 +16,7 @@ mod common;
 mod knob;
 mod line;
 mod log;
+mod lost;
 mod pantograph;
 mod pico;
 mod pico2;

@@ -9,7 +9,7 @@
 
 use nrf51_hal::clocks::Clocks;
 use nrf51_hal::pac::{self, GPIO, TIMER0, UART0, WDT};
-use nrf51_hal::wdt::handles::HdlN;
+use nrf51_hal::wdt::handles::Hdl0;
 use nrf51_hal::wdt::{self, WatchdogHandle};
 use stiction_firmware::device::{FromLine, NoActuators};
 use stiction_firmware::line::{self, Line};
@@ -221,7 +221,7 @@ impl Uart {
 }
 
 /// Resets the chip unless it is fed.
-pub(crate) struct Watchdog(Option<WatchdogHandle<HdlN>>);
+pub(crate) struct Watchdog(Option<WatchdogHandle<Hdl0>>);
 
 impl Watchdog {
     fn new(device: WDT) -> Self {
@@ -229,11 +229,11 @@ impl Watchdog {
             Ok(mut watchdog) => {
                 watchdog.set_lfosc_ticks(PATIENCE);
                 watchdog.run_during_debug_halt(false);
-                Some(watchdog.activate::<wdt::count::One>().handles.0.degrade())
+                Some(watchdog.activate::<wdt::count::One>().handles.0)
             }
             // It runs since before a soft reset: with the same handle.
             Err(device) => match wdt::Watchdog::try_recover::<wdt::count::One>(device) {
-                Ok(parts) => Some(parts.handles.0.degrade()),
+                Ok(parts) => Some(parts.handles.0),
                 Err(_) => None,
             },
         };
