@@ -104,7 +104,7 @@ fn a_panic_within_the_log_is_zero_force_and_a_restart() {
         let write = place(image, "_defmt_write").expect("the image logs");
         let second = bench.chip.cycles() + 1_100 * MS;
         while bench.chip.at() != write && bench.chip.cycles() < second {
-            bench.chip.step();
+            bench.chip.run(1);
         }
         assert_eq!(bench.chip.at(), write, "nothing is logged");
         let panic = place(image, "panic_fmt").unwrap();
