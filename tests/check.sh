@@ -31,6 +31,7 @@ missing() {
 
 stage 'format'
 cargo fmt --all --check
+cargo fmt --check --manifest-path firmware/template/Cargo.toml
 
 stage 'lints'
 cargo clippy --workspace --all-targets --locked -- -D warnings
@@ -57,7 +58,9 @@ for target in thumbv7em-none-eabihf thumbv6m-none-eabi thumbv8m.main-none-eabihf
       thumbv8m.main-none-eabihf) board=mps2-an505 pico=pico2 ;;
       *) continue ;;
     esac
-    [ -z "$pico" ] || cargo clippy -p "stiction-$pico" --locked --target "$target" -- -D warnings
+    for device in ${pico:+none knob pantograph}; do
+      cargo clippy -p "stiction-$pico" --features "${device#none}" --locked --target "$target" -- -D warnings
+    done
     for log in '' rtt semihosting; do
       # It has no other log than that of its emulator.
       [ "$board-$log" != mps2-an505-rtt ] || continue
