@@ -8,8 +8,8 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
 use clap::builder::{OsStringValueParser, PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
 use stiction_scene::{InputError, SceneFile};
 use stiction_tools::board::{Board, OBSTACLES};
 use stiction_tools::files::write;
@@ -34,6 +34,9 @@ pub struct ImageArgs {
     /// Room for scenes with obstacles over the wire
     #[arg(long, conflicts_with = "scene")]
     obstacles: bool,
+    /// The device at its pins; without one the hand comes over the line
+    #[arg(long)]
+    device: Option<Device>,
     /// File to write: FILE.uf2, for the drive of a board that has one, or FILE.elf; without it stiction-BOARD.uf2 or stiction-BOARD.elf
     #[arg(long, value_name = "FILE", value_parser = file_parser())]
     out: Option<(PathBuf, Format)>,
@@ -59,6 +62,35 @@ pub enum ImageError {
         "{0} has no room for obstacles over the wire, allowed: a scene with obstacles to compile in"
     )]
     NoObstacles(&'static str),
+    /// The board has no pins for it.
+    #[error("{board} has no pins for a {device}, allowed: {allowed}")]
+    NoDevice {
+        /// The board.
+        board: &'static str,
+        /// What was asked for.
+        device: &'static str,
+        /// Its devices.
+        allowed: String,
+    },
+}
+
+/// A device at the pins of a board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Device {
+    /// A motor and an encoder on its axis
+    Knob,
+    /// Two arms and a handle that turns
+    Pantograph,
+}
+
+impl Device {
+    /// The feature of a board's package that gives it the device.
+    const fn feature(self) -> &'static str {
+        match self {
+            Self::Knob => "knob",
+            Self::Pantograph => "pantograph",
+        }
+    }
 }
 
 /// How an image is written.
@@ -101,12 +133,13 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     if args.obstacles && !board.takes_obstacles() {
         return Err(ImageError::NoObstacles(board.name));
     }
+    let features = features(args)?;
     let scene = args.scene.as_deref().map(usable_scene).transpose()?;
     check(args.scene.as_deref(), [("--out", out.clone())])?;
     report::tell(format_args!("building the image of {} ...", board.name));
     let image = match &scene {
-        Some(scene) => built_with(board, scene)?,
-        None => board.image(if args.obstacles { OBSTACLES } else { "" }, None)?,
+        Some(scene) => built_with(board, &features, scene)?,
+        None => board.image(&features, None)?,
     };
     let bytes = match family {
         Some(family) => uf2(&parts(&image)?, family)?,
@@ -115,6 +148,25 @@ pub fn image(args: &ImageArgs) -> Result<(), ImageError> {
     write(&out, &bytes).map_err(WriteError::of(&out))?;
     report::print(&told(&out, &bytes, &Contents::of(&image)?, family));
     Ok(())
+}
+
+/// The features of the board's package, as cargo takes them.
+fn features(args: &ImageArgs) -> Result<String, ImageError> {
+    let board = args.board;
+    let device = args.device.map(Device::feature);
+    if let Some(device) = device.filter(|device| !board.devices.contains(device)) {
+        return Err(ImageError::NoDevice {
+            board: board.name,
+            device,
+            allowed: match board.devices {
+                [] => "no --device".to_owned(),
+                some => some.join(", "),
+            },
+        });
+    }
+    let obstacles = args.obstacles.then_some(OBSTACLES);
+    let all: Vec<&str> = device.into_iter().chain(obstacles).collect();
+    Ok(all.join(","))
 }
 
 /// The file and how it is written.
@@ -137,12 +189,12 @@ fn usable_scene(name: &Path) -> Result<SceneFile, InputError> {
 }
 
 /// The image of a board with a scene compiled in.
-fn built_with(board: Board, scene: &SceneFile) -> Result<PathBuf, EmulatorError> {
+fn built_with(board: Board, features: &str, scene: &SceneFile) -> Result<PathBuf, EmulatorError> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.toml");
     fs::write(&file, scene.source().text())?;
     match scene.obstacles.is_empty() || board.takes_obstacles() {
-        true => board.image("", Some(&file)),
+        true => board.image(features, Some(&file)),
         // Otherwise it would not fit.
         false => board.small_image(&file),
     }

@@ -196,6 +196,15 @@ fn what_cannot_be_an_image_is_refused_before_anything_is_built() {
     has(&["pico", "--out", "a.hex"], "ends in .uf2 or .elf");
     has(&["microbit", "--out", "a.uf2"], "allowed: --out FILE.elf");
     has(&["microbit", "--obstacles"], "no room for obstacles");
+    let knob = "has no pins for a knob, allowed:";
+    has(
+        &["olimex-stm32-h405", "--device", "knob"],
+        &format!("{knob} pantograph"),
+    );
+    has(
+        &["microbit", "--device", "knob"],
+        &format!("{knob} no --device"),
+    );
     has(&["pico", "no-such-scene"], "box-flat");
     has(&["pico", "ladder", "--obstacles"], "cannot be used with");
 }

@@ -35,6 +35,8 @@ pub struct Board {
     pub ram: u64,
     /// Of its chip, where that is flashed by a drive.
     pub family: Option<Family>,
+    /// Features of its package that give it a device at its pins.
+    pub devices: &'static [&'static str],
     runs_in: RunsIn,
 }
 
@@ -58,6 +60,7 @@ impl Board {
         name: "olimex-stm32-h405",
         ram: RAM,
         family: None,
+        devices: &["pantograph"],
         runs_in: RunsIn::Qemu { unused_lines: 1 },
     };
     /// BBC micro:bit: nRF51822, Cortex-M0.
@@ -65,6 +68,7 @@ impl Board {
         name: "microbit",
         ram: RAM,
         family: None,
+        devices: &[],
         runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
     /// Raspberry Pi Pico: RP2040, Cortex-M0+.
@@ -72,6 +76,7 @@ impl Board {
         name: "pico",
         ram: RAM,
         family: Some(Family::RP2040),
+        devices: &["knob", "pantograph"],
         runs_in: RunsIn::Program,
     };
     /// Raspberry Pi Pico 2: RP2350, Cortex-M33. It can be built, not emulated.
@@ -79,6 +84,7 @@ impl Board {
         name: "pico2",
         ram: RAM,
         family: Some(Family::RP2350_ARM_S),
+        devices: &["knob", "pantograph"],
         runs_in: RunsIn::Nothing,
     };
     /// Arm MPS2+ with the FPGA image AN505: Cortex-M33. It stands in for the Pico 2.
@@ -86,6 +92,7 @@ impl Board {
         name: "mps2-an505",
         ram: 0x3800_0000,
         family: None,
+        devices: &[],
         runs_in: RunsIn::Qemu { unused_lines: 0 },
     };
 
