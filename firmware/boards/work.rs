@@ -1,7 +1,9 @@
-//! What every board does: its tick, and its log while nothing else is to be done. Its own part is `board`, which gives the clock, the
-//! watchdog and the device, and in `main.rs` what it is (`Setup`), its lines and who interrupts whom.
+//! What every board does: its ticks, its turns, and its log while nothing else is to be done. Its own part is `board`, which gives the
+//! clock, the watchdog and the device, and in `main.rs` what it is (`Setup`), its lines and who interrupts whom: ticks interrupt turns.
 
-use stiction_firmware::line::Line;
+use rtic::Mutex;
+use stiction_firmware::device::{LockServo, Servo};
+use stiction_firmware::line::{self, Line};
 use stiction_firmware::station::{Log, Setup, Watch, station_of};
 
 use crate::board::{Clock, Device, Watchdog};
@@ -12,13 +14,13 @@ mod scene {
     include!(concat!(env!("OUT_DIR"), "/scene.rs"));
 }
 
-pub(crate) use scene::SCENE;
-use scene::{CompiledScene, OBSTACLES};
+use scene::OBSTACLES;
+pub(crate) use scene::{CompiledScene, SCENE};
 
 /// With room for what is compiled in, see build.rs.
 pub(crate) type Program = station_of!(CompiledScene);
 
-/// What the tick tells the log.
+/// What the turn tells the log.
 static WATCH: Watch = Watch::new();
 
 /// The program of a board; without one, nothing is started.
@@ -33,24 +35,64 @@ pub(crate) fn program(setup: &'static Setup) -> Program {
     program
 }
 
-/// What the tick works with.
+/// The clock, for ticks and turns. RTIC wants what tasks share to be public.
+#[allow(unreachable_pub)]
+pub struct SharedClock(pub(crate) Clock);
+
+/// The servo loop, likewise.
+#[allow(unreachable_pub)]
+pub struct SharedServo(Servo<Device>);
+
+impl SharedServo {
+    pub(crate) fn new(device: Device) -> Self {
+        Self(Servo::new(device))
+    }
+}
+
+/// A tick has come: the hand is measured, the force goes on. A turn is to follow.
+pub(crate) fn tick(mut clock: impl Mutex<T = SharedClock>, mut servo: impl Mutex<T = SharedServo>) {
+    let now_us = clock.lock(|clock| clock.0.tick());
+    servo.lock(|servo| servo.0.tick(now_us));
+}
+
+/// What turns work with.
 pub(crate) struct Work {
-    pub(crate) clock: Clock,
-    pub(crate) watchdog: Watchdog,
-    pub(crate) device: Device,
     pub(crate) program: Program,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Work {
-    /// A tick; `wake` lets the interrupt of the line come when there is something to send.
-    pub(crate) fn tick<const N: usize>(&mut self, line: &Line<N>, wake: fn()) {
-        let now_us = self.clock.tick();
-        let mut link = line.link(&mut self.clock, wake);
-        self.program.tick(now_us, &mut link, &mut self.device);
-        self.clock.set_rate(self.program.mode().tick_rate);
+    /// A turn; `wake` lets the interrupt of the line come when there is something to send.
+    pub(crate) fn turn<const N: usize>(
+        &mut self,
+        clock: impl Mutex<T = SharedClock>,
+        servo: impl Mutex<T = SharedServo>,
+        line: &Line<N>,
+        wake: fn(),
+    ) {
+        let (mut clock, mut servo) = (Locked(clock), Locked(servo));
+        let mut link = line.link(&mut clock, wake);
+        self.program.turn(&mut link, &mut servo);
+        let rate = self.program.mode().tick_rate;
+        clock.0.lock(|clock| clock.0.set_rate(rate));
         WATCH.show(&self.program.health());
-        // Last: a tick that did not do its work feeds nothing.
+        // Last: a turn that did not do its work feeds nothing; nor is there one without ticks.
         self.watchdog.feed();
+    }
+}
+
+/// Of a turn, which ticks interrupt but for the moment of the lock.
+struct Locked<M>(M);
+
+impl<M: Mutex<T = SharedServo>> LockServo<Device> for Locked<M> {
+    fn lock<T>(&mut self, used: impl FnOnce(&mut Servo<Device>) -> T) -> T {
+        self.0.lock(|servo| used(&mut servo.0))
+    }
+}
+
+impl<M: Mutex<T = SharedClock>> line::Clock for Locked<M> {
+    fn now_ns(&mut self) -> u32 {
+        self.0.lock(|clock| clock.0.now_ns())
     }
 }
 

@@ -1,8 +1,9 @@
-//! The control loop of a device, free of hardware: in every tick a sample of the hand, if one came, goes through the solver
-//! and the safety to a pose and a force.
+//! The two loops of a device, free of hardware: the servo loop gives a safe force at every tick; the solver makes a pose and the next
+//! force of a sample of the hand, in turns, each after a tick. A turn may take longer than a tick.
 //!
 //! ```text
-//! controller.rs  Controller::tick(now, sample) -> pose, force, flags
+//! servo.rs       Servo::tick(now): the hand is measured, the force is given
+//! controller.rs  Controller::turn(sample, servo) -> pose, force, flags
 //! change.rs      a new scene or new parameters in mid-contact: refused, or the body settles anew where it is
 //! refusal.rs     why something cannot be used
 //! store.rs       the scene as it was given, kept for that
@@ -11,7 +12,7 @@
 //!
 //! ```
 //! use stiction_core::{Description, Evolution, Hand, SurfaceDescription};
-//! use stiction_firmware::device::{Controller, Sample, Settings};
+//! use stiction_firmware::device::{Controller, FromLine, NoActuators, Sample, Servo, Settings};
 //!
 //! let description = Description {
 //!     vertices: &[[-0.05, -0.03], [0.05, -0.03], [0.05, 0.03], [-0.05, 0.03]],
@@ -30,6 +31,7 @@
 //!     }],
 //! };
 //! let mut controller: Controller<f32, 4, 1> = Controller::new(&description, &Settings::default())?;
+//! let mut servo = Servo::new((FromLine, NoActuators));
 //! for i in 0..100u16 {
 //!     let now_us = u32::from(i) * 1_000;
 //!     let sample = Sample {
@@ -37,11 +39,12 @@
 //!         number: i,
 //!         received_us: now_us,
 //!     };
-//!     let tick = controller.tick(now_us, Some(&sample));
-//!     assert!(tick.force.force[1] <= 0.1 * f32::from(i + 1) + 1e-5); // 100 N/s
+//!     servo.tick(now_us);
+//!     let turn = controller.turn(Some(&sample), &mut servo);
+//!     assert!(turn.force.force[1] <= 0.1 * f32::from(i + 1) + 1e-5); // 100 N/s
 //! }
-//! let silent = controller.tick(120_000, None);
-//! assert!(silent.flags.silent && silent.force.force == [0.0, 0.0]);
+//! servo.tick(120_000);
+//! assert_eq!(servo.force().force, [0.0, 0.0]); // silence
 //! # Ok::<(), stiction_firmware::device::Refusal>(())
 //! ```
 
@@ -49,13 +52,16 @@ mod change;
 mod controller;
 mod ports;
 mod refusal;
+mod servo;
 mod settings;
 mod store;
 
 pub use change::Placement;
 pub(crate) use controller::NO_HAND;
-pub use controller::{Controller, Pose, Tick};
+pub use controller::{Controller, Pose, Turn};
 pub use ports::{Actuators, FromLine, NoActuators, Outage, Sample, Source};
 pub use refusal::Refusal;
+pub(crate) use servo::Begun;
+pub use servo::{LockServo, Servo};
 pub use settings::Settings;
 pub use stiction_core::frame::Parameters;

@@ -3,7 +3,8 @@
 //! ```text
 //! limits.rs    what the device carries and damps; checked once, the error names the parameter and the bound
 //! governor.rs  size and rate of change of force and moment
-//! line.rs      which sample is new, which are late and lost, when there is silence
+//! arrivals.rs  which sample is new, which are late and lost
+//! silence.rs   when samples have stayed away for too long
 //! ticks.rs     ticks that did not come
 //! ```
 //!
@@ -12,15 +13,18 @@
 //! long as that moves; taking a force away does none. The step down is never more than the limit of size. The way back is
 //! within the rate limit, and so without a jump.
 
+mod arrivals;
 mod governor;
 mod limits;
-mod line;
+mod silence;
 mod ticks;
 
+pub use arrivals::{Arrival, Arrivals};
 pub use governor::{Given, Governor};
 pub use limits::{Allowed, LimitError, LimitParameter, Limits, Passivity};
-pub use line::{Arrival, Line};
+pub use silence::Silence;
 pub use ticks::Ticks;
+pub(crate) use ticks::{lateness, latest};
 
 /// Why the force is what it is, and no other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

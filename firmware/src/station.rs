@@ -1,23 +1,25 @@
-//! The program of a board, free of hardware: bytes that came in, commands and samples out of them, a step, a safe force for
-//! the hand, and reports. All of it happens in the tick; a board gives the time, a line ([`Link`]), its device
-//! ([`Source`], [`Actuators`]) and what it is ([`Setup`]).
+//! The program of a board, free of hardware: bytes that came in, commands and samples out of them, a step, a force that is demanded
+//! of the servo loop, and reports. All of it happens in turns, one after each tick; a board gives the line and a clock ([`Link`]), the
+//! servo loop with its device ([`Servo`]) and what it is ([`Setup`]).
 //!
 //! ```text
-//!               +------------------------- tick(now, link, device) -------------------------+
-//! link.take ----> Decoder -- samples --> intake.rs --> Controller ----------------------------> device.give, off
-//!               |     |  the tracker's plane, who is overtaken |                            |
-//! device.sample ------|----- instead of those ---------^       |                            |
-//!               |     +---- commands --> command.rs            +--> report.rs: pose, forces,
-//!               |                        | refusal.rs               events, health          |
-//!               |                        v                                |                 |
-//! link.send <---------------------- outbox.rs <---------------------------+                 |
-//!               +---------------------------------------------------------------------------+
+//! Servo::tick(now) -- the hand is measured, the force given --+
+//!        ^    |                                               |
+//!        |    | sample   +------------------- turn(link, servo) -------------------+
+//! demand |    +--------> | intake.rs --> Controller --> report.rs: pose, forces,   |
+//!        |               |   ^  who is overtaken |      events, health             |
+//!        +---------------|---|-------------------+                 |               |
+//!                        |   | samples                             v               |
+//!          link.take --> | Decoder -- commands --> command.rs --> outbox.rs        | --> link.send
+//!                        |                         refusal.rs                      |
+//!                        +---------------------------------------------------------+
 //! setup.rs: what the board is; the modes that it has the time and the line for
 //! watch.rs: its health, for a log that is written elsewhere
 //! ```
 //!
-//! The work of a tick is bounded, whatever comes over the line: so many bytes, one command, one step. The force is with the
-//! device before anything is told of it. In the safe state the device is off.
+//! The work of a turn is bounded, whatever comes over the line: so many bytes, one command, one step. Where ticks interrupt turns, a
+//! turn that takes longer than a tick leaves the force to the servo loop, and the next turn begins with the next tick. The force is
+//! with the device before anything is reported of it. In the safe state the device is off.
 
 mod command;
 mod intake;
@@ -32,7 +34,7 @@ pub use outbox::Link;
 pub use setup::{BoardNumber, SLOWEST_TICK, SceneType, Setup};
 pub use watch::{Log, News, Seen, Watch};
 
-use crate::device::{Actuators, Controller, Outage, Refusal, Sample, Source, Tick};
+use crate::device::{Actuators, Begun, Controller, LockServo, Refusal, Sample, Servo, Source};
 use crate::model::BoardModel;
 use crate::safety::Flags;
 use command::Next;
@@ -61,17 +63,17 @@ struct Desk<R: Real, const V: usize, const S: usize, M: BoardModel> {
     longest_frame: usize,
     controller: Controller<R, V, S, M>,
     mode: Mode,
-    bytes_per_tick: u32,
+    bytes_per_turn: u32,
     intake: Intake,
     /// Samples of the line that went to the control loop.
     stepped: u16,
     told: Told,
     outbox: Outbox,
-    /// Of the last tick.
+    /// At the end of the last turn.
     flags: Flags,
     /// No force until everything is reset.
     latched: bool,
-    /// The longest tick (ns).
+    /// The longest turn (ns).
     worst_tick: u32,
 }
 
@@ -109,7 +111,7 @@ where
                 longest_frame: N,
                 controller: Controller::among(&setup.scene, obstacles, &setup.settings(&mode))?,
                 mode,
-                bytes_per_tick: setup.bytes_per_tick(&mode),
+                bytes_per_turn: setup.bytes_per_turn(&mode),
                 intake: Intake::new(&mode),
                 stepped: 0,
                 told: Told::new(),
@@ -121,26 +123,38 @@ where
         })
     }
 
-    /// One tick, at a time (µs, wrapping) of the board's clock: the hand's force goes to the device. What it was given:
-    /// force (N) and moment (N·m), world frame.
-    pub fn tick<D: Source + Actuators>(
+    /// One turn, after a tick of the servo loop: what it demanded goes to the device at once. What that was given: force (N) and
+    /// moment (N·m), world frame.
+    pub fn turn<D: Source + Actuators>(
         &mut self,
-        now_us: u32,
         link: &mut impl Link,
-        device: &mut D,
+        servo: &mut impl LockServo<D>,
     ) -> Wrench<f32> {
         let begun = link.now_ns();
+        let Begun { now_us, sample } = servo.lock(Servo::begin);
         self.listen::<D>(now_us, link);
-        let force = self.desk.step(now_us, link, device);
+        let force = self.desk.step(now_us, sample, link, servo);
         self.desk.tell_health(self.decoder.faults(), now_us, link);
         let took = link.now_ns().wrapping_sub(begun);
         self.desk.worst_tick = self.desk.worst_tick.max(took);
         force
     }
 
-    /// Takes bytes until there is enough for one tick.
+    /// A tick, at a time (µs, wrapping) of the board's clock, and its turn, which no other tick interrupts. What the device was given, as
+    /// by [`Self::turn`].
+    pub fn tick<D: Source + Actuators>(
+        &mut self,
+        now_us: u32,
+        link: &mut impl Link,
+        servo: &mut Servo<D>,
+    ) -> Wrench<f32> {
+        servo.tick(now_us);
+        self.turn(link, servo)
+    }
+
+    /// Takes bytes until there is enough for one turn.
     fn listen<D: Source>(&mut self, now_us: u32, link: &mut impl Link) {
-        for _ in 0..self.desk.bytes_per_tick {
+        for _ in 0..self.desk.bytes_per_turn {
             let Some(byte) = link.take() else { return };
             let Some(received) = self.decoder.push(byte) else {
                 continue;
@@ -161,7 +175,7 @@ where
         &self.desk.mode
     }
 
-    /// Why the force of the last tick is what it is.
+    /// Why the force is what it was at the end of the last turn.
     pub fn flags(&self) -> &Flags {
         &self.desk.flags
     }
@@ -234,31 +248,32 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         }
     }
 
-    /// The sample of this tick through the solver, the force through the safety to the device, both to the client.
+    /// The sample of this turn through the solver, the force that it demands through the servo loop to the device, both to the client.
     fn step<D: Source + Actuators>(
         &mut self,
         now_us: u32,
+        measured: Option<Sample>,
         link: &mut impl Link,
-        device: &mut D,
+        servo: &mut impl LockServo<D>,
     ) -> Wrench<f32> {
         let sample = if D::MEASURES {
-            self.measured(device.sample(now_us))
+            self.measured(measured)
         } else {
             self.arrived(now_us)
         };
         let begun = link.now_ns();
-        let mut tick = self.controller.tick(now_us, sample.as_ref());
+        let turn = self.controller.turn(sample.as_ref(), servo);
         let took = link.now_ns().wrapping_sub(begun);
         self.controller.measured(took);
-        self.give(&mut tick, device);
-        self.flags = tick.flags;
-        if let Some(output) = &tick.output {
+        self.flags = turn.flags;
+        self.latched = turn.latched;
+        if let Some(output) = &turn.output {
             self.happened(output, now_us, link);
         }
         if sample.is_some() || self.mode.stepping == Stepping::Timed {
-            self.tell_step(&tick, now_us, link);
+            self.tell_step(&turn, now_us, link);
         }
-        tick.force
+        turn.force
     }
 
     /// The sample that waits.
@@ -280,22 +295,5 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.intake.measured();
         self.told.follows(number);
         Some(sample)
-    }
-
-    /// The force of a tick to the device. In the safe state it is off, and after a fault that lasts.
-    fn give(&mut self, tick: &mut Tick, device: &mut impl Actuators) {
-        let failed = if self.latched || tick.flags.is_safe_state() {
-            device.off();
-            self.latched
-        } else if let Err(fault) = device.give(&tick.force) {
-            device.off();
-            self.latched = fault.into() == Outage::Lasting;
-            true
-        } else {
-            false
-        };
-        if failed {
-            self.controller.actuator_fault(tick);
-        }
     }
 }

@@ -9,7 +9,9 @@ use core::f64::consts::TAU;
 use std::cell::Cell;
 use std::rc::Rc;
 use stiction_core::{Event, Real, Wrench};
-use stiction_firmware::device::{Actuators, Controller, Settings, Source};
+use stiction_firmware::device::{
+    Actuators, Controller, FromLine, NoActuators, Servo, Settings, Source,
+};
 use stiction_firmware::knob::{Counter, Knob};
 use stiction_firmware::pantograph::{Encoder, KnobGeometry, Motor, MotorConstants};
 use stiction_scene::WrittenScene;
@@ -132,7 +134,7 @@ fn a_turned_knob_sticks_and_slips() {
     settings.limits.force_rate = 1e6;
     settings.limits.moment_rate = 1e6;
     let controller = scene.described(|scene| Controller::<f32, 8, 4>::new(scene, &settings));
-    let mut controller = controller.unwrap();
+    let (mut controller, mut servo) = (controller.unwrap(), Servo::new((FromLine, NoActuators)));
     let (mut knob, shown, _) = knob(GEOMETRY);
     let (mut slips, mut work, mut last) = (0, 0.0, None);
     let there_and_back = (0..2_400u16).chain((0..2_400).rev());
@@ -141,7 +143,8 @@ fn a_turned_knob_sticks_and_slips() {
         let now_us = i * 1_000;
         let sample = knob.sample(now_us).unwrap();
         let [x, _] = sample.hand.position;
-        let tick = controller.tick(now_us, Some(&sample));
+        servo.tick(now_us);
+        let tick = controller.turn(Some(&sample), &mut servo);
         let [along, up] = tick.force.force;
         assert!(up > 0.0, "the plate presses on the hand: {tick:?}");
         // mu_s = 0.8 at the only contact, and no weight; a rounding of f32 in it.

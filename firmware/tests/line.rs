@@ -1,26 +1,26 @@
-//! When the line counts as silent, what is lost on it, and missed ticks.
+//! When samples count as silent, which of them are late and lost, and missed ticks.
 
-use stiction_firmware::safety::{Arrival, Line, Ticks};
+use stiction_firmware::safety::{Arrival, Arrivals, Silence, Ticks};
 
-fn line() -> Line {
-    Line::new(20_000, 1_000)
-}
+/// The next tick of 1 kHz comes within so many µs, at the latest.
+const NEXT: u32 = 1_500;
 
 #[test]
 fn silence_is_noticed_before_20_ms_have_passed() {
     // Whatever the phase of the sample between two ticks, and wherever the clock wraps.
     for start in [0, u32::MAX - 5_000, 1 << 31, (1 << 31) - 10_000] {
         for phase in [0, 1, 499, 500, 999] {
-            let mut line = line();
-            assert!(line.is_silent(start));
-            assert_eq!(line.arrive(0), Arrival::New);
-            line.hear(start);
+            let mut silence = Silence::new(20_000);
+            assert!(silence.is_silent(start, NEXT));
+            silence.hear(start);
             let at = |tick: u32| start.wrapping_add(phase + tick * 1_000);
-            let zero = (0..30).find(|&tick| line.is_silent(at(tick))).unwrap();
+            let zero = (0..30)
+                .find(|&tick| silence.is_silent(at(tick), NEXT))
+                .unwrap();
             let age = phase + zero * 1_000;
             // At the latest with the tick that one of 1.5 ms would follow in time.
             assert!(age <= 19_500 && age > 18_500, "{age}");
-            assert_eq!(line.silences, 1);
+            assert_eq!(silence.count, 1);
         }
     }
 }
@@ -28,10 +28,10 @@ fn silence_is_noticed_before_20_ms_have_passed() {
 #[test]
 fn silence_is_noticed_in_time_where_a_tick_is_late() {
     for late in [0, 2, 27, 1_000, 2_499] {
-        let mut line = Line::new(20_000, 5_000);
-        line.hear(1);
+        let mut silence = Silence::new(20_000);
+        silence.hear(1);
         let ticks = [5_000, 10_000, 15_000, 20_000 + late];
-        let noticed = ticks.into_iter().find(|&now| line.is_silent(now));
+        let noticed = ticks.into_iter().find(|&now| silence.is_silent(now, 7_500));
         let age = noticed.unwrap() - 1;
         assert!(age <= 20_000, "{age}");
     }
@@ -39,65 +39,57 @@ fn silence_is_noticed_in_time_where_a_tick_is_late() {
 
 #[test]
 fn silence_lasts_until_something_is_heard_however_often_the_clock_wraps() {
-    let mut line = line();
-    line.hear(0);
+    let mut silence = Silence::new(20_000);
+    silence.hear(0);
     let mut now = 0u32;
     for _ in 0..10_000 {
         now = now.wrapping_add(1_234_567);
-        assert!(line.is_silent(now));
+        assert!(silence.is_silent(now, NEXT));
     }
-    line.hear(now);
-    assert!(!line.is_silent(now));
-    assert_eq!(line.silences, 1);
+    silence.hear(now);
+    assert!(!silence.is_silent(now, NEXT));
+    assert_eq!(silence.count, 1);
     // A time stamp a little ahead of the clock is of now.
-    line.hear(now.wrapping_add(3));
-    assert!(!line.is_silent(now));
+    silence.hear(now.wrapping_add(3));
+    assert!(!silence.is_silent(now, NEXT));
 }
 
 #[test]
 fn late_and_lost_samples_are_counted() {
-    let mut line = line();
+    let mut arrivals = Arrivals::default();
     let numbers = [65_533, 65_534, 65_534, 2, 0, 3, 2, 4];
-    let new = numbers.map(|number| {
-        let arrival = line.arrive(number);
-        line.hear(0);
-        arrival == Arrival::New
-    });
+    let new = numbers.map(|number| arrivals.arrive(number, false) == Arrival::New);
     assert_eq!(new, [true, true, false, true, false, true, false, true]);
     // 65 535, 0 and 1 are missing; 0 comes late after all; 65 534 and 2 come twice.
-    assert_eq!((line.lost, line.late, line.restarts), (3, 3, 0));
+    assert_eq!((arrivals.lost, arrivals.late, arrivals.restarts), (3, 3, 0));
 }
 
 #[test]
 fn a_sender_that_begins_anew_is_believed_in_silence_only() {
-    let mut line = line();
+    let mut arrivals = Arrivals::default();
     for number in 1_000..1_010 {
-        line.arrive(number);
+        arrivals.arrive(number, false);
     }
-    line.hear(0);
-    assert!(!line.is_silent(1_000));
-    assert_eq!(line.arrive(0), Arrival::Late);
-    assert_eq!(line.arrive(1), Arrival::Late);
-    assert!(line.is_silent(20_000));
+    assert_eq!(arrivals.arrive(0, false), Arrival::Late);
+    assert_eq!(arrivals.arrive(1, false), Arrival::Late);
     // One of them alone may be an old one.
-    assert_eq!(line.arrive(2), Arrival::Late);
-    assert_eq!(line.arrive(3), Arrival::New);
-    assert_eq!(line.arrive(4), Arrival::New);
-    assert_eq!((line.restarts, line.late, line.lost), (1, 3, 0));
+    assert_eq!(arrivals.arrive(2, true), Arrival::Late);
+    assert_eq!(arrivals.arrive(3, true), Arrival::New);
+    assert_eq!(arrivals.arrive(4, true), Arrival::New);
+    assert_eq!((arrivals.restarts, arrivals.late, arrivals.lost), (1, 3, 0));
     // One that goes on where it was is believed at once.
-    assert_eq!(line.arrive(7), Arrival::New);
-    assert_eq!(line.lost, 2);
+    assert_eq!(arrivals.arrive(7, true), Arrival::New);
+    assert_eq!(arrivals.lost, 2);
 }
 
 #[test]
 fn counters_stay_at_their_largest_value() {
-    let mut line = line();
-    line.lost = u32::MAX - 1;
-    line.late = u32::MAX;
-    line.arrive(0);
-    line.arrive(30_000);
-    line.arrive(5);
-    assert_eq!((line.lost, line.late), (u32::MAX, u32::MAX));
+    let mut arrivals = Arrivals::default();
+    (arrivals.lost, arrivals.late) = (u32::MAX - 1, u32::MAX);
+    arrivals.arrive(0, false);
+    arrivals.arrive(30_000, false);
+    arrivals.arrive(5, false);
+    assert_eq!((arrivals.lost, arrivals.late), (u32::MAX, u32::MAX));
     let mut ticks = Ticks::new(1_000);
     ticks.missed = u32::MAX - 1;
     ticks.done = u32::MAX;

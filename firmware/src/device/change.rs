@@ -7,7 +7,6 @@ use super::refusal::Refusal;
 use super::settings::Settings;
 use super::store::Described;
 use crate::model::BoardModel;
-use crate::safety::Limits;
 use stiction_core::frame::Parameters;
 use stiction_core::{Description, Evolution, Hand, Output, Real, Solver, State, Wrench};
 
@@ -117,14 +116,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         settings.admit(&self.run.store.description())?;
         self.run.solver = settings.apply(self.run.solver.clone());
         self.settings = *settings;
-        let Limits {
-            silence_us,
-            period_us,
-            ..
-        } = settings.limits;
-        self.governor.set_limits(&settings.limits);
-        self.line.set_times(silence_us, period_us);
-        self.ticks.set_period(period_us);
+        self.demand.limits = Some(settings.limits);
         Ok(())
     }
 }

@@ -1,11 +1,12 @@
-//! One tick: is the sample new, what does the solver make of it, what force may go to the hand.
+//! One turn of the solver: is the sample new, what does the solver make of it, what force does it demand of the servo loop.
 
-use super::ports::Sample;
+use super::ports::{Actuators, Sample, Source};
 use super::refusal::Refusal;
+use super::servo::{Demand, LockServo};
 use super::settings::Settings;
 use super::store::{Described, Store};
 use crate::model::BoardModel;
-use crate::safety::{Arrival, Flags, Given, Governor, Health, Line, Ticks};
+use crate::safety::{Arrival, Arrivals, Flags, Health};
 use stiction_core::{
     Angle, Description, Event, Full, Hand, Output, Real, Solver, State, StateKind, Status, Wrench,
 };
@@ -37,9 +38,9 @@ impl Pose {
     }
 }
 
-/// What a tick gives.
+/// What a turn gives.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Tick {
+pub struct Turn {
     /// The solver's answer, where a sample came that is new, or the body was behind the hand and went on.
     pub output: Option<Output<f32>>,
     /// The last good pose.
@@ -48,6 +49,8 @@ pub struct Tick {
     pub force: Wrench<f32>,
     /// Why the force is what it is.
     pub flags: Flags,
+    /// A fault of the device lasts: no force until everything is reset, by a new controller.
+    pub latched: bool,
 }
 
 /// How the hand came to hold the body.
@@ -75,17 +78,15 @@ pub(super) struct Run<R: Real, const V: usize, const S: usize, M: BoardModel> {
     behind: bool,
 }
 
-/// The solver of a device with its safety: plain data, no hardware. V, S and M are those of the scene.
+/// The solver of a device, and what it demands of the servo loop: plain data, no hardware. V, S and M are those of the scene.
 #[derive(Clone, Debug)]
 pub struct Controller<R: Real, const V: usize, const S: usize, M: BoardModel = Full> {
     pub(super) settings: Settings,
     pub(super) run: Run<R, V, S, M>,
-    /// The force that the statics wants on the hand.
-    pub(super) wanted: Wrench<f32>,
-    held_last: bool,
-    pub(super) governor: Governor,
-    pub(super) line: Line,
-    pub(super) ticks: Ticks,
+    pub(super) demand: Demand,
+    arrivals: Arrivals,
+    /// At the end of the last turn.
+    silent: bool,
     health: Health,
 }
 
@@ -199,60 +200,63 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
             obstacles,
         };
         settings.check()?;
-        let limits = &settings.limits;
         Ok(Self {
             settings: *settings,
             run: Run::new(given, settings)?,
-            wanted: Wrench::default(),
-            held_last: false,
-            governor: Governor::new(limits),
-            line: Line::new(limits.silence_us, limits.period_us),
-            ticks: Ticks::new(limits.period_us),
+            demand: Demand::new(&settings.limits),
+            arrivals: Arrivals::default(),
+            silent: true,
             health: Health::default(),
         })
     }
 
-    /// One tick, at a time (µs, wrapping) of the device's clock, with a sample if one came.
-    pub fn tick(&mut self, now_us: u32, sample: Option<&Sample>) -> Tick {
-        let missed = self.ticks.tick(now_us);
+    /// One turn, with a sample if one came, after a tick of the servo loop or some: in the time of one of these, or longer.
+    pub fn turn<D: Source + Actuators>(
+        &mut self,
+        sample: Option<&Sample>,
+        servo: &mut impl LockServo<D>,
+    ) -> Turn {
         let output = sample
             .and_then(|sample| self.take(sample))
             .or_else(|| self.go_on());
-        let mut flags = Flags {
-            silent: self.line.is_silent(now_us),
-            held_last: self.held_last,
-            overrun: missed > u32::from(self.settings.limits.missed_ticks),
-            ..Flags::default()
+        let settled = servo.lock(|servo| servo.settle(&self.demand));
+        self.demand.taken();
+        self.silent = settled.flags.silent;
+        let Health {
+            ticks,
+            missed_ticks,
+            silences,
+            actuator_faults,
+            ..
+        } = settled.health;
+        self.health = Health {
+            ticks,
+            missed_ticks,
+            silences,
+            actuator_faults,
+            ..self.health
         };
-        let given = if flags.is_safe_state() {
-            self.governor.cut()
-        } else {
-            self.governor.toward(&self.wanted)
-        };
-        let Given { wrench, .. } = given;
-        flags.size_limited = given.size_limited;
-        flags.rate_limited = given.rate_limited;
-        flags.not_finite = given.not_finite;
-        Tick {
+        Turn {
             output,
             pose: self.run.pose,
-            force: wrench,
-            flags,
+            force: settled.force,
+            flags: settled.flags,
+            latched: settled.latched,
         }
     }
 
     /// A sample that is new goes to the solver.
     fn take(&mut self, sample: &Sample) -> Option<Output<f32>> {
-        if self.line.arrive(sample.number) == Arrival::Late {
+        if self.arrivals.arrive(sample.number, self.silent) == Arrival::Late {
             return None;
         }
         let output = self.run.step(&sample.hand);
         self.health.samples = self.health.samples.saturating_add(1);
-        self.held_last = is_held_last(output.status);
-        if self.held_last {
+        self.demand.held_last = is_held_last(output.status);
+        if self.demand.held_last {
             self.health.unusable_samples = self.health.unusable_samples.saturating_add(1);
         } else {
-            self.line.hear(sample.received_us);
+            self.demand.heard_us = Some(sample.received_us);
             self.want();
         }
         Some(output)
@@ -260,7 +264,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
 
     /// Without a new sample the body goes on after the last one, unless that one could not be used: then its pose is held.
     fn go_on(&mut self) -> Option<Output<f32>> {
-        if !self.settings.goes_on || self.held_last {
+        if !self.settings.goes_on || self.demand.held_last {
             return None;
         }
         let output = self.run.go_on()?;
@@ -271,14 +275,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
     /// The force of the present state.
     pub(super) fn want(&mut self) {
         let wrench = self.run.state.as_ref().map(|s| self.run.solver.wrench(s));
-        self.wanted = wrench.unwrap_or_default().feedback();
-    }
-
-    /// The force of a tick could not be given: it is zero, and grows from there again.
-    pub fn actuator_fault(&mut self, tick: &mut Tick) {
-        self.health.actuator_faults = self.health.actuator_faults.saturating_add(1);
-        tick.force = self.governor.cut().wrench;
-        tick.flags.actuator_fault = true;
+        self.demand.wrench = wrench.unwrap_or_default().feedback();
     }
 
     /// A step took so long, in any unit: the longest one is kept.
@@ -286,15 +283,12 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         self.health.worst_step = self.health.worst_step.max(step);
     }
 
-    /// What has been counted.
+    /// What has been counted until the end of the last turn.
     pub fn health(&self) -> Health {
         Health {
-            ticks: self.ticks.done,
-            missed_ticks: self.ticks.missed,
-            late_samples: self.line.late,
-            lost_samples: self.line.lost,
-            restarts: self.line.restarts,
-            silences: self.line.silences,
+            late_samples: self.arrivals.late,
+            lost_samples: self.arrivals.lost,
+            restarts: self.arrivals.restarts,
             ..self.health
         }
     }
@@ -331,8 +325,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Controlle
         if let Ok(run) = store.with_given(|given| Run::new(given, &self.settings)) {
             self.run = run;
         }
-        self.wanted = Wrench::default();
-        self.held_last = false;
-        let _ = self.governor.cut();
+        self.demand.wrench = Wrench::default();
+        self.demand.held_last = false;
+        self.demand.cut = true;
     }
 }

@@ -3,9 +3,14 @@
 /// Differences beyond this are of a clock that went backwards.
 const HALF: u32 = 1 << 31;
 
-/// From one tick to the next (µs): where more passes, one is missing. A tick may be late by half a period.
-pub(super) fn latest(period_us: u32) -> u32 {
-    period_us.saturating_add(period_us / 2)
+/// A tick may be late by so much (µs): half a period.
+pub(crate) fn lateness(period_us: u32) -> u32 {
+    period_us / 2
+}
+
+/// From one tick to the next (µs): where more passes, one is missing.
+pub(crate) fn latest(period_us: u32) -> u32 {
+    period_us.saturating_add(lateness(period_us))
 }
 
 /// Counts ticks.
@@ -30,10 +35,9 @@ impl Ticks {
         }
     }
 
-    /// Another period (µs), from the next tick on. The counts go on.
+    /// Another period (µs), from the last tick on. The counts go on.
     pub fn set_period(&mut self, period_us: u32) {
         self.period_us = period_us;
-        self.last_us = None;
     }
 
     /// A tick at a time (µs, wrapping) of the device: how many are missing between the one before and this one, to the
@@ -49,8 +53,9 @@ impl Ticks {
         if elapsed >= HALF || elapsed < latest(self.period_us) {
             return 0;
         }
-        let half = self.period_us / 2;
-        let periods = elapsed.saturating_add(half).checked_div(self.period_us);
+        let periods = elapsed
+            .saturating_add(lateness(self.period_us))
+            .checked_div(self.period_us);
         let missed = periods.unwrap_or(0).saturating_sub(1);
         self.missed = self.missed.saturating_add(missed);
         missed

@@ -16,9 +16,9 @@ use stiction_core::{Output, Real, SurfaceDescription};
 pub(super) enum Next {
     /// The next one.
     More,
-    /// Nothing more in this tick.
+    /// Nothing more in this turn.
     Enough,
-    /// Nothing more in this tick, and the faults of the line are forgotten.
+    /// Nothing more in this turn, and the faults of the line are forgotten.
     Anew,
 }
 
@@ -175,7 +175,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             .set_settings(&self.setup.settings(mode))
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
         self.mode = *mode;
-        self.bytes_per_tick = self.setup.bytes_per_tick(mode);
+        self.bytes_per_turn = self.setup.bytes_per_turn(mode);
         self.intake.look_at(mode.plane);
         self.told.count_anew();
         Ok(())
@@ -188,7 +188,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.controller = Controller::among(&self.setup.scene, self.obstacles, &settings)
             .map_err(|refusal| Trouble::of::<V, S, M>(&refusal))?;
         self.mode = mode;
-        self.bytes_per_tick = self.setup.bytes_per_tick(&mode);
+        self.bytes_per_turn = self.setup.bytes_per_turn(&mode);
         self.intake = Intake::new(&mode);
         self.told = Told::new();
         self.outbox.unsent = 0;

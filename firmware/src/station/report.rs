@@ -2,7 +2,7 @@
 //! what it says of itself when asked (5.5).
 
 use super::{Desk, Link};
-use crate::device::Tick;
+use crate::device::Turn;
 use crate::model::BoardModel;
 use stiction_core::frame::{
     Drive, EventSet, Events, Faults, Forces, Health, Info, List, Pose, Report, Text,
@@ -105,20 +105,20 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
     }
 
     /// What is due after a step.
-    pub(super) fn tell_step(&mut self, tick: &Tick, now_us: u32, link: &mut impl Link) {
+    pub(super) fn tell_step(&mut self, turn: &Turn, now_us: u32, link: &mut impl Link) {
         if due(&mut self.told.since_pose, self.mode.pose_every) {
-            let pose = Report::Pose(self.pose(tick));
+            let pose = Report::Pose(self.pose(turn));
             if self.say(now_us, pose, link) {
                 self.told.events = EventSet::default();
             }
         }
         if due(&mut self.told.since_forces, self.mode.forces_every) {
-            self.tell_forces(tick, now_us, link);
+            self.tell_forces(turn, now_us, link);
         }
     }
 
-    fn pose(&self, tick: &Tick) -> Pose {
-        let pose = &tick.pose;
+    fn pose(&self, turn: &Turn) -> Pose {
+        let pose = &turn.pose;
         Pose {
             position: pose.position,
             rest: pose.angle.rest,
@@ -126,27 +126,27 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             turns: u8::try_from(pose.angle.turns.rem_euclid(8)).unwrap_or(0),
             depth: pose.depth,
             state: pose.state,
-            status: if tick.flags.silent {
+            status: if turn.flags.silent {
                 Status::HeldLast
             } else {
                 self.told.status
             },
             held: pose.held,
-            force_off: self.latched || tick.flags.is_safe_state(),
+            force_off: self.latched || turn.flags.is_safe_state(),
             events: self.told.events,
             sample: self.told.sample,
         }
     }
 
     #[inline(never)]
-    fn tell_forces(&mut self, tick: &Tick, now_us: u32, link: &mut impl Link) {
+    fn tell_forces(&mut self, turn: &Turn, now_us: u32, link: &mut impl Link) {
         let solver = self.controller.solver();
         let state = self.controller.state();
         let contacts = state.map(|state| solver.contacts(state));
         let forces = Forces {
             wrench: state.map(|state| solver.wrench(state)).unwrap_or_default(),
-            feedback: tick.force,
-            turns: tick.pose.angle.turns,
+            feedback: turn.force,
+            turns: turn.pose.angle.turns,
             contacts: List::from(contacts.as_deref().unwrap_or_default()),
         };
         let outbox = &mut self.outbox;

@@ -147,15 +147,15 @@ impl Setup {
         poses.saturating_add(forces).saturating_add(health)
     }
 
-    /// So many bytes are taken from the line in a tick, at most: what comes in one, twice, so that a queue becomes shorter,
+    /// So many bytes are taken from the line in a turn, at most: what comes in a tick, twice, so that a queue becomes shorter,
     /// and the longest sample.
-    pub(super) fn bytes_per_tick(&self, mode: &Mode) -> u32 {
+    pub(super) fn bytes_per_turn(&self, mode: &Mode) -> u32 {
         let ticks = u32::from(mode.tick_rate).max(1);
         let arriving = self.line_rate.checked_div(ticks).unwrap_or(0);
         arriving.saturating_mul(2).saturating_add(64)
     }
 
-    /// The settings of the control loop in a mode.
+    /// The settings of the device's loops in a mode.
     pub(super) fn settings(&self, mode: &Mode) -> Settings {
         let in_tick = |in_second: u32| {
             in_second

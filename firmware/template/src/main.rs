@@ -9,7 +9,7 @@ mod board;
 mod setup;
 
 use setup::{OBSTACLES, Program, SETUP};
-use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::line::{Line, Micros};
 use stiction_firmware::pace::Pace;
 
@@ -27,13 +27,13 @@ fn main() -> ! {
         loop {}
     };
     // Where the hand is measured, and where forces go: the traits `Source` and `Actuators`.
-    let mut device = (FromLine, NoActuators);
+    let mut servo = Servo::new((FromLine, NoActuators));
     let mut pace = Pace::new(SETUP.mode.tick_rate, now_us());
     let mut clock = Micros(now_us);
     loop {
         if pace.is_due(now_us()) {
             let mut line = LINE.link(&mut clock, board::wake);
-            program.tick(now_us(), &mut line, &mut device);
+            program.tick(now_us(), &mut line, &mut servo);
             pace.set_rate(program.mode().tick_rate);
             watchdog.feed();
         }

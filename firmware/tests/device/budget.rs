@@ -3,7 +3,7 @@
 use super::{Bench, Device, deep};
 use crate::common::BOX;
 use stiction_core::{Fixed, Hand, Real, Solver, Status, Wrench};
-use stiction_firmware::device::{Settings, Tick};
+use stiction_firmware::device::{Settings, Turn};
 
 /// The box is dragged far in one sample, pressed down as it is; it is there before silence is noticed.
 fn far() -> Hand<f32> {
@@ -19,7 +19,7 @@ fn least() -> Settings {
 }
 
 /// Pressed down and dragged.
-fn dragged<R: Real<Si = f32>>(settings: &Settings) -> (Bench<R>, Tick) {
+fn dragged<R: Real<Si = f32>>(settings: &Settings) -> (Bench<R>, Turn) {
     let mut bench = Bench::with(&BOX, settings);
     bench.pressed(deep());
     let tick = bench.sample(far());

@@ -54,8 +54,10 @@ fn same_parameters_change_nothing<R: Real<Si = f32>>(hands: &[Hand<f32>]) {
             number: bench.number.wrapping_add(1),
             received_us: bench.now_us,
         };
-        let tick = |mut controller: Device<R>| controller.tick(bench.now_us, Some(&sample));
-        let (there, here) = (tick(unchanged.clone()), tick(bench.controller.clone()));
+        let mut servo = bench.servo.clone();
+        servo.tick(bench.now_us);
+        let turn = |mut controller: Device<R>| controller.turn(Some(&sample), &mut servo.clone());
+        let (there, here) = (turn(unchanged.clone()), turn(bench.controller.clone()));
         assert_eq!(
             (here.pose.state, here.pose.held),
             (there.pose.state, there.pose.held)

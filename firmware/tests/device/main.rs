@@ -1,10 +1,12 @@
-//! The control loop: silence, drop-outs, recovery, counters, what is refused.
+//! The loops of a device: silence, drop-outs, recovery, counters, what is refused.
 
 use stiction_core::{
     Angle, Description, Evolution, Fixed, Hand, Real, Scene, Solver, Status, SurfaceDescription,
     Wrench,
 };
-use stiction_firmware::device::{Controller, Parameters, Refusal, Sample, Settings};
+use stiction_firmware::device::{
+    Controller, FromLine, NoActuators, Parameters, Refusal, Sample, Servo, Settings, Turn,
+};
 use stiction_firmware::safety::{LimitParameter, Limits, Passivity};
 
 mod budget;
@@ -20,6 +22,7 @@ type Device<R = f32> = Controller<R, 4, 2>;
 /// A device with a sender at 1 kHz.
 struct Bench<R: Real> {
     controller: Device<R>,
+    servo: Servo<(FromLine, NoActuators)>,
     now_us: u32,
     number: u16,
 }
@@ -31,13 +34,14 @@ impl<R: Real<Si = f32>> Bench<R> {
     fn with(description: &Description<'_, f32>, settings: &Settings) -> Self {
         Self {
             controller: Controller::new(description, settings).unwrap(),
+            servo: Servo::new((FromLine, NoActuators)),
             // The clock wraps on the way.
             now_us: u32::MAX - 50_000,
             number: 65_500,
         }
     }
-    /// The next tick, with a sample.
-    fn sample(&mut self, hand: Hand<f32>) -> stiction_firmware::device::Tick {
+    /// The next tick and its turn, with a sample.
+    fn sample(&mut self, hand: Hand<f32>) -> Turn {
         self.number = self.number.wrapping_add(1);
         let sample = Sample {
             hand,
@@ -46,14 +50,14 @@ impl<R: Real<Si = f32>> Bench<R> {
         };
         self.tick(Some(&sample))
     }
-    /// The next tick.
-    fn tick(&mut self, sample: Option<&Sample>) -> stiction_firmware::device::Tick {
-        let tick = self.controller.tick(self.now_us, sample);
+    /// The next tick and its turn.
+    fn tick(&mut self, sample: Option<&Sample>) -> Turn {
+        self.servo.tick(self.now_us);
         self.now_us = self.now_us.wrapping_add(1_000);
-        tick
+        self.controller.turn(sample, &mut self.servo)
     }
     /// The hand presses and stays until the force has settled.
-    fn pressed(&mut self, hand: Hand<f32>) -> stiction_firmware::device::Tick {
+    fn pressed(&mut self, hand: Hand<f32>) -> Turn {
         for _ in 0..100 {
             self.sample(hand);
         }

@@ -20,9 +20,13 @@ const SAME: Parameters = Parameters {
     memory: None,
 };
 
+/// No device.
+type Nothing = Servo<(FromLine, NoActuators)>;
+
 /// Pressed onto the floor and pulled along it, and what the device says then.
-fn pulled<R: Real<Si = f32>>() -> (Controller<R, 1, 1>, Sample) {
+fn pulled<R: Real<Si = f32>>() -> (Controller<R, 1, 1>, Nothing, Sample) {
     let mut controller = Controller::new(&POINT, &Settings::default()).expect("a sound scene");
+    let mut servo = Servo::new((FromLine, NoActuators));
     let mut sample = Sample {
         hand: Hand::new(0.003, 0.03, 0.1),
         number: 0,
@@ -31,18 +35,20 @@ fn pulled<R: Real<Si = f32>>() -> (Controller<R, 1, 1>, Sample) {
     for number in 1..100 {
         sample.number = number;
         sample.received_us = 1_000 * u32::from(number);
-        controller.tick(sample.received_us, Some(&sample));
+        servo.tick(sample.received_us);
+        controller.turn(Some(&sample), &mut servo);
     }
-    (controller, sample)
+    (controller, servo, sample)
 }
 
 fn changes_keep_the_pose<R: Real<Si = f32>>() {
-    let (controller, mut sample) = pulled::<R>();
+    let (controller, servo, mut sample) = pulled::<R>();
     sample.number += 1;
     sample.received_us += 1_000;
     let next = |controller: &Controller<R, 1, 1>| {
-        let mut controller = controller.clone();
-        controller.tick(sample.received_us, Some(&sample))
+        let (mut controller, mut servo) = (controller.clone(), servo.clone());
+        servo.tick(sample.received_us);
+        controller.turn(Some(&sample), &mut servo)
     };
     let there = next(&controller);
     assert!(there.pose.held && size(&there.force) > 4.0, "{there:?}");

@@ -38,7 +38,7 @@ fn run(seed: u64, per_byte: u64, frames: u32) {
         let wire = rig.client.encode(Command::Hand(hand(number)));
         let arrived = garbled(&mut random, &wire, per_byte);
         rig.line.to_board.extend(arrived);
-        rig.station.tick(rig.now_us, &mut rig.line, &mut rig.device);
+        rig.station.tick(rig.now_us, &mut rig.line, &mut rig.servo);
         rig.now_us = rig.now_us.wrapping_add(1_000);
         let answers = std::mem::take(&mut rig.line.from_board);
         at_board.listen(&answers);

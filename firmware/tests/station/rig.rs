@@ -8,7 +8,7 @@ use stiction_core::frame::{
     frame_bytes, scene_bytes,
 };
 use stiction_core::{Full, Hand, Real, Wrench};
-use stiction_firmware::device::{Actuators, FromLine, NoActuators, Source};
+use stiction_firmware::device::{Actuators, FromLine, NoActuators, Servo, Source};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::{Limits, Passivity};
 use stiction_firmware::station::{Link, Setup, Station};
@@ -82,7 +82,7 @@ pub(crate) struct Rig<R: Real = f32, M: BoardModel = Full, D = Nothing, const N:
     pub(crate) station: Station<R, V, S, M, N>,
     pub(crate) client: Client,
     pub(crate) line: Line,
-    pub(crate) device: D,
+    pub(crate) servo: Servo<D>,
     pub(crate) now_us: u32,
     pub(crate) force: Wrench<f32>,
 }
@@ -109,7 +109,7 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
                 taken: 0,
                 ns: u32::MAX - 10_000,
             },
-            device,
+            servo: Servo::new(device),
             // The clock wraps on the way.
             now_us: u32::MAX - 50_000,
             force: Wrench::default(),
@@ -124,12 +124,12 @@ impl<R: Real<Si = f32>, M: BoardModel, D: Source + Actuators, const N: usize> Ri
         sequence
     }
 
-    /// The next tick of the board's clock.
+    /// The next tick of the board's clock, and its turn.
     pub(crate) fn tick(&mut self) -> Wrench<f32> {
         self.line.taken = 0;
         self.force = self
             .station
-            .tick(self.now_us, &mut self.line, &mut self.device);
+            .tick(self.now_us, &mut self.line, &mut self.servo);
         let period_us = 1_000_000 / u32::from(self.station.mode().tick_rate);
         self.now_us = self.now_us.wrapping_add(period_us);
         let bytes = std::mem::take(&mut self.line.from_board);

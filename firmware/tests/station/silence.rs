@@ -126,24 +126,24 @@ impl Actuators for Motors {
 fn with_motors() -> Rig<f32, Full, (FromLine, Motors)> {
     let mut rig = Rig::with(driven(), (FromLine, Motors::default()));
     rig.stay(DEEP, 50);
-    assert!(size(&rig.force) > 2.0 && rig.device.1.given == rig.force);
+    assert!(size(&rig.force) > 2.0 && rig.servo.device.1.given == rig.force);
     rig
 }
 
 #[test]
 fn a_force_that_cannot_be_given_for_once_is_none_and_grows_again() {
     let mut rig = with_motors();
-    rig.device.1.broken = Some(Outage::Passing);
+    rig.servo.device.1.broken = Some(Outage::Passing);
     for _ in 0..5 {
         assert_eq!(rig.hand(DEEP), Wrench::default());
-        assert_eq!(rig.device.1.given, Wrench::default());
+        assert_eq!(rig.servo.device.1.given, Wrench::default());
         assert!(rig.pose().force_off);
         assert_eq!(rig.health().drive, Drive::Silent);
     }
-    rig.device.1.broken = None;
+    rig.servo.device.1.broken = None;
     assert!(size(&rig.hand(DEEP)) <= 0.1 + 1e-5);
     rig.stay(DEEP, 50);
-    assert!(size(&rig.device.1.given) > 2.0);
+    assert!(size(&rig.servo.device.1.given) > 2.0);
     assert_eq!(rig.health().drive, Drive::On);
 }
 
@@ -154,18 +154,18 @@ fn in_the_safe_state_the_actuators_are_off() {
         rig.tick();
     }
     assert_eq!(rig.health().drive, Drive::Silent);
-    assert_eq!(rig.device.1.given, Wrench::default());
+    assert_eq!(rig.servo.device.1.given, Wrench::default());
 }
 
 #[test]
 fn after_a_fault_there_is_no_force_until_everything_is_reset() {
     let mut rig = with_motors();
-    rig.device.1.broken = Some(Outage::Lasting);
+    rig.servo.device.1.broken = Some(Outage::Lasting);
     rig.hand(DEEP);
-    rig.device.1.broken = None;
+    rig.servo.device.1.broken = None;
     for _ in 0..20 {
         assert_eq!(rig.hand(DEEP), Wrench::default());
-        assert_eq!(rig.device.1.given, Wrench::default());
+        assert_eq!(rig.servo.device.1.given, Wrench::default());
     }
     let pose = rig.pose();
     assert!(

@@ -4,6 +4,7 @@ use rp2040_emu::core::CortexM0Plus;
 use rp2040_emu::{Config, Emulator, ROM_SIZE};
 
 use crate::bus::{Fabric, Own, TIMER};
+use crate::handlers::{FIRST_INTERRUPT, Handlers};
 
 /// Where the flash begins.
 pub const FLASH: u32 = 0x1000_0000;
@@ -16,8 +17,6 @@ pub const VECTORS: u32 = 0x100;
 const ALARMS: u32 = TIMER + 0x40;
 /// The interrupt of the serial line.
 const UART0_INTERRUPT: u8 = 20;
-/// Exceptions of interrupts begin here.
-const FIRST_INTERRUPT: u32 = 16;
 
 /// The chip. Its clock counts cycles from power-up on, and goes on when the chip is reset.
 pub struct Chip {
@@ -31,6 +30,7 @@ pub struct Chip {
     resets: u32,
     /// Of its pins, by what is connected to them.
     levels: u32,
+    handlers: Handlers,
 }
 
 impl std::fmt::Debug for Chip {
@@ -59,6 +59,7 @@ impl Chip {
             reset_at: 0,
             resets: 0,
             levels: 0,
+            handlers: Handlers::new(),
         };
         chip.boot();
         chip
@@ -80,6 +81,11 @@ impl Chip {
     /// How often the watchdog has reset it.
     pub const fn resets(&self) -> u32 {
         self.resets
+    }
+
+    /// The longest time since power-up that the handler of an interrupt took, with all that interrupted it (cycles).
+    pub const fn longest(&self, interrupt: u32) -> u64 {
+        self.handlers.longest(interrupt)
     }
 
     /// Bytes come over the serial line from now on.
@@ -219,6 +225,9 @@ impl Chip {
         let after = cores[0].regs.pc();
         let length = self.instruction(at).map_or(2, length);
         cycles -= u64::from(after != at + length && cycles > 1);
+        if is_active != active {
+            (self.handlers).pass([active, is_active], self.own.now, cycles);
+        }
         self.pass(cycles);
         if self.own.is_touched || is_active != active || self.own.now >= self.next {
             self.settle();

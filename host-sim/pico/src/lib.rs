@@ -12,6 +12,7 @@
 mod board;
 mod bus;
 mod chip;
+mod handlers;
 mod uart;
 mod watchdog;
 

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use stiction_core::frame::{Mode, NumberType, frame_bytes, scene_bytes};
 use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription};
-use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
 
@@ -115,13 +115,13 @@ fn serve<R: Real<Si = f32>>(
         came: VecDeque::new(),
         begun,
     };
-    let (mut due, mut device) = (begun, (FromLine, NoActuators));
+    let (mut due, mut servo) = (begun, Servo::new((FromLine, NoActuators)));
     while wanted.load(Ordering::Relaxed) && !pulled.swap(false, Ordering::Relaxed) {
         if !line.listen() {
             return;
         }
         let now_us = begun.elapsed().as_micros() as u32;
-        station.tick(now_us, &mut line, &mut device);
+        station.tick(now_us, &mut line, &mut servo);
         due += Duration::from_millis(1);
         thread::sleep(due.saturating_duration_since(Instant::now()));
     }

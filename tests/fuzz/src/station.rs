@@ -7,7 +7,7 @@ use stiction_core::frame::{
     Decoder, Mode, NumberType, ReportAmong, Sequence, frame_bytes, obstacle_bytes, scene_bytes,
 };
 use stiction_core::{Description, Fixed, Full, Real, SurfaceDescription, WithObstacles};
-use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::model::BoardModel;
 use stiction_firmware::safety::Limits;
 use stiction_firmware::station::{Link, Setup, Station};
@@ -79,13 +79,13 @@ fn hears<R: Real<Si = f32>, M: BoardModel, const N: usize>(setup: &'static Setup
     let mut station = station.expect("a sound setup");
     let mut line = Line::new(traffic);
     let (mut now_us, limits) = (0u32, &setup.limits);
-    let (mut tick, mut device) = (0u32, (FromLine, NoActuators));
+    let (mut tick, mut servo) = (0u32, Servo::new((FromLine, NoActuators)));
     // Until all is heard, and then for as long as the longest silence that still has a force.
     let mut left = 1 + limits.silence_us / limits.period_us;
     while left > 0 {
         now_us = now_us.wrapping_add(limits.period_us);
         tick += 1;
-        let wrench = station.tick(now_us, &mut line, &mut device);
+        let wrench = station.tick(now_us, &mut line, &mut servo);
         let [x, y] = wrench.force;
         // A rounding is none of its business.
         let within = |size: f32, limit: f32| size <= limit * (1.0 + 1e-6);

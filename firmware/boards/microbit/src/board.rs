@@ -14,7 +14,7 @@ use nrf51_hal::wdt::{self, WatchdogHandle};
 use stiction_firmware::device::{FromLine, NoActuators};
 use stiction_firmware::line::{self, Line};
 
-use crate::work::{Program, Work};
+use crate::work::{SharedClock, SharedServo};
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
@@ -32,22 +32,21 @@ pub(crate) type Device = (FromLine, NoActuators);
 /// What the tasks work with.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
-    pub(crate) work: Work,
+    pub(crate) clock: SharedClock,
+    pub(crate) servo: SharedServo,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Everything running for a program.
-    pub(crate) fn start(device: pac::Peripherals, program: Program) -> Self {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(device: pac::Peripherals, rate: u16) -> Self {
         // The crystal: the oscillator inside is too far off for a serial line.
         let _ = Clocks::new(device.CLOCK).enable_ext_hfosc();
         Self {
             uart: Uart::new(device.UART0, &device.GPIO),
-            work: Work {
-                clock: Clock::new(device.TIMER0, program.mode().tick_rate),
-                watchdog: Watchdog::new(device.WDT),
-                device: (FromLine, NoActuators),
-                program,
-            },
+            clock: SharedClock(Clock::new(device.TIMER0, rate)),
+            watchdog: Watchdog::new(device.WDT),
+            servo: SharedServo::new((FromLine, NoActuators)),
         }
     }
 }

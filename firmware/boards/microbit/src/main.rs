@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! priority 3  UART0    a byte in, a byte out, by bounded queues; 6 bytes wait in the receiver, 0.5 ms
-//! priority 2  TIMER0   the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
+//! priority 2  TIMER0   the tick: hand measured -> safety -> force
+//! priority 1  SWI0     a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
 //! idle                 logs
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -30,13 +31,13 @@ fn main() {
 #[rtic::app(device = nrf51_hal::pac, peripherals = true)]
 mod app {
     use crate::board::{self, Board, Uart};
-    use crate::work::{self, SCENE, Work};
+    use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
     use nrf51_hal::pac::Interrupt;
     use stiction_core::Evolution;
-    use stiction_core::frame::{Mode, NumberType};
+    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
-    use stiction_firmware::station::Setup;
+    use stiction_firmware::station::{SceneType, Setup};
 
     /// Ticks of a second.
     const RATE: u16 = 200;
@@ -46,7 +47,7 @@ mod app {
 
     static SETUP: Setup = Setup {
         name: "microbit",
-        number: NumberType::Fixed,
+        number: CompiledScene::NUMBER,
         line_rate: board::BAUD / 10,
         fastest_tick: 500,
         work_rate: WORK_RATE,
@@ -66,7 +67,10 @@ mod app {
     static LINE: Line<ROOM> = Line::new();
 
     #[shared]
-    struct Shared {}
+    struct Shared {
+        clock: SharedClock,
+        servo: SharedServo,
+    }
 
     #[local]
     struct Local {
@@ -76,8 +80,15 @@ mod app {
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Board { uart, work } = Board::start(cx.device, work::program(&SETUP));
-        (Shared {}, Local { uart, work })
+        let program = work::program(&SETUP);
+        let Board {
+            uart,
+            clock,
+            servo,
+            watchdog,
+        } = Board::start(cx.device, SETUP.mode.tick_rate);
+        let work = Work { program, watchdog };
+        (Shared { clock, servo }, Local { uart, work })
     }
 
     /// What comes first is what must not wait.
@@ -86,9 +97,18 @@ mod app {
         cx.local.uart.serve(&LINE);
     }
 
-    #[task(binds = TIMER0, priority = 2, local = [work])]
+    #[task(binds = TIMER0, priority = 2, shared = [clock, servo])]
     fn tick(cx: tick::Context) {
-        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::UART0));
+        work::tick(cx.shared.clock, cx.shared.servo);
+        rtic::pend(Interrupt::SWI0);
+    }
+
+    /// By an interrupt that nothing else uses.
+    #[task(binds = SWI0, priority = 1, shared = [clock, servo], local = [work])]
+    fn turn(cx: turn::Context) {
+        let turn::SharedResources { clock, servo, .. } = cx.shared;
+        let wake = || rtic::pend(Interrupt::UART0);
+        cx.local.work.turn(clock, servo, &LINE, wake);
     }
 
     #[idle]

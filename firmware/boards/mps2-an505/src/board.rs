@@ -17,7 +17,7 @@ use cortex_m_rt as _;
 use stiction_firmware::device::{FromLine, NoActuators};
 use stiction_firmware::line::{self, Line};
 
-use crate::work::{Program, Work};
+use crate::work::{SharedClock, SharedServo};
 
 /// Of the serial line that the Pico 2 has; this one has no rate.
 pub(crate) const BAUD: u32 = 921_600;
@@ -36,9 +36,12 @@ pub(crate) mod chip {
     /// The interrupts that are used.
     #[derive(Clone, Copy)]
     #[repr(u16)]
+    #[allow(clippy::upper_case_acronyms)]
     pub(crate) enum Interrupt {
         /// Receiver and sender.
         UART0 = 42,
+        /// Of a line that is not used: for turns.
+        SPARE = 43,
     }
 
     pub(crate) use Interrupt as interrupt;
@@ -63,16 +66,18 @@ pub(crate) mod chip {
     unsafe extern "C" {
         fn DefaultHandler();
         fn UART0();
+        fn SPARE();
     }
 
-    const LAST: usize = Interrupt::UART0 as usize;
+    const LAST: usize = Interrupt::SPARE as usize;
 
     /// Where the processor finds the interrupts.
     #[unsafe(link_section = ".vector_table.interrupts")]
     #[unsafe(no_mangle)]
     static __INTERRUPTS: [unsafe extern "C" fn(); LAST + 1] = {
         let mut vectors = [DefaultHandler as unsafe extern "C" fn(); LAST + 1];
-        vectors[LAST] = UART0;
+        vectors[Interrupt::UART0 as usize] = UART0;
+        vectors[LAST] = SPARE;
         vectors
     };
 }
@@ -83,20 +88,19 @@ pub(crate) type Device = (FromLine, NoActuators);
 /// What the tasks work with.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
-    pub(crate) work: Work,
+    pub(crate) clock: SharedClock,
+    pub(crate) servo: SharedServo,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Everything running for a program.
-    pub(crate) fn start(systick: SYST, program: Program) -> Self {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(systick: SYST, rate: u16) -> Self {
         Self {
             uart: Uart::start(),
-            work: Work {
-                clock: Clock::start(systick, program.mode().tick_rate),
-                watchdog: Watchdog,
-                device: (FromLine, NoActuators),
-                program,
-            },
+            clock: SharedClock(Clock::start(systick, rate)),
+            watchdog: Watchdog,
+            servo: SharedServo::new((FromLine, NoActuators)),
         }
     }
 }

@@ -3,7 +3,8 @@
 //!
 //! ```text
 //! priority 3  UART0    a byte in, a byte out, by bounded queues
-//! priority 2  SysTick  the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
+//! priority 2  SysTick  the tick: hand measured -> safety -> force
+//! priority 1  SPARE    a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
 //! idle                 logs
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -36,15 +37,15 @@ mod app {
     use crate::board::chip::Interrupt;
     use crate::board::{self, Board, Uart};
     use crate::speed;
-    use crate::work::{self, SCENE, Work};
-    use stiction_core::frame::{Mode, NumberType};
+    use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
+    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
-    use stiction_firmware::station::Setup;
+    use stiction_firmware::station::{SceneType, Setup};
 
     static SETUP: Setup = Setup {
         name: "mps2-an505",
-        number: NumberType::F32,
+        number: CompiledScene::NUMBER,
         line_rate: board::BAUD / 10,
         fastest_tick: speed::FASTEST_TICK,
         work_rate: speed::WORK_RATE,
@@ -60,7 +61,10 @@ mod app {
     static LINE: Line<ROOM> = Line::new();
 
     #[shared]
-    struct Shared {}
+    struct Shared {
+        clock: SharedClock,
+        servo: SharedServo,
+    }
 
     #[local]
     struct Local {
@@ -70,8 +74,15 @@ mod app {
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Board { uart, work } = Board::start(cx.core.SYST, work::program(&SETUP));
-        (Shared {}, Local { uart, work })
+        let program = work::program(&SETUP);
+        let Board {
+            uart,
+            clock,
+            servo,
+            watchdog,
+        } = Board::start(cx.core.SYST, SETUP.mode.tick_rate);
+        let work = Work { program, watchdog };
+        (Shared { clock, servo }, Local { uart, work })
     }
 
     /// What comes first is what must not wait.
@@ -80,9 +91,18 @@ mod app {
         cx.local.uart.serve(&LINE);
     }
 
-    #[task(binds = SysTick, priority = 2, local = [work])]
+    #[task(binds = SysTick, priority = 2, shared = [clock, servo])]
     fn tick(cx: tick::Context) {
-        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::UART0));
+        work::tick(cx.shared.clock, cx.shared.servo);
+        rtic::pend(Interrupt::SPARE);
+    }
+
+    /// By an interrupt that nothing else uses.
+    #[task(binds = SPARE, priority = 1, shared = [clock, servo], local = [work])]
+    fn turn(cx: turn::Context) {
+        let turn::SharedResources { clock, servo, .. } = cx.shared;
+        let wake = || rtic::pend(Interrupt::UART0);
+        cx.local.work.turn(clock, servo, &LINE, wake);
     }
 
     #[idle]

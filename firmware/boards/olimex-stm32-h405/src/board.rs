@@ -25,7 +25,7 @@ mod pantograph;
 pub(crate) use pantograph::Device;
 
 use crate::stop::stop;
-use crate::work::{Program, Work};
+use crate::work::{SharedClock, SharedServo};
 use cortex_m::peripheral::SYST;
 use cortex_m::peripheral::syst::SystClkSource;
 use embedded_hal_nb::serial::{Read, Write};
@@ -55,12 +55,14 @@ pub(crate) type Device = (FromLine, NoActuators);
 /// What the tasks work with.
 pub(crate) struct Board {
     pub(crate) uart: Uart,
-    pub(crate) work: Work,
+    pub(crate) clock: SharedClock,
+    pub(crate) servo: SharedServo,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Everything running for a program, and no motor driven.
-    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, program: Program) -> Self {
+    /// Everything running, with so many ticks a second, and no motor driven.
+    pub(crate) fn start(device: pac::Peripherals, mut systick: SYST, rate: u16) -> Self {
         prime(&device.RCC);
         let config = Config::hse(8.MHz())
             .sysclk(CORE.Hz())
@@ -72,7 +74,7 @@ impl Board {
         device.TIM5.cr1().modify(|_, w| w.cen().set_bit());
 
         systick.set_clock_source(SystClkSource::Core);
-        let clock = Clock::start(device.TIM5, systick, program.mode().tick_rate);
+        let clock = Clock::start(device.TIM5, systick, rate);
 
         let a = device.GPIOA.split(&mut rcc);
         let config = serial::Config::default().baudrate(BAUD.bps());
@@ -108,12 +110,9 @@ impl Board {
         actuators_on();
         Self {
             uart: Uart { tx, rx },
-            work: Work {
-                clock,
-                watchdog: Watchdog(watchdog),
-                device: own,
-                program,
-            },
+            clock: SharedClock(clock),
+            servo: SharedServo::new(own),
+            watchdog: Watchdog(watchdog),
         }
     }
 }

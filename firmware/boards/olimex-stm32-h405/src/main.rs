@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! priority 3  USART2   a byte in, a byte out, by bounded queues; some 50 instructions, or at 921600 baud bytes are lost
-//! priority 2  SysTick  the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
+//! priority 2  SysTick  the tick: hand measured -> safety -> force
+//! priority 1  EXTI0    a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
 //! idle                 logs
 //! ```
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -43,10 +44,10 @@ mod device {
 mod app {
     use crate::board::{self, Board, Uart};
     use crate::device::{LIMITS, PASSIVITY};
-    use crate::work::{self, SCENE, Work};
-    use stiction_core::frame::{Mode, NumberType};
+    use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
+    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
-    use stiction_firmware::station::Setup;
+    use stiction_firmware::station::{SceneType, Setup};
     use stm32f4xx_hal::pac::Interrupt;
 
     /// Units of work of a second: one takes 630 cycles at most in a long step (host-sim/README.md, at 2 cycles of an instruction).
@@ -55,7 +56,7 @@ mod app {
 
     static SETUP: Setup = Setup {
         name: "olimex-stm32-h405",
-        number: NumberType::F32,
+        number: CompiledScene::NUMBER,
         line_rate: board::BAUD / 10,
         fastest_tick: 5_000,
         work_rate: WORK_RATE,
@@ -71,7 +72,10 @@ mod app {
     static LINE: Line<ROOM> = Line::new();
 
     #[shared]
-    struct Shared {}
+    struct Shared {
+        clock: SharedClock,
+        servo: SharedServo,
+    }
 
     #[local]
     struct Local {
@@ -81,8 +85,15 @@ mod app {
 
     #[init]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Board { uart, work } = Board::start(cx.device, cx.core.SYST, work::program(&SETUP));
-        (Shared {}, Local { uart, work })
+        let program = work::program(&SETUP);
+        let Board {
+            uart,
+            clock,
+            servo,
+            watchdog,
+        } = Board::start(cx.device, cx.core.SYST, SETUP.mode.tick_rate);
+        let work = Work { program, watchdog };
+        (Shared { clock, servo }, Local { uart, work })
     }
 
     /// What comes first is what must not wait: a byte stays in the receiver for 11 µs.
@@ -91,9 +102,18 @@ mod app {
         cx.local.uart.serve(&LINE);
     }
 
-    #[task(binds = SysTick, priority = 2, local = [work])]
+    #[task(binds = SysTick, priority = 2, shared = [clock, servo])]
     fn tick(cx: tick::Context) {
-        cx.local.work.tick(&LINE, || rtic::pend(Interrupt::USART2));
+        work::tick(cx.shared.clock, cx.shared.servo);
+        rtic::pend(Interrupt::EXTI0);
+    }
+
+    /// By an interrupt that nothing else uses.
+    #[task(binds = EXTI0, priority = 1, shared = [clock, servo], local = [work])]
+    fn turn(cx: turn::Context) {
+        let turn::SharedResources { clock, servo, .. } = cx.shared;
+        let wake = || rtic::pend(Interrupt::USART2);
+        cx.local.work.turn(clock, servo, &LINE, wake);
     }
 
     #[idle]

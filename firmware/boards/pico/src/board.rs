@@ -12,7 +12,7 @@ use crate::rp::uart::Uart;
 use crate::rp::usb::{Bus, Usb};
 use crate::rp::{Parts, pins};
 use crate::stop::stop;
-use crate::work::{Program, Work};
+use crate::work::{SharedClock, SharedServo};
 
 pub(crate) use crate::hal::Timer;
 pub(crate) use crate::hal::timer::Alarm0 as Alarm;
@@ -36,16 +36,14 @@ pub(crate) const PRODUCT: &str = "stiction on Pico";
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) usb: Usb,
-    pub(crate) work: Work,
+    pub(crate) clock: SharedClock,
+    pub(crate) servo: SharedServo,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Everything running for a program.
-    pub(crate) fn start(
-        mut device: pac::Peripherals,
-        bus: &'static mut Bus,
-        program: Program,
-    ) -> Self {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(mut device: pac::Peripherals, bus: &'static mut Bus, rate: u16) -> Self {
         let mut watchdog = crate::hal::Watchdog::new(device.WATCHDOG);
         let clocks = init_clocks_and_plls(
             CRYSTAL,
@@ -86,12 +84,9 @@ impl Board {
         Self {
             uart,
             usb: Usb::start(bus, usb, flash::number(BOOT2)),
-            work: Work {
-                watchdog: Watchdog::start(watchdog),
-                clock: Clock::new(timer, program.mode().tick_rate),
-                device: own,
-                program,
-            },
+            clock: SharedClock(Clock::new(timer, rate)),
+            servo: SharedServo::new(own),
+            watchdog: Watchdog::start(watchdog),
         }
     }
 }

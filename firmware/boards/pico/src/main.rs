@@ -2,13 +2,13 @@
 //!
 //! ```text
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
-//! priority 3  TIMER    the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
-//! priority 2  USB      packets in and out, by bounded queues; the computer waits where a tick goes on
+//! priority 3  TIMER    the tick: hand measured -> safety -> force
+//! priority 2  USB      packets in and out, by bounded queues
+//! priority 1  RTC      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
 //! idle                 logs
 //! ```
 //!
-//! One core does all: no tick waits for USB, as it interrupts it, and USB loses nothing, as the computer sends again what is not
-//! taken. The line is USB while a program has it open there, else UART.
+//! One core does all: no tick waits for USB or the solver, as it interrupts them. The line is USB while a program has it open there, else UART.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -45,10 +45,10 @@ mod app {
     use crate::rp::uart::{self, Uart};
     use crate::rp::usb::{self, Bus, Usb};
     use crate::rp::{LIMITS, PASSIVITY};
-    use crate::work::{self, SCENE, Work};
-    use stiction_core::frame::{Mode, NumberType};
+    use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
+    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
-    use stiction_firmware::station::Setup;
+    use stiction_firmware::station::{SceneType, Setup};
 
     /// Units of work of a second: one takes 3173 cycles at most in a long step, counted (host-sim/README.md).
     /// A quarter of its time is for the interrupts of the lines and what else a tick does.
@@ -56,7 +56,7 @@ mod app {
 
     static SETUP: Setup = Setup {
         name: "pico",
-        number: NumberType::Fixed,
+        number: CompiledScene::NUMBER,
         line_rate: uart::BAUD / 10,
         fastest_tick: 2_000,
         work_rate: WORK_RATE,
@@ -73,7 +73,10 @@ mod app {
     static USB: Line<ROOM> = Line::new();
 
     #[shared]
-    struct Shared {}
+    struct Shared {
+        clock: SharedClock,
+        servo: SharedServo,
+    }
 
     #[local]
     struct Local {
@@ -84,9 +87,16 @@ mod app {
 
     #[init(local = [bus: Bus = Bus::new()])]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Board { uart, usb, work } =
-            Board::start(cx.device, cx.local.bus, work::program(&SETUP));
-        (Shared {}, Local { uart, usb, work })
+        let program = work::program(&SETUP);
+        let Board {
+            uart,
+            usb,
+            clock,
+            servo,
+            watchdog,
+        } = Board::start(cx.device, cx.local.bus, SETUP.mode.tick_rate);
+        let work = Work { program, watchdog };
+        (Shared { clock, servo }, Local { uart, usb, work })
     }
 
     /// What comes first is what must not wait.
@@ -100,14 +110,22 @@ mod app {
         cx.local.usb.serve(&USB);
     }
 
-    #[task(binds = TIMER_IRQ_0, priority = 3, local = [work])]
+    #[task(binds = TIMER_IRQ_0, priority = 3, shared = [clock, servo])]
     fn tick(cx: tick::Context) {
+        work::tick(cx.shared.clock, cx.shared.servo);
+        rtic::pend(Interrupt::RTC_IRQ);
+    }
+
+    /// By the interrupt of the calendar, which nothing else uses. Those for programs alone, SW0 to SW5, are missing in the emulator.
+    #[task(binds = RTC_IRQ, priority = 1, shared = [clock, servo], local = [work])]
+    fn turn(cx: turn::Context) {
+        let turn::SharedResources { clock, servo, .. } = cx.shared;
         let (line, wake): (_, fn()) = if usb::is_open() {
             (&USB, || rtic::pend(Interrupt::USBCTRL_IRQ))
         } else {
             (&UART, || rtic::pend(Interrupt::UART0_IRQ))
         };
-        cx.local.work.tick(line, wake);
+        cx.local.work.turn(clock, servo, line, wake);
     }
 
     #[idle]

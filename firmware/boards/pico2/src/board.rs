@@ -15,7 +15,7 @@ use crate::rp::usb::{Bus, NUMBER, Usb};
 use crate::rp::{Parts, pins};
 pub(crate) use crate::speed::CLOCK;
 use crate::stop::stop;
-use crate::work::{Program, Work};
+use crate::work::{SharedClock, SharedServo};
 
 pub(crate) use crate::rp::clock::Clock;
 pub(crate) use crate::rp::{Device, Watchdog, actuators_off};
@@ -47,16 +47,14 @@ fn chip_number() -> [u8; NUMBER] {
 pub(crate) struct Board {
     pub(crate) uart: Uart,
     pub(crate) usb: Usb,
-    pub(crate) work: Work,
+    pub(crate) clock: SharedClock,
+    pub(crate) servo: SharedServo,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Everything running for a program.
-    pub(crate) fn start(
-        mut device: pac::Peripherals,
-        bus: &'static mut Bus,
-        program: Program,
-    ) -> Self {
+    /// Everything running, with so many ticks a second.
+    pub(crate) fn start(mut device: pac::Peripherals, bus: &'static mut Bus, rate: u16) -> Self {
         let mut watchdog = crate::hal::Watchdog::new(device.WATCHDOG);
         let clocks = init_clocks_and_plls(
             CRYSTAL,
@@ -101,12 +99,9 @@ impl Board {
         Self {
             uart,
             usb: Usb::start(bus, usb, chip_number()),
-            work: Work {
-                watchdog: Watchdog::start(watchdog),
-                clock: Clock::new(timer, program.mode().tick_rate),
-                device: own,
-                program,
-            },
+            clock: SharedClock(Clock::new(timer, rate)),
+            servo: SharedServo::new(own),
+            watchdog: Watchdog::start(watchdog),
         }
     }
 }

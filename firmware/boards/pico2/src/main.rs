@@ -2,13 +2,13 @@
 //!
 //! ```text
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
-//! priority 3  TIMER0   the tick: bytes -> samples, commands -> solver -> safety -> force, reports -> bytes
-//! priority 2  USB      packets in and out, by bounded queues; the computer waits where a tick goes on
+//! priority 3  TIMER0   the tick: hand measured -> safety -> force
+//! priority 2  USB      packets in and out, by bounded queues
+//! priority 1  SW0      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
 //! idle                 logs
 //! ```
 //!
-//! One core does all: no tick waits for USB, as it interrupts it, and USB loses nothing, as the computer sends again what is not
-//! taken. The line is USB while a program has it open there, else UART.
+//! One core does all: no tick waits for USB or the solver, as it interrupts them. The line is USB while a program has it open there, else UART.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -47,14 +47,14 @@ mod app {
     use crate::rp::usb::{self, Bus, Usb};
     use crate::rp::{LIMITS, PASSIVITY};
     use crate::speed;
-    use crate::work::{self, SCENE, Work};
-    use stiction_core::frame::{Mode, NumberType};
+    use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
+    use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
-    use stiction_firmware::station::Setup;
+    use stiction_firmware::station::{SceneType, Setup};
 
     static SETUP: Setup = Setup {
         name: "pico2",
-        number: NumberType::F32,
+        number: CompiledScene::NUMBER,
         line_rate: uart::BAUD / 10,
         fastest_tick: speed::FASTEST_TICK,
         work_rate: speed::WORK_RATE,
@@ -71,7 +71,10 @@ mod app {
     static USB: Line<ROOM> = Line::new();
 
     #[shared]
-    struct Shared {}
+    struct Shared {
+        clock: SharedClock,
+        servo: SharedServo,
+    }
 
     #[local]
     struct Local {
@@ -82,9 +85,16 @@ mod app {
 
     #[init(local = [bus: Bus = Bus::new()])]
     fn init(cx: init::Context) -> (Shared, Local) {
-        let Board { uart, usb, work } =
-            Board::start(cx.device, cx.local.bus, work::program(&SETUP));
-        (Shared {}, Local { uart, usb, work })
+        let program = work::program(&SETUP);
+        let Board {
+            uart,
+            usb,
+            clock,
+            servo,
+            watchdog,
+        } = Board::start(cx.device, cx.local.bus, SETUP.mode.tick_rate);
+        let work = Work { program, watchdog };
+        (Shared { clock, servo }, Local { uart, usb, work })
     }
 
     /// What comes first is what must not wait.
@@ -98,14 +108,22 @@ mod app {
         cx.local.usb.serve(&USB);
     }
 
-    #[task(binds = TIMER0_IRQ_0, priority = 3, local = [work])]
+    #[task(binds = TIMER0_IRQ_0, priority = 3, shared = [clock, servo])]
     fn tick(cx: tick::Context) {
+        work::tick(cx.shared.clock, cx.shared.servo);
+        rtic::pend(Interrupt::SW0_IRQ);
+    }
+
+    /// By an interrupt that nothing else uses.
+    #[task(binds = SW0_IRQ, priority = 1, shared = [clock, servo], local = [work])]
+    fn turn(cx: turn::Context) {
+        let turn::SharedResources { clock, servo, .. } = cx.shared;
         let (line, wake): (_, fn()) = if usb::is_open() {
             (&USB, || rtic::pend(Interrupt::USBCTRL_IRQ))
         } else {
             (&UART, || rtic::pend(Interrupt::UART0_IRQ))
         };
-        cx.local.work.tick(line, wake);
+        cx.local.work.turn(clock, servo, line, wake);
     }
 
     #[idle]

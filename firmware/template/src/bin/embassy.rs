@@ -13,7 +13,7 @@ use embassy_time::{Duration, Instant, Timer};
 use embedded_io_async::{Read, Write};
 use panic_halt as _;
 use setup::{OBSTACLES, Program, SETUP};
-use stiction_firmware::device::{FromLine, NoActuators};
+use stiction_firmware::device::{FromLine, NoActuators, Servo};
 use stiction_firmware::line::{Line, Micros};
 
 bind_interrupts!(struct Interrupts { UART0_IRQ => BufferedInterruptHandler<UART0>; });
@@ -56,13 +56,14 @@ async fn ticks(mut watchdog: Watchdog) {
         return;
     };
     watchdog.start(Duration::from_millis(20));
+    let mut servo = Servo::new((FromLine, NoActuators));
     let now_us = || Instant::now().as_micros() as u32;
     let (mut due, mut clock) = (Instant::now(), Micros(now_us));
     loop {
         due = Instant::now().max(due + Duration::from_hz(program.mode().tick_rate.into()));
         Timer::at(due).await;
         let mut line = LINE.link(&mut clock, || WAKE.signal(()));
-        program.tick(now_us(), &mut line, &mut (FromLine, NoActuators));
+        program.tick(now_us(), &mut line, &mut servo);
         watchdog.feed(Duration::from_millis(20));
     }
 }
