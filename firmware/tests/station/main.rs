@@ -13,6 +13,7 @@ mod common;
 mod example;
 mod faulty_line;
 mod flood;
+mod late_turns;
 mod modes;
 mod no_commands;
 mod obstacles;

@@ -1,0 +1,143 @@
+//! Turns that take longer than a tick: the servo loop goes on, whatever the solver does.
+
+use crate::rig::{Nothing, Rig};
+use stiction_core::frame::{Command, Drive};
+use stiction_core::{Hand, Wrench};
+use stiction_firmware::device::{LockServo, Servo};
+
+/// The force changes by no more than that in a tick (N): 100 N/s at 1 kHz, and a rounding.
+const STEP: f32 = 0.1 + 1e-5;
+
+fn deep() -> Hand<f32> {
+    Hand::new(0.0, 0.045, 0.0)
+}
+
+/// A turn that some ticks interrupt before it ends.
+struct Interrupted<'a> {
+    servo: &'a mut Servo<Nothing>,
+    now_us: &'a mut u32,
+    /// Ticks until the end of the turn.
+    ticks: u32,
+    has_begun: bool,
+    /// What was given until the end of each tick.
+    forces: Vec<Wrench<f32>>,
+}
+
+impl LockServo<Nothing> for Interrupted<'_> {
+    fn lock<T>(&mut self, used: impl FnOnce(&mut Servo<Nothing>) -> T) -> T {
+        if self.has_begun {
+            for _ in 0..self.ticks {
+                self.forces.push(self.servo.force());
+                self.servo.tick(*self.now_us);
+                *self.now_us = self.now_us.wrapping_add(1_000);
+            }
+        }
+        self.has_begun = true;
+        used(self.servo)
+    }
+}
+
+impl Rig<f32> {
+    /// A turn with the hand there, which so many ticks interrupt; then the next tick. What was given until the end of each tick.
+    fn late(&mut self, hand: Hand<f32>, ticks: u32) -> Vec<Wrench<f32>> {
+        self.send(Command::Hand(hand));
+        let mut servo = Interrupted {
+            servo: &mut self.servo,
+            now_us: &mut self.now_us,
+            ticks,
+            has_begun: false,
+            forces: Vec::new(),
+        };
+        self.force = self.station.turn(&mut self.line, &mut servo);
+        let mut forces = servo.forces;
+        forces.push(self.force);
+        self.servo.tick(self.now_us);
+        self.now_us = self.now_us.wrapping_add(1_000);
+        let bytes = std::mem::take(&mut self.line.from_board);
+        self.client.listen(&bytes);
+        forces
+    }
+}
+
+fn change(a: &Wrench<f32>, b: &Wrench<f32>) -> f32 {
+    let ([ax, ay], [bx, by]) = (a.force, b.force);
+    (bx - ax).hypot(by - ay)
+}
+
+/// A hand that presses, drags, and leaves the floor.
+fn hand(i: u32) -> Hand<f32> {
+    let t = i as f32 * 1e-3;
+    Hand::new(0.02 * (5.0 * t).sin(), 0.05 - 0.01 * (7.0 * t).sin(), 0.0)
+}
+
+#[test]
+fn the_force_changes_by_one_step_in_a_tick_and_no_tick_is_missed() {
+    let mut rig = Rig::<f32>::new();
+    rig.tick();
+    let (mut before, mut ticks) = (Wrench::default(), 0);
+    for i in 0..2_000 {
+        for force in rig.late(hand(i), i * i % 7) {
+            assert!(change(&before, &force) <= STEP, "{i}: {before:?} {force:?}");
+            (before, ticks) = (force, ticks + 1);
+        }
+    }
+    assert!(change(&before, &Wrench::default()) > 1.0, "it pushes");
+    let health = rig.health();
+    assert_eq!((health.missed_ticks, health.samples), (0, 2_000));
+    assert!(health.ticks.abs_diff(ticks) <= 1, "{ticks} {health:?}");
+}
+
+#[test]
+fn poses_are_those_of_turns_in_time() {
+    let (mut late, mut rig) = (Rig::<f32>::new(), Rig::<f32>::new());
+    for i in 0..2_000 {
+        late.late(hand(i), i % 5);
+        rig.hand(hand(i));
+        assert_eq!(late.pose(), rig.pose());
+    }
+}
+
+#[test]
+fn during_a_long_turn_the_last_force_is_given_on() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 50);
+    let force = rig.force;
+    for given in rig
+        .late(Hand::new(0.001, 0.045, 0.0), 10)
+        .split_last()
+        .unwrap()
+        .1
+    {
+        assert_eq!(*given, force);
+    }
+    assert_ne!(rig.force, force);
+}
+
+#[test]
+fn a_turn_that_does_not_end_is_silence_and_the_way_back_is_slow() {
+    let mut rig = Rig::<f32>::new();
+    rig.stay(deep(), 50);
+    let full = change(&rig.force, &Wrench::default());
+    // Its sample is one of the past when it comes to an end.
+    let forces = rig.late(deep(), 30);
+    let off = forces.iter().position(|force| *force == Wrench::default());
+    // From the tick after the last sample on: 20 of them.
+    let off = off.expect("zero force");
+    assert!((15..=20).contains(&off), "{off} ms");
+    let rest = &forces[off..];
+    assert!(
+        rest.iter()
+            .all(|force| change(&Wrench::default(), force) <= STEP)
+    );
+    assert_eq!(rig.health().drive, Drive::Silent);
+    let mut before = Wrench::default();
+    for force in (0..100)
+        .flat_map(|_| rig.late(deep(), 0))
+        .collect::<Vec<_>>()
+    {
+        assert!(change(&before, &force) <= STEP);
+        before = force;
+    }
+    assert!((change(&before, &Wrench::default()) - full).abs() < 1e-3);
+    assert_eq!(rig.health().drive, Drive::On);
+}
