@@ -8,7 +8,7 @@
         clippy::indexing_slicing
     )
 )]
-//! `stiction-core` on microcontrollers: the control loop of a haptic device; what one frame costs there, and whether every
+//! `stiction-core` on microcontrollers: the loops of a haptic device; what one frame costs there, and whether every
 //! machine gives the same bits.
 //!
 //! ```text
@@ -18,14 +18,15 @@
 //! board.rs  the emulated boards: counter, stack, files of the host        (feature `board`)
 //!
 //! model.rs       in what a board with room for obstacles differs from others
-//! device.rs      the control loop: sample -> solver -> safety -> force; changes while it runs
+//! device.rs      the servo loop: hand measured -> safety -> force; the turns of the solver below it; changes while they run
 //! safety.rs      what force may go to the hand, and when none
 //! pantograph.rs  a planar haptic device: encoders -> hand, force -> motors
 //! knob.rs        a haptic device of one motor and one encoder
 //! ring.rs        bytes between an interrupt and the program
 //! line.rs        the two rings of a board's line, and its clock
+//! speed.rs       how much work processors do in a second
 //! pace.rs        when ticks are due, for a board that ticks in its main loop
-//! station.rs     the program of a board: bytes -> samples and commands -> control loop -> force and reports
+//! station.rs     the program of a board: bytes -> samples and commands -> solver -> demand of a force, reports
 //! usb.rs         by what a computer knows a board on its USB
 //! ```
 //!
@@ -53,6 +54,7 @@ pub mod pantograph;
 pub mod ring;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod safety;
+pub mod speed;
 #[cfg_attr(not(test), deny(clippy::arithmetic_side_effects))]
 pub mod station;
 pub mod usb;

@@ -6,14 +6,11 @@ use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
 
 /// What other scenes, which come over the line, may have.
 const ROOM: SceneModel = SceneModel {
-    vertices: 8,
-    surfaces: 4,
-    friction: true,
-    weight: true,
     obstacles: ObstacleRoom {
         count: 0,
         corners: 0,
     },
+    ..SceneModel::BOARD
 };
 
 fn main() -> ExitCode {

@@ -8,13 +8,11 @@ fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv6m-none-eabi",
         number: NumberType::Fixed,
+        // More would need more stack than there is.
         room: SceneModel {
-            vertices: 8,
             surfaces: 2,
-            friction: true,
-            weight: true,
-            // They would need more stack than there is.
             obstacles: ObstacleRoom::default(),
+            ..SceneModel::BOARD
         },
         scene: "../../scenes/board.toml",
         memory: Some("../../memory/nrf51822.x"),

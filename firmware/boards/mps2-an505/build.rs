@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
     // The linker asks for the names of the chip's interrupts, which the crate of a chip has: src/board.rs has all that are needed.
@@ -16,17 +16,7 @@ fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv8m.main-none-eabihf",
         number: NumberType::F32,
-        room: SceneModel {
-            vertices: 8,
-            surfaces: 4,
-            friction: true,
-            weight: true,
-            // Of the feature `obstacles`: see firmware/README.md.
-            obstacles: ObstacleRoom {
-                count: 4,
-                corners: 16,
-            },
-        },
+        room: SceneModel::BOARD,
         scene: "../../scenes/board.toml",
         memory: Some("../../memory/an505.x"),
     };

@@ -2,23 +2,13 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv7em-none-eabihf",
         number: NumberType::F32,
-        room: SceneModel {
-            vertices: 8,
-            surfaces: 4,
-            friction: true,
-            weight: true,
-            // Of the feature `obstacles`: see firmware/README.md.
-            obstacles: ObstacleRoom {
-                count: 4,
-                corners: 16,
-            },
-        },
+        room: SceneModel::BOARD,
         scene: "../../scenes/board.toml",
         memory: Some("../../memory/stm32f405.x"),
     };

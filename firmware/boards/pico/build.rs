@@ -2,23 +2,13 @@
 
 use std::process::ExitCode;
 
-use stiction_scene::{BoardBuild, NumberType, ObstacleRoom, SceneModel};
+use stiction_scene::{BoardBuild, NumberType, SceneModel};
 
 fn main() -> ExitCode {
     let board = BoardBuild {
         target: "thumbv6m-none-eabi",
         number: NumberType::Fixed,
-        room: SceneModel {
-            vertices: 8,
-            surfaces: 4,
-            friction: true,
-            weight: true,
-            // Of the feature `obstacles`: see firmware/README.md.
-            obstacles: ObstacleRoom {
-                count: 4,
-                corners: 16,
-            },
-        },
+        room: SceneModel::BOARD,
         scene: match std::env::var_os("CARGO_FEATURE_KNOB") {
             Some(_) => "../../scenes/knob.toml",
             None => "../../scenes/board.toml",

@@ -21,6 +21,20 @@ pub struct SceneModel {
     pub obstacles: ObstacleRoom,
 }
 
+impl SceneModel {
+    /// Room for most scenes that come over the wire; for obstacles with the feature `obstacles` of a board alone.
+    pub const BOARD: Self = Self {
+        vertices: 8,
+        surfaces: 4,
+        friction: true,
+        weight: true,
+        obstacles: ObstacleRoom {
+            count: 4,
+            corners: 16,
+        },
+    };
+}
+
 /// Room for obstacles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ObstacleRoom {

@@ -76,7 +76,7 @@ fn path(board: &mut Board) -> Health {
     health
 }
 
-/// Every command in mid-contact; the longest tick (instructions).
+/// Every command in mid-contact; the longest turn (instructions).
 fn commands(board: &mut Board) -> u32 {
     board.done(Command::Reset(Reset::Everything));
     let mode = board.info().mode;
@@ -102,9 +102,9 @@ pub(crate) struct Taken {
     pub(crate) flash: u64,
     pub(crate) variables: u64,
     pub(crate) stack: u64,
-    /// The longest step, the longest tick, the longest tick with a command.
+    /// The longest step, the longest turn, the longest turn with a command.
     pub(crate) step: u32,
-    pub(crate) tick: u32,
+    pub(crate) turn: u32,
     pub(crate) command: u32,
     /// Ticks on the way of the hand.
     pub(crate) missed: u32,
@@ -123,7 +123,7 @@ pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
         variables: board.image.contents.variables,
         stack: u64::try_from(board.stack()).unwrap(),
         step: board.instructions(health.worst_step),
-        tick: board.instructions(health.worst_tick),
+        turn: board.instructions(health.worst_tick),
         command,
         missed: health.missed_ticks,
     })
@@ -142,7 +142,7 @@ fn figures_within_budget(chip: &'static Chip) {
     let budget = Budget::of(chip);
     budget.holds("flash", taken.flash);
     budget.holds("variables", taken.variables);
-    budget.holds("tick", u64::from(taken.tick));
+    budget.holds("turn", u64::from(taken.turn));
     budget.holds("missed", u64::from(taken.missed));
     budget.holds("command", u64::from(taken.command));
     budget.holds("stack", taken.stack);

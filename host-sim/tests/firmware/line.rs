@@ -1,120 +1,15 @@
-//! Bad lines and bad clients: silence, floods, damaged bytes, a client that goes and comes back, commands in mid-contact.
+//! Bad lines and bad clients: floods, damaged bytes, a client that dies in a frame.
 
 use crate::beside::{Beside, assert_same};
-use crate::board::{AGAIN, Board};
+use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
-use crate::client::{Client, Said, hand_path, scene};
-use crate::common::BOX;
+use crate::client::{Client, Said, hand_path};
 use crate::random::{Random, garbled};
+use crate::silence::{alone, deep, fallen_silent, last_sample, pressed};
 use std::collections::HashMap;
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use stiction_core::frame::{Command, Drive, Mode, Parameters, Pose, Reset, Stepping};
+use stiction_core::frame::{Command, Drive, Mode, Pose, Stepping};
 use stiction_core::{Fixed, Hand, Real, Wrench};
 use stiction_firmware::safety::Limits;
-
-/// One emulated line at a time: an emulator that another one keeps from its core loses bytes of the line.
-fn alone() -> MutexGuard<'static, ()> {
-    static LINE: Mutex<()> = Mutex::new(());
-    LINE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-const DEEP: [f32; 3] = [0.0, 0.045, 0.0];
-
-fn deep() -> Hand<f32> {
-    let [x, y, phi] = DEEP;
-    Hand::new(x, y, phi)
-}
-
-/// The hand presses until the board gives force.
-fn pressed(board: &mut Board) -> Pose {
-    loop {
-        board.send(Command::Hand(deep()));
-        let pose = board.wait(|_, said| match said {
-            Said::Pose(pose) => Some(*pose),
-            _ => None,
-        });
-        if !pose.force_off && pose.held {
-            return pose;
-        }
-    }
-}
-
-/// The last sample before silence, sent again where it is lost on the line: its number, and the tick in which it came (µs).
-fn last_sample(board: &mut Board) -> (u8, u32) {
-    for _ in 0..30 {
-        board.send(Command::Hand(deep()));
-        let last = board.client.sequence.wrapping_sub(1);
-        let came = board.listen_for(AGAIN, |time, said| match said {
-            Said::Pose(pose) if pose.sample == last => Some(time),
-            _ => None,
-        });
-        if let Some(came_us) = came {
-            return (last, came_us);
-        }
-    }
-    panic!("no sample comes through");
-}
-
-/// From the tick of the last sample to that of the first pose without force (µs), and that pose. Between two samples before it, the
-/// emulator's time may have gone on for long enough for silence, too.
-fn fallen_silent(board: &mut Board, (last, came_us): (u8, u32)) -> (u32, Pose) {
-    board.wait(|time, said| match said {
-        Said::Pose(pose) if pose.sample == last && pose.force_off => {
-            Some((time.wrapping_sub(came_us), *pose))
-        }
-        _ => None,
-    })
-}
-
-/// From the last sample to zero force, on the clock of the board (µs); nothing where something is missing.
-pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
-    let mut board = Board::start(chip)?;
-    let mode = board.info().mode;
-    board.done(Command::Mode(Mode {
-        forces_every: 10,
-        ..mode
-    }));
-    for _ in 0..30 {
-        pressed(&mut board);
-    }
-    let last = last_sample(&mut board);
-    let (off_us, pose) = fallen_silent(&mut board, last);
-    let feedback = board.wait(|_, said| match said {
-        Said::Forces { feedback, .. } => Some(*feedback),
-        _ => None,
-    });
-    assert!(off_us <= 20_000);
-    assert!(pose.held && pose.status == stiction_core::Status::HeldLast);
-    assert_eq!(feedback, Wrench::default());
-    assert_eq!(board.health().drive, Drive::Silent);
-    // Samples return.
-    assert_eq!(pressed(&mut board).position, pose.position);
-    Some(off_us)
-}
-
-#[test]
-fn silence_on_the_f405_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&F405);
-}
-
-#[test]
-fn silence_on_the_microbit_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&MICROBIT);
-}
-
-#[test]
-fn silence_on_the_pico_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&PICO);
-}
-
-#[test]
-fn silence_in_the_place_of_the_pico_2_is_zero_force_within_20_ms() {
-    let _alone = alone();
-    silence(&AN505);
-}
 
 /// How large a force is (N).
 fn size(wrench: &Wrench<f32>) -> f32 {
@@ -393,70 +288,4 @@ fn no_wrong_pose_in_100_000_frames_over_faulty_lines() {
     faulty_line::<Fixed>(&MICROBIT, 100_000, 400);
     faulty_line::<Fixed>(&PICO, 100_000, 400);
     faulty_line::<f32>(&AN505, 100_000, 400);
-}
-
-/// Commands while the box is pressed to the floor, in the image itself.
-fn in_mid_contact(chip: &'static Chip) {
-    let Some(mut board) = Board::start(chip) else {
-        return;
-    };
-    let before = pressed(&mut board);
-    board.done(Command::Parameters(Parameters {
-        stiffness_translation: 400.0,
-        stiffness_rotation: 0.5,
-        friction_static: 0.5,
-        friction_dynamic: 0.3,
-        memory: None,
-    }));
-    let after = pressed(&mut board);
-    assert_eq!(after.position, before.position, "it lies on its edge");
-    assert_eq!(board.info().stiffness, [400.0, 0.5]);
-    board.done(scene(&BOX));
-    assert_eq!(board.info().stiffness, [500.0, 0.5]);
-    pressed(&mut board);
-    board.done(Command::Reset(Reset::Body));
-    let pose = board.wait(|_, said| match said {
-        Said::Pose(pose) => Some(*pose),
-        _ => None,
-    });
-    assert!(!pose.held);
-    board.done(Command::Reset(Reset::Everything));
-    assert_eq!(pressed(&mut board).position, before.position);
-}
-
-/// Ticks faster and slower: none is counted as missed.
-fn another_tick_rate(chip: &'static Chip, rates: [u16; 4]) {
-    let Some(mut board) = Board::start(chip) else {
-        return;
-    };
-    let mode = Mode {
-        pose_every: 50,
-        health_every: 50,
-        ..board.info().mode
-    };
-    for tick_rate in rates {
-        board.done(Command::Mode(Mode { tick_rate, ..mode }));
-        board.health();
-        let health = board.health();
-        println!("{tick_rate} Hz: {} missed", health.missed_ticks);
-        assert_eq!(health.missed_ticks, 0, "{tick_rate} Hz");
-    }
-}
-
-#[test]
-fn another_tick_rate_misses_no_tick() {
-    let _alone = alone();
-    another_tick_rate(&F405, [500, 1000, 250, 1000]);
-    another_tick_rate(&MICROBIT, [125, 250, 100, 500]);
-    another_tick_rate(&PICO, [500, 1000, 250, 2000]);
-    another_tick_rate(&AN505, [2500, 1000, 250, 5000]);
-}
-
-#[test]
-fn commands_in_mid_contact() {
-    let _alone = alone();
-    in_mid_contact(&F405);
-    in_mid_contact(&MICROBIT);
-    in_mid_contact(&PICO);
-    in_mid_contact(&AN505);
 }

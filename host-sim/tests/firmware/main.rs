@@ -11,8 +11,10 @@ mod budgets;
 mod chip;
 #[path = "../../../firmware/tests/station/client.rs"]
 mod client;
+mod commands;
 #[path = "../../../firmware/tests/common/mod.rs"]
 mod common;
+mod drags;
 mod knob;
 mod line;
 mod log;
@@ -24,6 +26,7 @@ mod pico2;
 mod random;
 mod scene;
 mod session;
+mod silence;
 mod table;
 mod template;
 mod uf2;

@@ -5,9 +5,10 @@ use crate::bench::{Bench, MS, PATIENCE};
 use crate::budgets::Budget;
 use crate::chip::{self as board, Image, PICO, PICO_FLASHED};
 use crate::client::{Client, Said};
+use crate::drags;
 use stiction_core::frame::{Command, Drive, Health, SceneCommand};
 use stiction_core::{Hand, narrow_hand};
-use stiction_host_sim::trade::{Case, Group, Suite};
+use stiction_host_sim::trade::Case;
 
 impl Bench {
     /// The hand presses until the board gives force.
@@ -134,13 +135,10 @@ fn random_drags(frames: u32) -> Option<Drags> {
     /// Of the timer.
     const TICK: u32 = 0;
     let mut bench = Bench::start(&PICO)?;
-    let suite = Suite::new(None, false).unwrap();
-    let cases = suite.cases.iter();
-    let cases = cases.filter(|case| case.group == Group::Random);
     let missed = bench.health().missed_ticks;
     let mut passed = 0;
-    for case in cases.cycle() {
-        passed += bench.drag(case);
+    for case in drags::random() {
+        passed += bench.drag(&case);
         if passed >= frames {
             break;
         }

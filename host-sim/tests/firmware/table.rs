@@ -2,8 +2,8 @@
 
 use crate::bits::{SAMPLES, same_bits};
 use crate::budgets::{Taken, measure};
-use crate::chip::{self, F405, MICROBIT};
-use crate::line::silence;
+use crate::chip::{self, F405, MICROBIT, PICO};
+use crate::silence::silence;
 use stiction_core::Fixed;
 use stiction_core::frame::NumberType;
 use stiction_host_sim::emulator::Chip;
@@ -84,21 +84,22 @@ const ROWS: [Row; 15] = [
     ("budget of a step then (units of work)", |c| {
         thousands(c.taken.about.budget.into())
     }),
-    ("cycles of an instruction, estimated", |c| {
-        c.timing.cycles().to_string()
+    ("cycles of an instruction, estimated", |c| match c.timing {
+        Chip::CortexM0Plus => "counted".to_owned(),
+        timing => timing.cycles().to_string(),
     }),
     (
         "the longest step (instructions, part of such a tick)",
         |c| c.of_tick(c.taken.step),
     ),
-    ("the longest tick", |c| c.of_tick(c.taken.tick)),
-    ("the most ticks per second that are all in time", |c| {
-        thousands((1.0 / c.seconds(c.taken.tick)) as u64)
+    ("the longest turn", |c| c.of_tick(c.taken.turn)),
+    ("the most ticks per second with all turns in time", |c| {
+        thousands((1.0 / c.seconds(c.taken.turn)) as u64)
     }),
-    ("the longest tick with a command", |c| {
+    ("the longest turn with a command", |c| {
         c.of_tick(c.taken.command)
     }),
-    ("missed ticks on the way, without commands", |c| {
+    ("missed ticks, without commands", |c| {
         c.taken.missed.to_string()
     }),
     ("the same bits as on this computer, path and frame", |c| {
@@ -109,19 +110,18 @@ const ROWS: [Row; 15] = [
     }),
 ];
 
-fn table(f405: &Column, microbit: &Column) -> String {
+fn table(columns: &[Column]) -> String {
+    let line = |name: &str, figures: Vec<String>| format!("| {name} | {} |", figures.join(" | "));
     let mut lines = vec![
-        "| image without a log | F405 | micro:bit |".to_owned(),
-        "|---|---:|---:|".to_owned(),
+        "| image without a log | F405 | micro:bit | Pico, cycles |".to_owned(),
+        "|---|---:|---:|---:|".to_owned(),
     ];
     let rows = ROWS.iter();
-    lines.extend(rows.map(|(name, figure)| {
-        let (left, right) = (figure(f405), figure(microbit));
-        format!("| {name} | {left} | {right} |")
-    }));
+    lines.extend(rows.map(|(name, figure)| line(name, columns.iter().map(figure).collect())));
     format!(
-        "Written by `{COMMAND}`, measured in QEMU along {SAMPLES}\nsamples of a hand that presses, drags, tips and \
-         whirls the box: instructions, those of the serial line's\ninterrupts among them; their time is an estimate.\n\n{}\n",
+        "Written by `{COMMAND}`, measured in emulators along {SAMPLES}\nsamples of a hand that presses, drags, tips and \
+         whirls the box: instructions and, of the Pico, cycles, those of the\nserial line's interrupts among them. The time of \
+         instructions is an estimate. A turn is the work that follows a tick.\n\n{}\n",
         lines.join("\n")
     )
 }
@@ -129,14 +129,17 @@ fn table(f405: &Column, microbit: &Column) -> String {
 #[test]
 #[ignore = "writes a table of the README"]
 fn the_table_of_the_readme() {
-    let columns = (
-        column(&F405, Chip::CortexM4F),
-        column(&MICROBIT, Chip::CortexM0),
-    );
-    let (Some(f405), Some(microbit)) = columns else {
+    let chips = [
+        (&F405, Chip::CortexM4F),
+        (&MICROBIT, Chip::CortexM0),
+        (&PICO, Chip::CortexM0Plus),
+    ];
+    let columns = chips.map(|(chip, timing)| column(chip, timing));
+    let columns: Vec<_> = columns.into_iter().flatten().collect();
+    if columns.len() < chips.len() {
         return;
-    };
-    let table = table(&f405, &microbit);
+    }
+    let table = table(&columns);
     println!("{table}");
     let readme = workspace().join("firmware/README.md");
     let section = Section::find(&readme, "boards").unwrap();

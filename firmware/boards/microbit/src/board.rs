@@ -18,8 +18,8 @@ use crate::work::{SharedClock, SharedServo};
 
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 115_200;
-/// Counts of TIMER0 in a second, and in a µs.
-const COUNTS: u32 = 16_000_000;
+/// Of the processor and of TIMER0 (Hz), and in a µs.
+pub(crate) const CLOCK: u32 = 16_000_000;
 const PER_US: u32 = 16;
 const TX: u32 = 24;
 const RX: u32 = 25;
@@ -157,7 +157,7 @@ impl line::Clock for Clock {
 
 /// Counts between the ticks of a rate.
 fn period(rate: u16) -> u32 {
-    COUNTS / u32::from(rate.max(1))
+    CLOCK / u32::from(rate.max(1))
 }
 
 /// The serial line.

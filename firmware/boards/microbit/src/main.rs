@@ -37,13 +37,13 @@ mod app {
     use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
     use stiction_firmware::safety::Limits;
+    use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
 
     /// Ticks of a second.
     const RATE: u16 = 200;
-    /// Units of work of a second: one takes 3430 cycles at most in a long step (host-sim/README.md, at 1.65 cycles of an instruction).
-    /// Half of its time is for the interrupts of the line and what else a tick does.
-    const WORK_RATE: u32 = 16_000_000 / 3_430 / 2;
+    /// Units of work of a second; half of its time is for the interrupts of the line and what else a tick does.
+    const WORK_RATE: u32 = Processor::CORTEX_M0.work_rate(board::CLOCK, 4);
 
     static SETUP: Setup = Setup {
         name: "microbit",

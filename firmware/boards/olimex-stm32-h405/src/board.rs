@@ -41,7 +41,7 @@ use stm32f4xx_hal::watchdog::IndependentWatchdog;
 /// Of the serial line.
 pub(crate) const BAUD: u32 = 921_600;
 /// Of the core (Hz).
-const CORE: u32 = 168_000_000;
+pub(crate) const CORE: u32 = 168_000_000;
 /// Counts of TIM5 in a µs: on the chip, and in QEMU, whose timers run at 1 GHz whatever their clock is.
 const COUNTS: (u32, u32) = (84, 1_000);
 /// A tick that does not come for so long ends in a reset (ms), to a half more or less by the oscillator of the watchdog: the

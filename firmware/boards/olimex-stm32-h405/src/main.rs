@@ -47,12 +47,12 @@ mod app {
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
     use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
+    use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
     use stm32f4xx_hal::pac::Interrupt;
 
-    /// Units of work of a second: one takes 630 cycles at most in a long step (host-sim/README.md, at 2 cycles of an instruction).
-    /// An eighth of its time is for the interrupts of the line.
-    const WORK_RATE: u32 = 168_000_000 / 630 / 8 * 7;
+    /// Units of work of a second; an eighth of its time is for the interrupts of the line.
+    const WORK_RATE: u32 = Processor::CORTEX_M4F.work_rate(board::CORE, 7);
 
     static SETUP: Setup = Setup {
         name: "olimex-stm32-h405",

@@ -48,11 +48,11 @@ mod app {
     use crate::work::{self, CompiledScene, SCENE, SharedClock, SharedServo, Work};
     use stiction_core::frame::Mode;
     use stiction_firmware::line::Line;
+    use stiction_firmware::speed::Processor;
     use stiction_firmware::station::{SceneType, Setup};
 
-    /// Units of work of a second: one takes 3173 cycles at most in a long step, counted (host-sim/README.md).
-    /// A quarter of its time is for the interrupts of the lines and what else a tick does.
-    const WORK_RATE: u32 = board::CLOCK / 3_173 / 4 * 3;
+    /// Units of work of a second; a quarter of its time is for the interrupts of two lines and what else a tick does.
+    const WORK_RATE: u32 = Processor::CORTEX_M0_PLUS.work_rate(board::CLOCK, 6);
 
     static SETUP: Setup = Setup {
         name: "pico",
