@@ -115,17 +115,59 @@ if [ ${#boards[@]} != 0 ]; then
   cargo build -p stiction-firmware --profile device-small --features board --bin 'bits_among_*' --locked "${boards[@]}"
 fi
 
-# What takes minutes to compile, beside tests that do not need all cores. Not more than that: the emulated boards are to keep the time.
-deny=target/cargo-deny.log
+# beside LOG COMMAND: runs it next to the stages that follow, with less claim to the cores.
 mkdir -p target
-{ cargo deny --version || env -u CARGO_TARGET_DIR nice cargo install cargo-deny --locked; } >"$deny" 2>&1 &
-builds=$!
+beside() {
+  local log=target/$1.log
+  shift
+  (
+    renice -n 10 -p "$BASHPID" >/dev/null || true
+    "$@"
+  ) >"$log" 2>&1 &
+}
+# shown LOG PROCESS: waits for its end; what it said, if it failed.
+shown() {
+  wait "$2" || {
+    tail -n 60 "target/$1.log"
+    return 1
+  }
+}
+
+# What takes minutes to compile, next to the build of the tests, which does not always need all cores. Not more than that: the emulated
+# boards are to keep the time.
+installs() {
+  local tool
+  for tool in deny fuzz; do
+    cargo "$tool" --version || env -u CARGO_TARGET_DIR cargo install "cargo-$tool" --locked
+  done
+}
+beside cargo-tools installs
+installs=$!
 
 stage 'tests'
 # With debug assertions and overflow checks. That a release build computes the same is among them, by the bits of all answers; the tests
 # in one are a matter of the nightly run. What no test runs is not built: the examples, which the lints have looked at.
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --lib --bins --tests
 cargo test --no-fail-fast --workspace --exclude stiction-bench --locked --doc
+
+# The page and the Python package leave a core free: for the fuzz targets, the oldest compiler, and a walk.
+has_fuzz() { command -v c++ && cargo fuzz --version; } >/dev/null 2>&1
+oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
+oldest_checks() {
+  cargo "+$oldest" --version 2>/dev/null || rustup toolchain install "$oldest" --profile minimal || {
+    missing "Rust $oldest" "rustup toolchain install $oldest --profile minimal"
+    return
+  }
+  cargo "+$oldest" check -p stiction-core -p stiction-host-sim --no-default-features --locked --target-dir "target/rust-$oldest"
+}
+wait "$installs" || true
+others() {
+  if has_fuzz; then tests/fuzz/run.sh build; fi
+  oldest_checks
+  cargo run --release --locked -p stiction-tests --example walk -- 10000000
+}
+beside others others
+others=$!
 
 stage 'the live page'
 # In Node.js 20 or newer and in Chromium; the page's tools and playwright come from a lock file.
@@ -172,8 +214,9 @@ else
   target/python/bin/python -m pytest -q host-sim/python
 fi
 
-stage 'ten million steps of the hand'
-cargo run --release --locked -p stiction-tests --example walk -- 10000000
+stage "the oldest compiler, $oldest, and ten million steps of the hand"
+shown others "$others"
+tail -n 5 target/others.log
 
 stage 'fuzzing, a minute for each target'
 # The same inputs on every machine, and not more where it is fast: a change is not to fail by chance. Without use_cmp, which tries
@@ -191,8 +234,7 @@ fuzz_for_a_minute() {
 }
 if ! command -v c++ >/dev/null; then
   missing 'a C++ compiler' 'apt-get install -y --no-install-recommends g++'
-elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
-  tests/fuzz/run.sh build
+elif has_fuzz; then
   fuzz_for_a_minute wire 600000 & wire=$!
   fuzz_for_a_minute solver 6000
   wait $wire
@@ -201,19 +243,12 @@ elif cargo fuzz --version || cargo install cargo-fuzz --locked; then
   wait $scene_file
   fuzz_for_a_minute obstacles 4000
 else
+  tail -n 20 target/cargo-tools.log
   missing cargo-fuzz 'cargo install cargo-fuzz --locked'
 fi
 
 stage 'documentation'
 RUSTDOCFLAGS='-D warnings' cargo doc --workspace --no-deps --locked
-
-oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
-stage "oldest compiler, $oldest"
-if cargo "+$oldest" --version 2>/dev/null || rustup toolchain install "$oldest" --profile minimal; then
-  cargo "+$oldest" check -p stiction-core -p stiction-host-sim --no-default-features --locked --target-dir "target/rust-$oldest"
-else
-  missing "Rust $oldest" "rustup toolchain install $oldest --profile minimal"
-fi
 
 # as_database ARCHIVE: cargo-deny fetches its database from the files of this archive.
 as_database() {
@@ -229,7 +264,7 @@ as_database() {
 }
 
 stage 'dependencies: licences, sources, duplicates'
-if wait "$builds"; then
+if cargo deny --version; then
   cargo deny --locked check licenses bans sources
 
   stage 'dependencies: known vulnerabilities'
@@ -245,7 +280,7 @@ if wait "$builds"; then
     missing 'the database of vulnerabilities' 'cargo deny fetch db'
   fi
 else
-  tail -n 20 "$deny"
+  tail -n 20 target/cargo-tools.log
   missing cargo-deny 'cargo install cargo-deny --locked'
 fi
 

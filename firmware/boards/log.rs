@@ -1,4 +1,4 @@
-//! The log, by defmt where a feature turns it on. Nothing is logged in the tick or in the serial interrupt.
+//! The log, by defmt where a feature turns it on. Nothing is logged in ticks, turns or the interrupt of the line.
 
 #[cfg(feature = "rtt")]
 use defmt_rtt as _;
@@ -18,15 +18,16 @@ pub(crate) use {nothing as error, nothing as info};
 
 use stiction_firmware::station::News;
 
-/// Logs what a board has to say; `lost` bytes came when there was no room for them.
-pub(crate) fn tell(news: News, lost: u32) {
+/// Logs what a board has to say. Its longest tick (ns); `lost` bytes came when there was no room for them.
+pub(crate) fn tell(news: News, longest_tick: u32, lost: u32) {
     match news {
         News::Force(force) => info!("force: {=str}", force),
         News::Reset => info!("everything reset"),
         News::Counts(seen) => info!(
-            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
+            "ticks: {=u32}, {=u32} missed, {=u32} ns the longest, {=u32} ns the longest turn; samples: {=u32}; frames: {=u32} lost, {=u32} faulty, {=u32} not sent; bytes: {=u32} lost",
             seen.ticks,
             seen.missed_ticks,
+            longest_tick,
             seen.worst_tick,
             seen.samples,
             seen.lost_frames,

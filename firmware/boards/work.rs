@@ -1,9 +1,11 @@
 //! What every board does: its ticks, its turns, and its log while nothing else is to be done. Its own part is `board`, which gives the
 //! clock, the watchdog and the device, and in `main.rs` what it is (`Setup`), its lines and who interrupts whom: ticks interrupt turns.
 
+use core::sync::atomic::{AtomicU32, Ordering};
+
 use rtic::Mutex;
 use stiction_firmware::device::{LockServo, Servo};
-use stiction_firmware::line::{self, Line};
+use stiction_firmware::line::{self, Clock as _, Line};
 use stiction_firmware::station::{Log, Setup, Watch, station_of};
 
 use crate::board::{Clock, Device, Watchdog};
@@ -22,6 +24,9 @@ pub(crate) type Program = station_of!(CompiledScene);
 
 /// What the turn tells the log.
 static WATCH: Watch = Watch::new();
+
+/// The longest tick (ns), without its entry: for the log, and for whoever looks at the memory.
+static LONGEST_TICK: AtomicU32 = AtomicU32::new(0);
 
 /// The program of a board; without one, nothing is started.
 pub(crate) fn program(setup: &'static Setup) -> Program {
@@ -51,8 +56,13 @@ impl SharedServo {
 
 /// A tick has come: the hand is measured, the force goes on. A turn is to follow.
 pub(crate) fn tick(mut clock: impl Mutex<T = SharedClock>, mut servo: impl Mutex<T = SharedServo>) {
-    let now_us = clock.lock(|clock| clock.0.tick());
+    let (now_us, begun) = clock.lock(|clock| (clock.0.tick(), clock.0.now_ns()));
     servo.lock(|servo| servo.0.tick(now_us));
+    let took = clock.lock(|clock| clock.0.now_ns()).wrapping_sub(begun);
+    // Nobody else writes it, and a Cortex-M0 has no maximum at once.
+    if took > LONGEST_TICK.load(Ordering::Relaxed) {
+        LONGEST_TICK.store(took, Ordering::Relaxed);
+    }
 }
 
 /// What turns work with.
@@ -100,7 +110,8 @@ impl<M: Mutex<T = SharedClock>> line::Clock for Locked<M> {
 pub(crate) fn log(setup: &Setup, lost: impl Fn() -> u32, rest: fn()) -> ! {
     let mut news = Log::new(&WATCH, setup.mode.tick_rate);
     loop {
-        news.look(&WATCH, |news| log::tell(news, lost()));
+        let longest_tick = LONGEST_TICK.load(Ordering::Relaxed);
+        news.look(&WATCH, |news| log::tell(news, longest_tick, lost()));
         rest();
     }
 }

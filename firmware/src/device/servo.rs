@@ -8,6 +8,11 @@
 //!
 //! Both give a force: that of the end of a turn replaces that of the tick in which it ends. The limits of rate count from the
 //! force at the end of the tick before, so that no tick changes it by more than one step.
+//!
+//! Where a turn takes longer than a tick, its force is held for longer than the bound of stiffness ([`Passivity::hold_us`]) counts on: for
+//! that time the device may do work on the hand, at most as long as silence allows.
+//!
+//! [`Passivity::hold_us`]: crate::safety::Passivity::hold_us
 
 use super::ports::{Actuators, Outage, Sample, Source};
 use crate::safety::{Flags, Given, Governor, Health, Limits, Silence, Ticks, lateness, latest};

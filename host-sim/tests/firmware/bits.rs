@@ -12,15 +12,15 @@ pub(crate) const SAMPLES: u32 = 3_000;
 const WINDOW: usize = 5;
 
 /// The poses of a board along a path, a step with every sample.
-fn poses(board: &mut Board) -> Vec<Pose> {
+fn poses(board: &mut Board, samples: u32) -> Vec<Pose> {
     let mut poses = Vec::new();
-    for (sent, hand) in hand_path(SAMPLES).into_iter().enumerate() {
+    for (sent, hand) in hand_path(samples).into_iter().enumerate() {
         board.send(Command::Hand(hand));
         while sent >= poses.len() + WINDOW {
             poses.push(next_pose(board));
         }
     }
-    while poses.len() < SAMPLES as usize {
+    while poses.len() < samples as usize {
         poses.push(next_pose(board));
     }
     poses
@@ -35,14 +35,18 @@ fn next_pose(board: &mut Board) -> Pose {
 
 /// As it works after power-up, and in the other evolution: so many poses have the bits in each; nothing
 /// where something is missing.
-pub(crate) fn same_bits<R: Real<Si = f32>>(chip: &'static Chip, number: NumberType) -> Option<u32> {
+pub(crate) fn same_bits<R: Real<Si = f32>>(
+    chip: &'static Chip,
+    number: NumberType,
+    samples: u32,
+) -> Option<()> {
     let mut board = Board::start(chip)?;
-    same_bits_of::<R>(&mut board, number);
-    Some(SAMPLES)
+    same_bits_of::<R>(&mut board, number, samples);
+    Some(())
 }
 
 /// The same of a board that runs.
-pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberType) {
+pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberType, samples: u32) {
     assert_eq!(board.info().number, number);
     let own = Mode {
         stepping: Stepping::PerSample,
@@ -62,34 +66,43 @@ pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberT
         board.done(Command::Mode(mode));
         let mut beside = Beside::<R>::new(&mode);
         beside.solver = beside.solver.with_budget(board.info().budget);
-        let poses = poses(board);
-        for (i, (pose, hand)) in poses.iter().zip(hand_path(SAMPLES)).enumerate() {
+        let poses = poses(board, samples);
+        for (i, (pose, hand)) in poses.iter().zip(hand_path(samples)).enumerate() {
             assert_same(
                 pose,
                 &beside.step(hand),
                 &format!("{} {i}", board.chip.name()),
             );
         }
-        assert_eq!(poses.len(), SAMPLES as usize);
+        assert_eq!(poses.len(), samples as usize);
     }
 }
 
 #[test]
 fn poses_of_the_f405_are_those_of_f32() {
-    same_bits::<f32>(&F405, NumberType::F32);
+    same_bits::<f32>(&F405, NumberType::F32, SAMPLES);
 }
 
 #[test]
 fn poses_of_the_microbit_are_those_of_fixed() {
-    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed);
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, SAMPLES);
 }
 
 #[test]
 fn poses_of_the_pico_are_those_of_fixed() {
-    same_bits::<Fixed>(&PICO, NumberType::Fixed);
+    same_bits::<Fixed>(&PICO, NumberType::Fixed, SAMPLES);
 }
 
 #[test]
 fn poses_in_the_place_of_the_pico_2_are_those_of_f32() {
-    same_bits::<f32>(&AN505, NumberType::F32);
+    same_bits::<f32>(&AN505, NumberType::F32, SAMPLES);
+}
+
+#[test]
+#[ignore = "takes an hour"]
+fn a_hundred_thousand_poses_of_each_board_have_the_bits() {
+    same_bits::<f32>(&AN505, NumberType::F32, 100_000);
+    same_bits::<f32>(&F405, NumberType::F32, 100_000);
+    same_bits::<Fixed>(&PICO, NumberType::Fixed, 100_000);
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, 100_000);
 }

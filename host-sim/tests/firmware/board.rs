@@ -193,11 +193,18 @@ impl Board {
         }
     }
 
-    /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
-    /// than what was never touched.
-    pub(crate) fn stack(&mut self) -> usize {
-        let ram = self.chip.board.ram;
-        let size = usize::try_from(self.image.contents.stack_top.unwrap() - ram).unwrap();
+    /// The longest tick so far (instructions; of the Pico, cycles), without its entry.
+    pub(crate) fn longest_tick(&mut self) -> u32 {
+        let symbols = &self.image.contents.symbols;
+        let (_, place) = (symbols.iter())
+            .find(|(name, _)| name.contains("LONGEST_TICK"))
+            .expect("the board measures its ticks");
+        let bytes = self.memory(*place, 4);
+        self.instructions(u32::from_le_bytes(bytes.try_into().unwrap()))
+    }
+
+    /// A piece of its memory as it is now.
+    fn memory(&mut self, from: u64, size: usize) -> Vec<u8> {
         let begun = Instant::now();
         let Self {
             emulator,
@@ -206,11 +213,19 @@ impl Board {
             ..
         } = self;
         // A line that nobody reads holds the emulator up.
-        let ram = emulator.memory(ram, size, || {
+        let bytes = emulator.memory(from, size, || {
             assert!(begun.elapsed() < PATIENCE);
             came.extend(read(line));
         });
-        let ram = ram.unwrap();
+        bytes.unwrap()
+    }
+
+    /// How deep the stack has been so far (bytes): RAM is zero at power-up, so the zeros at its lowest end are a little more
+    /// than what was never touched.
+    pub(crate) fn stack(&mut self) -> usize {
+        let ram = self.chip.board.ram;
+        let size = usize::try_from(self.image.contents.stack_top.unwrap() - ram).unwrap();
+        let ram = self.memory(ram, size);
         size - ram.iter().take_while(|byte| **byte == 0).count()
     }
 }

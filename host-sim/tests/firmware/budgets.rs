@@ -102,7 +102,8 @@ pub(crate) struct Taken {
     pub(crate) flash: u64,
     pub(crate) variables: u64,
     pub(crate) stack: u64,
-    /// The longest step, the longest turn, the longest turn with a command.
+    /// The longest tick, the longest step, the longest turn, the longest turn with a command.
+    pub(crate) tick: u32,
     pub(crate) step: u32,
     pub(crate) turn: u32,
     pub(crate) command: u32,
@@ -115,6 +116,7 @@ pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
     let mut board = Board::start(chip)?;
     let about = board.info();
     let health = path(&mut board);
+    let tick = board.longest_tick();
     let command = commands(&mut board);
     board.done(Command::Reset(Reset::Everything));
     Some(Taken {
@@ -122,6 +124,7 @@ pub(crate) fn measure(chip: &'static Chip) -> Option<Taken> {
         flash: board.image.contents.flash,
         variables: board.image.contents.variables,
         stack: u64::try_from(board.stack()).unwrap(),
+        tick,
         step: board.instructions(health.worst_step),
         turn: board.instructions(health.worst_tick),
         command,
@@ -142,6 +145,7 @@ fn figures_within_budget(chip: &'static Chip) {
     let budget = Budget::of(chip);
     budget.holds("flash", taken.flash);
     budget.holds("variables", taken.variables);
+    budget.holds("tick", u64::from(taken.tick));
     budget.holds("turn", u64::from(taken.turn));
     budget.holds("missed", u64::from(taken.missed));
     budget.holds("command", u64::from(taken.command));

@@ -15,7 +15,7 @@ use stiction_core::frame::{Command, Reset};
 /// The counts of a second.
 const COUNTS: &str = "ticks: ";
 /// In them, what stands before a number that hangs on how fast this machine is.
-const TIMED: [&str; 3] = ["ticks: ", " missed, ", " faulty, "];
+const TIMED: [&str; 4] = ["ticks: ", " missed, ", " the longest, ", " faulty, "];
 
 /// A session and its transcript.
 struct Told {

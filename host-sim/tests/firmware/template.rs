@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
 
-use crate::bits::same_bits_of;
+use crate::bits::{SAMPLES, same_bits_of};
 use crate::board::Board;
 use crate::chip::{Image, PICO};
 use stiction_core::Fixed;
@@ -74,7 +74,7 @@ fn program(folder: &Path, features: &[&str], target: &str) -> Option<Image> {
 fn runs_on_the_pico(image: Image) {
     let mut board = Board::start_image(&PICO, image).unwrap();
     assert_eq!(board.info().name, "my-board");
-    same_bits_of::<Fixed>(&mut board, NumberType::Fixed);
+    same_bits_of::<Fixed>(&mut board, NumberType::Fixed, SAMPLES);
 }
 
 #[test]
