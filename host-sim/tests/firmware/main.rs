@@ -22,8 +22,10 @@ mod lost;
 mod pantograph;
 mod pico;
 mod pico2;
+mod pico2_setup;
 #[path = "../../../firmware/tests/station/random.rs"]
 mod random;
+mod rp2350;
 mod scene;
 mod session;
 mod silence;
