@@ -1,5 +1,6 @@
-//! The RP2350 as far as the set-up of a program sees it: one Cortex-M33, its memory, and registers that remember. The core is that of the
-//! crate `rp2350-emu`, whose peripherals are left out: what counts is what is written, and where. Of the ROM there is one function only.
+//! The RP2350 as far as the set-up of a program sees it: one Cortex-M33, its memory, registers that remember, a timer that interrupts. The
+//! core is that of the crate `rp2350-emu`, whose peripherals are left out: what counts is what is written, and where. It knows three bits of
+//! a priority, of which the chip has four: the line and the tick interrupt each other as equals. Of the ROM there is one function only.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -25,9 +26,12 @@ pub(crate) const WAFER: u32 = 0x0123_4567;
 /// Two functions of the ROM, at addresses of ours.
 const LOOKUP: u32 = 0x100;
 const GET_SYS_INFO: u32 = 0x200;
-/// The code of the second, and what it is asked for (datasheet, 5.4.8).
+/// The code of the second, and what it is asked for (datasheet, 5.4).
 const GET_SYS_INFO_CODE: u32 = u32::from_le_bytes(*b"GS\0\0");
 const CHIP_INFO: u32 = 1;
+
+/// The interrupt of its timer (datasheet, 3.2).
+const TIMER0_IRQ_0: u32 = 0;
 
 /// Priorities of interrupts, a byte each (NVIC_IPR), of which the chip has the upper four bits.
 const PRIORITIES: std::ops::Range<u32> = 0xE000_E400..0xE000_E434;
@@ -65,6 +69,32 @@ impl Chip {
     /// Cycles since power-up, as its timer counts them: an instruction takes one.
     pub(crate) fn cycles(&self) -> u64 {
         self.fabric.peripherals.cycles
+    }
+
+    /// Goes on for so many cycles, most of them asleep.
+    pub(crate) fn run(&mut self, cycles: u64) {
+        let end = self.cycles() + cycles;
+        while self.cycles() < end {
+            if self.sleeps() {
+                let due = self.fabric.peripherals.due().unwrap_or(end).min(end);
+                self.fabric.peripherals.cycles = due.max(self.cycles() + 1);
+            } else {
+                self.step();
+            }
+            self.fire();
+        }
+    }
+
+    /// Its timer interrupts it when that is due.
+    fn fire(&mut self) {
+        let peripherals = &mut self.fabric.peripherals;
+        let is_due = peripherals
+            .due()
+            .is_some_and(|due| due <= peripherals.cycles);
+        if is_due && peripherals.fire() {
+            self.fabric.atomics().assert_irq(0, TIMER0_IRQ_0);
+            self.core.wake();
+        }
     }
 
     /// One instruction, or one function of the ROM.
@@ -173,6 +203,13 @@ impl Chip {
     /// What a register of a peripheral holds.
     pub(crate) fn word(&self, at: u32) -> u32 {
         self.fabric.peripherals.word(at)
+    }
+
+    /// What was written to a register: when (cycles), and what it then held.
+    pub(crate) fn written(&self, register: u32) -> Vec<(u64, u32)> {
+        let written = self.fabric.peripherals.written.iter();
+        let here = written.filter(|(_, at, _)| *at == register);
+        here.map(|(when, _, word)| (*when, *word)).collect()
     }
 
     /// Where the program read or wrote a peripheral in reset.

@@ -10,7 +10,7 @@ use super::peripherals::Peripherals;
 use super::{FLASH, LOOKUP, RAM, RAM_SIZE};
 
 /// Words of the ROM: the version 2 behind its mark; in the upper half, where the function begins that looks up functions (RP2350 datasheet,
-/// 5.4.1).
+/// 5.4).
 const VERSION_AT: u32 = 0x10;
 const VERSION: u32 = u32::from_le_bytes(*b"Mu\x02\x02");
 const LOOKUP_AT: u32 = 0x14;

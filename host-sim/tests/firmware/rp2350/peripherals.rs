@@ -1,6 +1,6 @@
 //! The peripherals of the RP2350, which only remember: a register holds what was written to it, or what the datasheet gives it at reset.
 //! Some answer for the hardware, and say what the datasheet says of them: a crystal that is stable, a PLL that is locked, a clock that has
-//! changed over, a block that is out of reset, a timer that counts. No byte comes.
+//! changed over, a block that is out of reset, a timer that counts and fires. No byte comes, and those that go are gone at once.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,12 @@ const RESETTABLE: [(u32, u32); 8] = [
 /// At power-up all are.
 const ALL_RESET: u32 = 0x1FFF_FFFF;
 /// An instruction is taken for a cycle of the processor: so many in a microsecond.
-const CYCLES: u64 = 150;
+pub(crate) const CYCLES: u64 = 150;
+/// Of the timer: its first alarm; which are armed; which have fired, which of them interrupt.
+pub(crate) const ALARM0: u32 = TIMER0 + 0x10;
+const ARMED: u32 = TIMER0 + 0x20;
+const INTR: u32 = TIMER0 + 0x3C;
+const INTE: u32 = TIMER0 + 0x40;
 
 /// What a register holds at reset, if it is not 0. Of a peripheral not named here, nothing is known.
 const fn reset_value(at: u32) -> u32 {
@@ -88,6 +93,8 @@ pub(super) struct Peripherals {
     pub(super) lost: Vec<u32>,
     /// Of the processor since power-up, as the timer has it.
     pub(super) cycles: u64,
+    /// What was written: when (cycles), to which register, what it then held.
+    pub(super) written: Vec<(u64, u32, u32)>,
 }
 
 impl Peripherals {
@@ -141,9 +148,12 @@ impl Peripherals {
         };
         let word = match register {
             XOSC => crystal(stored, word),
+            // It is cleared by ones.
+            INTR => stored & !word,
             _ => word,
         };
         self.registers.insert(register, word);
+        self.written.push((self.cycles, register, word));
         if register == RESETS {
             let registers = std::mem::take(&mut self.registers);
             let others = registers.into_iter();
@@ -151,9 +161,20 @@ impl Peripherals {
             let kept: Vec<_> = others.filter(|(at, _)| !self.is_in_reset(*at)).collect();
             self.registers.extend(kept);
         }
-        // ALARM0: with it, ARMED.
-        if register == TIMER0 + 0x10 {
-            self.registers.insert(TIMER0 + 0x20, 1);
+        if register == ALARM0 {
+            self.registers.insert(ARMED, 1);
         }
+    }
+
+    /// When the first alarm fires, if it is armed (cycles).
+    pub(super) fn due(&self) -> Option<u64> {
+        (self.word(ARMED) & 1 != 0).then_some(u64::from(self.word(ALARM0)) * CYCLES)
+    }
+
+    /// The first alarm fires; the result is whether it interrupts.
+    pub(super) fn fire(&mut self) -> bool {
+        self.registers.insert(ARMED, 0);
+        self.registers.insert(INTR, 1);
+        self.word(INTE) & 1 != 0
     }
 }
