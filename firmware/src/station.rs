@@ -267,6 +267,8 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
         self.controller.measured(took);
         self.flags = turn.flags;
         self.latched = turn.latched;
+        // A sample that came is in the pose, however old it is by now.
+        self.told.silent = turn.flags.silent && sample.is_none();
         if let Some(output) = &turn.output {
             self.happened(output, now_us, link);
         }

@@ -1,6 +1,5 @@
 //! The knob: from counts to the hand, from the force to the motor; and with a scene, a rough plate under a point.
 
-#[allow(dead_code)]
 #[path = "pantograph/bench.rs"]
 mod bench;
 

@@ -149,6 +149,8 @@ impl Rule {
     }
 
     /// The force of now goes to a device, which is off in the safe state, and after a fault that lasts.
+    // Once in an image: flash is short.
+    #[inline(never)]
     fn give(&mut self, silent: bool, device: &mut impl Actuators) {
         let mut flags = Flags {
             silent,

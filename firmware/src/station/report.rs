@@ -32,6 +32,8 @@ pub(super) struct Told {
     status: Status,
     /// The sequence number of the newest sample in it.
     sample: u8,
+    /// No sample came for so long that the pose is held.
+    pub(super) silent: bool,
     /// Steps since a pose and since forces were due.
     since_pose: u16,
     since_forces: u16,
@@ -45,6 +47,7 @@ impl Told {
             events: EventSet::default(),
             status: Status::HeldLast,
             sample: 0,
+            silent: true,
             since_pose: 0,
             since_forces: 0,
             health_us: None,
@@ -126,7 +129,7 @@ impl<R: Real<Si = f32>, const V: usize, const S: usize, M: BoardModel> Desk<R, V
             turns: u8::try_from(pose.angle.turns.rem_euclid(8)).unwrap_or(0),
             depth: pose.depth,
             state: pose.state,
-            status: if turn.flags.silent {
+            status: if self.told.silent {
                 Status::HeldLast
             } else {
                 self.told.status

@@ -1,7 +1,7 @@
 //! Joint angles to the hand, a wrench to torques, counts to joint angles.
 
-use crate::bench::reference;
 use crate::geometry;
+use crate::reference::{reference, transposed};
 use core::f32::consts::{PI, TAU};
 use stiction_core::{Angle, Wrench};
 use stiction_firmware::pantograph::{
@@ -77,18 +77,8 @@ fn the_power_of_the_torques_is_that_of_the_wrench() {
                 continue;
             };
             let torques = found.torques(&wrench).unwrap();
-            for (joint, torque) in torques.into_iter().enumerate() {
-                // dP/dq and dphi/dq by differences of the reference.
-                let at = |h: f64| {
-                    let mut q = q.map(f64::from);
-                    q[joint] += h;
-                    reference(&g, q)
-                };
-                let (h, [x0, y0, p0], [x1, y1, p1]) = (1e-6, at(-1e-6), at(1e-6));
-                let [fx, fy] = wrench.force.map(f64::from);
-                let power =
-                    (fx * (x1 - x0) + fy * (y1 - y0) + f64::from(wrench.moment) * (p1 - p0))
-                        / (2.0 * h);
+            let powers = transposed(&g, q.map(f64::from), &wrench);
+            for (torque, power) in torques.into_iter().zip(powers) {
                 let size = 0.01 + power.abs();
                 // Near the least sine the Jacobian magnifies the rounding of the angles twentyfold.
                 assert!(

@@ -6,6 +6,7 @@ mod device;
 mod example;
 mod kinematics;
 mod motors;
+mod reference;
 
 use stiction_firmware::pantograph::{Encoder, Geometry, HandleMount};
 

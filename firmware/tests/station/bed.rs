@@ -1,7 +1,7 @@
 //! A board with the example device on this machine: the inverse kinematics from a hand to the encoders, and what the motors
 //! give.
 
-use crate::bench::{Bench, reference};
+use crate::bench::Bench;
 use crate::client::{Answer, Said};
 use crate::example::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
 use crate::rig::{Rig, setup};
@@ -143,18 +143,4 @@ impl Bed {
         });
         answers.collect()
     }
-}
-
-/// The torques of a wrench by the differences of the kinematics: J^T F.
-pub(crate) fn transposed(q: [f64; 3], wrench: &Wrench<f32>) -> [f64; 3] {
-    let [fx, fy] = wrench.force.map(f64::from);
-    std::array::from_fn(|joint| {
-        let at = |h: f64| {
-            let mut q = q;
-            q[joint] += h;
-            reference(&GEOMETRY, q)
-        };
-        let ([x0, y0, p0], [x1, y1, p1]) = (at(-1e-6), at(1e-6));
-        (fx * (x1 - x0) + fy * (y1 - y0) + f64::from(wrench.moment) * (p1 - p0)) / 2e-6
-    })
 }

@@ -19,6 +19,8 @@ mod no_commands;
 mod obstacles;
 mod pantograph;
 mod random;
+#[path = "../pantograph/reference.rs"]
+mod reference;
 mod rig;
 mod scenes;
 mod silence;

@@ -1,9 +1,9 @@
 //! The board's own device from end to end: a hand moves the mechanism of the example device, and its motors push back.
 
-use crate::bed::{Bed, Shown, transposed};
-use crate::bench::reference;
+use crate::bed::{Bed, Shown};
 use crate::client::Said;
 use crate::example::{GEOMETRY, MOTORS};
+use crate::reference::{reference, transposed};
 use std::f64::consts::TAU;
 use stiction_core::frame::{Command, Drive, Mode, Parameters, Reason, Reset, Subject};
 use stiction_core::{Hand, Status, Wrench};
@@ -28,7 +28,10 @@ fn a_hand_in_the_floor_feels_the_spring_in_its_joints() {
         bed.stay([x, 0.06, phi], 30);
         let force = bed.stay([x, y, phi], 150);
         let torques = bed.torques();
-        for (joint, wanted) in transposed(bed.angles(), &force).into_iter().enumerate() {
+        for (joint, wanted) in transposed(&GEOMETRY, bed.angles(), &force)
+            .into_iter()
+            .enumerate()
+        {
             // Half a step of the PWM.
             let step = f64::from(MOTORS[joint].full_torque()) / 8_400.0;
             assert!(

@@ -86,6 +86,13 @@ pub(crate) const KNOB: Chip = Chip {
     ..PICO
 };
 
+/// With a pantograph of its own.
+#[cfg(feature = "cycles")]
+pub(crate) const PICO_PANTOGRAPH: Chip = Chip {
+    features: "pantograph",
+    ..PICO
+};
+
 /// With a log, and an end where it stops.
 pub(crate) const ENDING_AN505: Chip = Chip {
     features: "semihosting",

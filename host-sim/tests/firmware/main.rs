@@ -15,16 +15,23 @@ mod commands;
 #[path = "../../../firmware/tests/common/mod.rs"]
 mod common;
 mod drags;
+#[cfg(feature = "cycles")]
+#[path = "../../../firmware/devices/pantograph.rs"]
+mod example;
 mod knob;
 mod line;
 mod log;
 mod lost;
 mod pantograph;
+mod pantograph_pico;
 mod pico;
 mod pico2;
 mod pico2_setup;
 #[path = "../../../firmware/tests/station/random.rs"]
 mod random;
+#[cfg(feature = "cycles")]
+#[path = "../../../firmware/tests/pantograph/reference.rs"]
+mod reference;
 mod rp2350;
 mod scene;
 mod session;
@@ -32,3 +39,4 @@ mod silence;
 mod table;
 mod template;
 mod uf2;
+mod wiring;

@@ -18,19 +18,31 @@ use tempfile::TempDir;
 /// What a board outside depends on.
 const PACKAGES: [&str; 4] = ["core", "text", "scene", "firmware"];
 
-/// The packages as cargo would upload them, each built from what is in it: the folder in which they lie.
+/// The packages as cargo would upload them: the folder in which they lie. That each can be built from what is in it, the template shows.
 fn packages() -> Option<PathBuf> {
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("packages");
     let mut cargo = Process::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(workspace());
     // What is not committed yet is tested, too.
-    cargo.args(["package", "--locked", "--allow-dirty", "--target-dir"]);
-    cargo.arg(&target);
+    cargo.args(["package", "--locked", "--allow-dirty", "--no-verify"]);
+    cargo.arg("--target-dir").arg(&target);
     for name in PACKAGES {
         cargo.args(["-p", &format!("stiction-{name}")]);
     }
     if_installed(output_of(cargo))?;
-    Some(target.join("package"))
+    let folder = target.join("package");
+    for package in PACKAGES.map(file_name) {
+        let mut tar = Process::new("tar");
+        tar.current_dir(&folder)
+            .args(["-xzf", &format!("{package}.crate")]);
+        if_installed(output_of(tar))?;
+    }
+    Some(folder)
+}
+
+/// Of a package, without its ending.
+fn file_name(package: &str) -> String {
+    format!("stiction-{package}-{}", env!("CARGO_PKG_VERSION"))
 }
 
 fn copy(from: &Path, to: &Path) {
@@ -52,7 +64,7 @@ fn template(packages: &Path) -> TempDir {
     let settings = folder.path().join(".cargo/config.toml");
     let mut text = fs::read_to_string(&settings).unwrap() + "\n[patch.crates-io]\n";
     for name in PACKAGES {
-        let package = packages.join(format!("stiction-{name}-{}", env!("CARGO_PKG_VERSION")));
+        let package = packages.join(file_name(name));
         text += &format!("stiction-{name}.path = {package:?}\n");
     }
     fs::write(settings, text).unwrap();

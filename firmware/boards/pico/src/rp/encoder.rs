@@ -1,7 +1,10 @@
 //! Quadrature encoders, counted by state machines of the PIO: 10 million changes a second, without the processor.
 #![allow(unsafe_code)]
 
-use pio::{Program, RP2040_MAX_PROGRAM_SIZE, pio_asm};
+use pio::{
+    Instruction, InstructionOperands, MovDestination, MovOperation, MovSource, Program,
+    RP2040_MAX_PROGRAM_SIZE, SetDestination, pio_asm,
+};
 
 use super::pins::Free;
 use crate::hal::gpio::{FunctionPio0, PinId, PullUp, ValidFunction};
@@ -60,6 +63,20 @@ fn counting() -> Program<RP2040_MAX_PROGRAM_SIZE> {
     .program
 }
 
+/// Makes Y the middle of all numbers, of which the lower half is 0, so that neither way leads through the end of the numbers: 1, its bits
+/// reversed.
+const MIDDLE: [InstructionOperands; 2] = [
+    InstructionOperands::SET {
+        destination: SetDestination::Y,
+        data: 1,
+    },
+    InstructionOperands::MOV {
+        destination: MovDestination::Y,
+        op: MovOperation::BitReverse,
+        source: MovSource::Y,
+    },
+];
+
 /// The program in the PIO, for all its state machines.
 pub(super) fn install(pio: &mut PIO<PIO0>) -> InstalledProgram<PIO0> {
     // There is nothing else in it.
@@ -91,11 +108,18 @@ impl<M: StateMachineIndex> Encoder<M> {
         b.reconfigure::<FunctionPio0, PullUp>();
         // SAFETY: the program stays in the PIO for ever.
         let program = unsafe { program.share() };
-        let (machine, counts, _) = PIOBuilder::from_installed_program(program)
+        let (mut machine, counts, _) = PIOBuilder::from_installed_program(program)
             .in_pin_base(first)
             .in_shift_direction(ShiftDirection::Left)
             .out_shift_direction(ShiftDirection::Right)
             .build(machine);
+        for operands in MIDDLE {
+            machine.exec_instruction(Instruction {
+                operands,
+                delay: 0,
+                side_set: None,
+            });
+        }
         Self {
             counts,
             _machine: machine.start(),
