@@ -39,5 +39,5 @@ pub(crate) const PASSIVITY: Option<Passivity> = Some(Passivity {
     // N·m·s/rad. The hand does not turn, and so no moment does work on it: enough for any stiffness that a scene may have.
     damping_rotation: 1e3,
     hold_us: 200, // of the fastest tick; that of a slower one counts
-    delay_us: 0,  // the encoder is read in the tick that gives the force
+    delay_us: 0,  // the encoder is read in the tick in which the force is given
 });

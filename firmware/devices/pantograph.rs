@@ -60,5 +60,5 @@ pub(crate) const PASSIVITY: Option<Passivity> = Some(Passivity {
     damping_translation: 0.5, // N·s/m: less than 1000 N/m at 1 kHz
     damping_rotation: 0.0005, // N·m·s/rad: less than 1 N·m/rad at 1 kHz
     hold_us: 200,             // of the fastest tick; that of a slower one counts
-    delay_us: 0,              // encoders are read in the tick that gives the force
+    delay_us: 0,              // encoders are read in the tick in which the force is given
 });
