@@ -4,6 +4,7 @@ use crate::beside::{Beside, assert_same};
 use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::{Said, hand_path};
+use crate::talks::Talks;
 use stiction_core::frame::{Command, Mode, NumberType, Pose, Reset, Stepping};
 use stiction_core::{Evolution, Fixed, Real};
 
@@ -12,7 +13,7 @@ pub(crate) const SAMPLES: u32 = 3_000;
 const WINDOW: usize = 5;
 
 /// The poses of a board along a path, a step with every sample.
-fn poses(board: &mut Board, samples: u32) -> Vec<Pose> {
+fn poses(board: &mut impl Talks, samples: u32) -> Vec<Pose> {
     let mut poses = Vec::new();
     for (sent, hand) in hand_path(samples).into_iter().enumerate() {
         board.send(Command::Hand(hand));
@@ -26,7 +27,7 @@ fn poses(board: &mut Board, samples: u32) -> Vec<Pose> {
     poses
 }
 
-fn next_pose(board: &mut Board) -> Pose {
+fn next_pose(board: &mut impl Talks) -> Pose {
     board.wait(|_, said| match said {
         Said::Pose(pose) if pose.status != stiction_core::Status::HeldLast => Some(*pose),
         _ => None,
@@ -46,13 +47,18 @@ pub(crate) fn same_bits<R: Real<Si = f32>>(
 }
 
 /// The same of a board that runs.
-pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberType, samples: u32) {
-    assert_eq!(board.info().number, number);
+pub(crate) fn same_bits_of<R: Real<Si = f32>>(
+    board: &mut impl Talks,
+    number: NumberType,
+    samples: u32,
+) {
+    let info = board.info();
+    assert_eq!(info.number, number);
     let own = Mode {
         stepping: Stepping::PerSample,
         health_every: 0,
         events: false,
-        ..board.info().mode
+        ..info.mode
     };
     let other = Mode {
         evolution: match own.evolution {
@@ -65,14 +71,10 @@ pub(crate) fn same_bits_of<R: Real<Si = f32>>(board: &mut Board, number: NumberT
         board.done(Command::Reset(Reset::Body));
         board.done(Command::Mode(mode));
         let mut beside = Beside::<R>::new(&mode);
-        beside.solver = beside.solver.with_budget(board.info().budget);
+        beside.solver = beside.solver.with_budget(info.budget);
         let poses = poses(board, samples);
         for (i, (pose, hand)) in poses.iter().zip(hand_path(samples)).enumerate() {
-            assert_same(
-                pose,
-                &beside.step(hand),
-                &format!("{} {i}", board.chip.name()),
-            );
+            assert_same(pose, &beside.step(hand), &format!("{} {i}", info.name));
         }
         assert_eq!(poses.len(), samples as usize);
     }

@@ -2,7 +2,7 @@
 //! at the drawn motor pins.
 #![cfg(feature = "cycles")]
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Pico};
 use crate::chip::KNOB;
 use crate::client::Said;
 use crate::wiring::{Driver, Pins, Tracks, turn};
@@ -10,7 +10,7 @@ use stiction_core::frame::{Command, Mode};
 
 #[test]
 fn a_knob_at_the_drawn_pins_gives_the_force_of_the_statics() {
-    let Some(mut bench) = Bench::start(&KNOB) else {
+    let Some(mut bench) = Bench::<Pico>::start(&KNOB) else {
         return;
     };
     let pins = Pins::drawn("knob.svg");

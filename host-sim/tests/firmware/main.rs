@@ -26,6 +26,7 @@ mod pantograph;
 mod pantograph_pico;
 mod pico;
 mod pico2;
+mod pico2_line;
 mod pico2_setup;
 #[path = "../../../firmware/tests/station/random.rs"]
 mod random;
@@ -37,6 +38,7 @@ mod scene;
 mod session;
 mod silence;
 mod table;
+mod talks;
 mod template;
 mod uf2;
 mod wiring;

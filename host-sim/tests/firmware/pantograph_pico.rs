@@ -2,7 +2,7 @@
 //! push back by the force of the statics.
 #![cfg(feature = "cycles")]
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Pico};
 use crate::chip::PICO_PANTOGRAPH;
 use crate::client::Said;
 use crate::example::{GEOMETRY, LIMITS, MOTORS, PASSIVITY};
@@ -28,7 +28,7 @@ fn angles(tracks: &[Tracks; 3]) -> [f64; 3] {
 
 #[test]
 fn a_pantograph_at_the_drawn_pins_gives_the_force_of_the_statics() {
-    let Some(mut bench) = Bench::start(&PICO_PANTOGRAPH) else {
+    let Some(mut bench) = Bench::<Pico>::start(&PICO_PANTOGRAPH) else {
         return;
     };
     let [passive, _] = PASSIVITY.unwrap().bounds();

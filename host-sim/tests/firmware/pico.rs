@@ -1,7 +1,7 @@
 //! The Pico on its own clock, step by step: random drags at 1 kHz, and what happens when all is lost.
 #![cfg(feature = "cycles")]
 
-use crate::bench::{Bench, MS, PATIENCE};
+use crate::bench::{Bench, MS, PATIENCE, Pico};
 use crate::budgets::Budget;
 use crate::chip::{self as board, Image, PICO, PICO_FLASHED};
 use crate::client::{Client, Said};
@@ -10,7 +10,7 @@ use stiction_core::frame::{Command, Drive, Health, SceneCommand};
 use stiction_core::{Hand, narrow_hand};
 use stiction_host_sim::trade::Case;
 
-impl Bench {
+impl Bench<Pico> {
     /// The hand presses until the board gives force.
     fn press(&mut self) {
         for _ in 0..PATIENCE {
@@ -71,9 +71,9 @@ impl Bench {
 
 /// What becomes of a board after something is done to it: with the image without a log, and with that which `cargo run` flashes, of which
 /// the log holds panics of its own.
-fn survives(boards: &[&board::Chip], disaster: impl Fn(&mut Bench, &Image)) {
+fn survives(boards: &[&board::Chip], disaster: impl Fn(&mut Bench<Pico>, &Image)) {
     for board in boards {
-        let Some(mut bench) = Bench::start(board) else {
+        let Some(mut bench) = Bench::<Pico>::start(board) else {
             return;
         };
         bench.press();
@@ -134,7 +134,7 @@ struct Drags {
 fn random_drags(frames: u32) -> Option<Drags> {
     /// Of the timer.
     const TICK: u32 = 0;
-    let mut bench = Bench::start(&PICO)?;
+    let mut bench = Bench::<Pico>::start(&PICO)?;
     let missed = bench.health().missed_ticks;
     let mut passed = 0;
     for case in drags::random() {

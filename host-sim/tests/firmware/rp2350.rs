@@ -1,7 +1,8 @@
-//! The RP2350 as far as the set-up of a program sees it: one Cortex-M33, its memory, registers that remember, a timer that interrupts. The
-//! core is that of the crate `rp2350-emu`, whose peripherals are left out: what counts is what is written, and where. It knows three bits of
-//! a priority, of which the chip has four: the line and the tick interrupt each other as equals. Of the ROM there is one function only.
+//! The RP2350 as far as a program on its serial line sees it: one Cortex-M33, its memory, registers that remember, a timer that interrupts,
+//! and UART0 with its line. The core is that of the crate `rp2350-emu`, with corrections; its peripherals are left out. Of the ROM there is
+//! one function only. An instruction takes a cycle, which is not so on the chip.
 
+use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
@@ -9,8 +10,13 @@ use rp2350_emu::CortexM33;
 use rp2350_emu::core::CoreBus;
 use rp2350_emu::threaded::CoreAtomics;
 
+use crate::bench::Clocked;
+
+mod corrections;
 mod fabric;
 mod peripherals;
+#[path = "../../pico/src/uart.rs"]
+mod uart;
 
 use fabric::Fabric;
 pub(crate) use peripherals::*;
@@ -30,11 +36,9 @@ const GET_SYS_INFO: u32 = 0x200;
 const GET_SYS_INFO_CODE: u32 = u32::from_le_bytes(*b"GS\0\0");
 const CHIP_INFO: u32 = 1;
 
-/// The interrupt of its timer (datasheet, 3.2).
+/// The interrupts of its timer and of UART0 (datasheet, 3.2).
 const TIMER0_IRQ_0: u32 = 0;
-
-/// Priorities of interrupts, a byte each (NVIC_IPR), of which the chip has the upper four bits.
-const PRIORITIES: std::ops::Range<u32> = 0xE000_E400..0xE000_E434;
+const UART0_IRQ: u32 = 33;
 
 /// The chip.
 pub(crate) struct Chip {
@@ -50,6 +54,7 @@ impl Chip {
         let mut fabric = Fabric::new(flash, atomics);
         let [stack, reset] = [0, 4].map(|offset| fabric.read32(FLASH + offset, 0));
         core.ppb.vtor = FLASH;
+        corrections::store_at_once(&mut core);
         core.regs.msp = stack;
         core.set_reg(13, stack);
         core.regs.set_pc(reset & !1);
@@ -76,7 +81,7 @@ impl Chip {
         let end = self.cycles() + cycles;
         while self.cycles() < end {
             if self.sleeps() {
-                let due = self.fabric.peripherals.due().unwrap_or(end).min(end);
+                let due = self.fabric.peripherals.next().min(end);
                 self.fabric.peripherals.cycles = due.max(self.cycles() + 1);
             } else {
                 self.step();
@@ -85,16 +90,31 @@ impl Chip {
         }
     }
 
-    /// Its timer interrupts it when that is due.
+    /// Its timer interrupts it when that is due; UART0, as long as it has a cause and is not served.
     fn fire(&mut self) {
         let peripherals = &mut self.fabric.peripherals;
         let is_due = peripherals
             .due()
             .is_some_and(|due| due <= peripherals.cycles);
         if is_due && peripherals.fire() {
-            self.fabric.atomics().assert_irq(0, TIMER0_IRQ_0);
+            self.interrupt(TIMER0_IRQ_0);
+        }
+        if self.fabric.peripherals.line_interrupts() && !self.serves(UART0_IRQ) {
+            self.interrupt(UART0_IRQ);
+        }
+    }
+
+    fn interrupt(&mut self, interrupt: u32) {
+        self.fabric.atomics().assert_irq(0, interrupt);
+        if self.priority(interrupt).is_some() {
             self.core.wake();
         }
+    }
+
+    /// An interrupt has begun and not returned.
+    fn serves(&self, interrupt: u32) -> bool {
+        let active = self.core.ppb.nvic_iabr[interrupt as usize / 32].load(Ordering::Relaxed);
+        active >> (interrupt % 32) & 1 != 0
     }
 
     /// One instruction, or one function of the ROM.
@@ -109,13 +129,7 @@ impl Chip {
             at if self.corrected(at) => {}
             _ => self.core.step(&mut self.fabric),
         }
-        for (at, byte) in self.fabric.core_bytes.drain(..) {
-            if PRIORITIES.contains(&at) {
-                let (word, shift) = ((at - PRIORITIES.start) as usize / 4, at % 4 * 8);
-                let priorities = &mut self.core.ppb.nvic_ipr[word];
-                *priorities = *priorities & !(0xFF << shift) | u32::from(byte & 0xF0) << shift;
-            }
-        }
+        self.prioritize();
     }
 
     /// Writes what was asked for, package, device, wafer into the caller's buffer.
@@ -132,72 +146,6 @@ impl Chip {
         self.core.set_reg(0, value);
         let back = self.core.reg(14) & !1;
         self.core.regs.set_pc(back);
-    }
-
-    /// What the crate does not do as the processor does (Armv8-M Architecture Reference Manual, C2.4). It refuses to store and load D
-    /// registers (VPUSH, VPOP): the words are those of S registers, in an instruction that differs in one bit. It takes one bit of VSEL, VMAXNM
-    /// and VMINNM for another, and STL and LDA for instructions with two registers: they are executed here, and the result is whether.
-    fn corrected(&mut self, at: u32) -> bool {
-        let [first, second] = [0, 2].map(|offset| self.fabric.read16(at + offset, 0));
-        let is_done = match (first, second) {
-            (0xED2D | 0xECBD, _) if second & 0xF00 == 0xB00 => {
-                self.fabric.write(at + 2, (second ^ 0x100).to_le_bytes());
-                false
-            }
-            (0xFE00.., _) if second & 0xF10 == 0xA00 && first < 0xFF00 => {
-                self.choose(first, second);
-                true
-            }
-            (0xE8C0..0xE8E0, _) if second & 0xFFF == 0xFAF => {
-                self.order(first, second);
-                true
-            }
-            _ => false,
-        };
-        if is_done {
-            self.core.regs.set_pc(at + 4);
-        }
-        is_done
-    }
-
-    /// STL or LDA: a word is stored or loaded, in order, as all are here.
-    fn order(&mut self, first: u16, second: u16) {
-        let (at, number) = (
-            self.core.reg(usize::from(first & 15)),
-            usize::from(second >> 12),
-        );
-        if first & 0x10 == 0 {
-            let word = self.core.reg(number);
-            self.fabric.write32(at, word, 0);
-        } else {
-            let word = self.fabric.read32(at, 0);
-            self.core.set_reg(number, word);
-        }
-    }
-
-    /// VSEL, VMAXNM or VMINNM of S registers.
-    fn choose(&mut self, first: u16, second: u16) {
-        let number = |high: u16, low: u16| usize::from((high & 15) << 1 | low & 1);
-        let regs = &mut self.core.regs;
-        let n = regs.s[number(first, second >> 7)];
-        let m = regs.s[number(second, second >> 5)];
-        let is_greater_or_equal = regs.flag_n() == regs.flag_v();
-        let holds = match first >> 4 & 3 {
-            0 => regs.flag_z(),
-            1 => regs.flag_v(),
-            2 => is_greater_or_equal,
-            _ => is_greater_or_equal && !regs.flag_z(),
-        };
-        let [is_extreme, is_least] = [first >> 7, second >> 6].map(|bit| bit & 1 != 0);
-        regs.s[number(second >> 12, first >> 6)] = match (is_extreme, is_least) {
-            (false, _) if holds => n,
-            (false, _) => m,
-            // Of two zeros the one with a sign is the least.
-            (true, false) if n == m => f32::from_bits(n.to_bits() & m.to_bits()),
-            (true, false) => n.max(m),
-            (true, true) if n == m => f32::from_bits(n.to_bits() | m.to_bits()),
-            (true, true) => n.min(m),
-        };
     }
 
     /// What a register of a peripheral holds.
@@ -226,8 +174,7 @@ impl Chip {
     pub(crate) fn priority(&self, interrupt: u32) -> Option<u8> {
         let index = interrupt as usize;
         let enabled = self.core.ppb.nvic_iser[index / 32].load(Ordering::Relaxed);
-        let priorities = self.core.ppb.nvic_ipr[index / 4].to_le_bytes();
-        (enabled >> (index % 32) & 1 != 0).then_some(priorities[index % 4])
+        (enabled >> (index % 32) & 1 != 0).then(|| self.priority_of(index))
     }
 
     /// No other interrupt is.
@@ -236,5 +183,36 @@ impl Chip {
         words
             .map(|word| word.load(Ordering::Relaxed).count_ones() as usize)
             .sum()
+    }
+}
+
+impl Clocked for Chip {
+    const FLASH: u32 = FLASH;
+    const MS: u64 = CYCLES * 1_000;
+
+    fn power_up(flash: Vec<u8>) -> Self {
+        Self::new(flash)
+    }
+
+    fn run(&mut self, cycles: u64) {
+        self.run(cycles);
+    }
+
+    fn bring(&mut self, bytes: &[u8]) {
+        self.fabric.peripherals.bring(bytes);
+    }
+
+    fn gone(&mut self) -> Vec<u8> {
+        self.fabric.peripherals.gone()
+    }
+}
+
+impl fmt::Debug for Chip {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (at, cycles, coming) = (self.at(), self.cycles(), self.fabric.peripherals.coming());
+        write!(
+            f,
+            "Pico 2 at {at:#x} after {cycles} cycles, {coming} bytes on their way"
+        )
     }
 }

@@ -1,8 +1,9 @@
 //! From the last sample to zero force on the emulated boards, and the return of samples.
 
-use crate::board::{AGAIN, Board};
+use crate::board::Board;
 use crate::chip::{AN505, Chip, F405, MICROBIT, PICO};
 use crate::client::Said;
+use crate::talks::Talks;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use stiction_core::frame::{Command, Drive, Mode, Pose};
 use stiction_core::{Hand, Wrench};
@@ -21,7 +22,7 @@ pub(crate) fn deep() -> Hand<f32> {
 }
 
 /// The hand presses until the board gives force.
-pub(crate) fn pressed(board: &mut Board) -> Pose {
+pub(crate) fn pressed(board: &mut impl Talks) -> Pose {
     loop {
         board.send(Command::Hand(deep()));
         let pose = board.wait(|_, said| match said {
@@ -35,11 +36,11 @@ pub(crate) fn pressed(board: &mut Board) -> Pose {
 }
 
 /// The last sample before silence, sent again where it is lost on the line: its number, and the tick in which it came (µs).
-pub(crate) fn last_sample(board: &mut Board) -> (u8, u32) {
+pub(crate) fn last_sample(board: &mut impl Talks) -> (u8, u32) {
     for _ in 0..30 {
         board.send(Command::Hand(deep()));
-        let last = board.client.sequence.wrapping_sub(1);
-        let came = board.listen_for(AGAIN, |time, said| match said {
+        let last = board.last();
+        let came = board.hear(|time, said| match said {
             Said::Pose(pose) if pose.sample == last => Some(time),
             _ => None,
         });
@@ -52,7 +53,7 @@ pub(crate) fn last_sample(board: &mut Board) -> (u8, u32) {
 
 /// From the tick of the last sample to that of the first pose without force (µs), and that pose. Between two samples before it, the
 /// emulator's time may have gone on for long enough for silence, too.
-pub(crate) fn fallen_silent(board: &mut Board, (last, came_us): (u8, u32)) -> (u32, Pose) {
+pub(crate) fn fallen_silent(board: &mut impl Talks, (last, came_us): (u8, u32)) -> (u32, Pose) {
     board.wait(|time, said| match said {
         Said::Pose(pose) if pose.sample == last && pose.force_off => {
             Some((time.wrapping_sub(came_us), *pose))
@@ -63,17 +64,21 @@ pub(crate) fn fallen_silent(board: &mut Board, (last, came_us): (u8, u32)) -> (u
 
 /// From the last sample to zero force, on the clock of the board (µs); nothing where something is missing.
 pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
-    let mut board = Board::start(chip)?;
+    Some(silence_of(&mut Board::start(chip)?))
+}
+
+/// The same of a board that runs.
+pub(crate) fn silence_of(board: &mut impl Talks) -> u32 {
     let mode = board.info().mode;
     board.done(Command::Mode(Mode {
         forces_every: 10,
         ..mode
     }));
     for _ in 0..30 {
-        pressed(&mut board);
+        pressed(board);
     }
-    let last = last_sample(&mut board);
-    let (off_us, pose) = fallen_silent(&mut board, last);
+    let last = last_sample(board);
+    let (off_us, pose) = fallen_silent(board, last);
     let feedback = board.wait(|_, said| match said {
         Said::Forces { feedback, .. } => Some(*feedback),
         _ => None,
@@ -83,8 +88,8 @@ pub(crate) fn silence(chip: &'static Chip) -> Option<u32> {
     assert_eq!(feedback, Wrench::default());
     assert_eq!(board.health().drive, Drive::Silent);
     // Samples return.
-    assert_eq!(pressed(&mut board).position, pose.position);
-    Some(off_us)
+    assert_eq!(pressed(board).position, pose.position);
+    off_us
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! looked at.
 #![cfg(feature = "cycles")]
 
-use crate::bench::{Bench, MS};
+use crate::bench::{Bench, MS, Pico};
 use regex::Regex;
 use std::collections::BTreeMap;
 use std::fs;
@@ -71,7 +71,7 @@ impl Tracks {
     }
 
     /// Goes one step nearer to a count: of the tracks, which are a quarter of a line apart, one changes. Where A leads, it counts down.
-    fn step(&mut self, bench: &mut Bench, to: i32) {
+    fn step(&mut self, bench: &mut Bench<Pico>, to: i32) {
         const STATES: [(u32, u32); 4] = [(0, 0), (0, 1), (1, 1), (1, 0)];
         self.count += (to - self.count).signum();
         let (a, b) = STATES[self.count.rem_euclid(4) as usize];
@@ -81,7 +81,7 @@ impl Tracks {
 }
 
 /// Turns encoders to counts, a step of each every 50 µs, and lets the force come: 5 N take 50 ms, and the solver may be behind.
-pub(crate) fn turn(bench: &mut Bench, tracks: &mut [Tracks], to: &[i32]) {
+pub(crate) fn turn(bench: &mut Bench<Pico>, tracks: &mut [Tracks], to: &[i32]) {
     while tracks.iter().zip(to).any(|(one, &to)| one.count != to) {
         for (one, &to) in tracks.iter_mut().zip(to) {
             one.step(bench, to);
@@ -109,19 +109,19 @@ impl Driver {
     }
 
     /// Of the slice of the PWM pin, the duty of the first channel (CC) and the counts of a period, less one (TOP).
-    fn register(&self, bench: &mut Bench, offset: u32) -> u32 {
+    fn register(&self, bench: &mut Bench<Pico>, offset: u32) -> u32 {
         bench
             .chip
             .word(0x4005_0000 + 0x14 * (self.pwm / 2 % 8) + offset)
     }
 
     /// A step of the duty, in parts of full duty.
-    pub(crate) fn step(&self, bench: &mut Bench) -> f64 {
+    pub(crate) fn step(&self, bench: &mut Bench<Pico>) -> f64 {
         1.0 / f64::from(self.register(bench, 0x10) + 1)
     }
 
     /// The duty, negative where the direction is high.
-    pub(crate) fn duty(&self, bench: &mut Bench) -> f64 {
+    pub(crate) fn duty(&self, bench: &mut Bench<Pico>) -> f64 {
         let duty = f64::from(self.register(bench, 0xC) & 0xFFFF) * self.step(bench);
         let is_high = bench.chip.word(OUTPUTS) >> self.direction & 1 != 0;
         if is_high { -duty } else { duty }

@@ -1,8 +1,10 @@
 //! The peripherals of the RP2350, which only remember: a register holds what was written to it, or what the datasheet gives it at reset.
 //! Some answer for the hardware, and say what the datasheet says of them: a crystal that is stable, a PLL that is locked, a clock that has
-//! changed over, a block that is out of reset, a timer that counts and fires. No byte comes, and those that go are gone at once.
+//! changed over, a block that is out of reset, a timer that counts and fires. UART0, the same PL011 as that of the RP2040, sends and receives.
 
 use std::collections::BTreeMap;
+
+use super::uart::Uart;
 
 /// Where they are (RP2350 datasheet, 2.2.4 and 2.2.5).
 pub(crate) const CLOCKS: u32 = 0x4001_0000;
@@ -35,6 +37,9 @@ const RESETTABLE: [(u32, u32); 8] = [
 ];
 /// At power-up all are.
 const ALL_RESET: u32 = 0x1FFF_FFFF;
+/// Registers of UART0 that are not 0 at reset.
+const UARTCR: u32 = 0x30;
+const UARTIFLS: u32 = 0x34;
 /// An instruction is taken for a cycle of the processor: so many in a microsecond.
 pub(crate) const CYCLES: u64 = 150;
 /// Of the timer: its first alarm; which are armed; which have fired, which of them interrupt.
@@ -58,10 +63,9 @@ const fn reset_value(at: u32) -> u32 {
         (IO_BANK0, 0..0x180) if offset & 4 != 0 => 0x1F,
         // GPIO0 to GPIO47: ISO, DRIVE of 4 mA, PDE, SCHMITT (9.11).
         (PADS_BANK0, 4..0xC4) => 0x116,
-        // UARTFR: TXFE, RXFE. UARTCR: RXE, TXE. UARTIFLS: both at the half (12.1).
-        (UART0, 0x18) => 0x90,
-        (UART0, 0x30) => 0x300,
-        (UART0, 0x34) => 0x12,
+        // UARTCR: RXE, TXE. UARTIFLS: both at the half (12.1).
+        (UART0, UARTCR) => 0x300,
+        (UART0, UARTIFLS) => 0x12,
         // MAIN_CTRL: PHY_ISO. SIE_CTRL: PULLDOWN_EN. USB_MUXING: TO_PHY (12.7).
         (USB, 0x40) => 1 << 2,
         (USB, 0x4C) => 1 << 15,
@@ -95,11 +99,15 @@ pub(super) struct Peripherals {
     pub(super) cycles: u64,
     /// What was written: when (cycles), to which register, what it then held.
     pub(super) written: Vec<(u64, u32, u32)>,
+    uart: Uart,
 }
 
 impl Peripherals {
     /// What a register holds.
     pub(super) fn word(&self, at: u32) -> u32 {
+        if at & BLOCK == UART0 {
+            return self.uart.stored(at & 0xFFF);
+        }
         let stored = self.registers.get(&at).copied();
         stored.unwrap_or_else(|| reset_value(at))
     }
@@ -115,6 +123,10 @@ impl Peripherals {
             self.lost.push(at);
         }
         let at = at & !0x3000;
+        if at & BLOCK == UART0 {
+            self.uart.advance(self.cycles);
+            return self.uart.read(at & 0xFFF);
+        }
         let word = self.word(at);
         match (at & BLOCK, at & 0xFFF) {
             // STATUS: STABLE, ENABLED.
@@ -152,9 +164,17 @@ impl Peripherals {
             INTR => stored & !word,
             _ => word,
         };
-        self.registers.insert(register, word);
         self.written.push((self.cycles, register, word));
+        if at & BLOCK == UART0 {
+            self.uart.advance(self.cycles);
+            return self.uart.write(register & 0xFFF, word, self.cycles);
+        }
+        let was_line_in_reset = self.is_in_reset(UART0);
+        self.registers.insert(register, word);
         if register == RESETS {
+            if was_line_in_reset || self.is_in_reset(UART0) {
+                self.reset_line();
+            }
             let registers = std::mem::take(&mut self.registers);
             let others = registers.into_iter();
             self.registers = BTreeMap::from([(RESETS, word)]);
@@ -164,6 +184,43 @@ impl Peripherals {
         if register == ALARM0 {
             self.registers.insert(ARMED, 1);
         }
+    }
+
+    fn reset_line(&mut self) {
+        self.uart.reset();
+        for offset in [UARTCR, UARTIFLS] {
+            self.uart
+                .write(offset, reset_value(UART0 + offset), self.cycles);
+        }
+    }
+
+    /// Bytes come over the serial line from now on.
+    pub(super) fn bring(&mut self, bytes: &[u8]) {
+        self.uart.bring(bytes, self.cycles);
+    }
+
+    /// How many are on their way.
+    pub(super) fn coming(&self) -> usize {
+        self.uart.coming()
+    }
+
+    /// What has left over the serial line since the last call.
+    pub(super) fn gone(&mut self) -> Vec<u8> {
+        self.uart.advance(self.cycles);
+        self.uart.gone()
+    }
+
+    /// The serial line asks for its interrupt.
+    pub(super) fn line_interrupts(&mut self) -> bool {
+        if self.uart.due() <= self.cycles {
+            self.uart.advance(self.cycles);
+        }
+        self.uart.interrupts()
+    }
+
+    /// When something happens by itself (cycles).
+    pub(super) fn next(&self) -> u64 {
+        self.due().unwrap_or(u64::MAX).min(self.uart.due())
     }
 
     /// When the first alarm fires, if it is armed (cycles).
