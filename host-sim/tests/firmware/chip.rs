@@ -56,7 +56,7 @@ pub(crate) const PICO: Chip = Chip {
     line_rate: 92_160,
 };
 
-/// Nothing emulates it.
+/// QEMU does not know it: the core of `rp2350` runs its image.
 pub(crate) const PICO2: Chip = Chip {
     board: Board::PICO2,
     features: "",

@@ -1,5 +1,6 @@
-//! The image for the Pico 2, which nothing emulates: what its ROM looks for before it runs an image, and how much it takes. What the
-//! program does is tested on a board with the same processor, `AN505`; the set-up of the chip by its registers, in `pico2_setup`.
+//! The image for the Pico 2: what its ROM looks for before it runs an image, and how much it takes. What the program does is tested on the
+//! core of its chip in `pico2_line`, and in QEMU on a board with the same processor, `AN505`; the set-up of the chip by its registers, in
+//! `pico2_setup`.
 
 use crate::budgets::Budget;
 use crate::chip::PICO2;

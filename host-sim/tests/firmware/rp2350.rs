@@ -15,6 +15,7 @@ use crate::bench::Clocked;
 mod corrections;
 mod fabric;
 mod peripherals;
+mod tests;
 #[path = "../../pico/src/uart.rs"]
 mod uart;
 
@@ -111,8 +112,8 @@ impl Chip {
         }
     }
 
-    /// An interrupt has begun and not returned.
-    fn serves(&self, interrupt: u32) -> bool {
+    /// An interrupt has begun and not returned; another one may have begun in it.
+    pub(crate) fn serves(&self, interrupt: u32) -> bool {
         let active = self.core.ppb.nvic_iabr[interrupt as usize / 32].load(Ordering::Relaxed);
         active >> (interrupt % 32) & 1 != 0
     }
@@ -175,6 +176,11 @@ impl Chip {
         let index = interrupt as usize;
         let enabled = self.core.ppb.nvic_iser[index / 32].load(Ordering::Relaxed);
         (enabled >> (index % 32) & 1 != 0).then(|| self.priority_of(index))
+    }
+
+    /// The interrupt that goes on, the innermost one.
+    pub(crate) fn serving(&self) -> Option<u32> {
+        self.core.regs.ipsr().checked_sub(16)
     }
 
     /// No other interrupt is.

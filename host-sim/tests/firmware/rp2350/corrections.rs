@@ -1,8 +1,8 @@
 //! What the crate's core does not do as the processor does (Armv8-M Architecture Reference Manual, B3 and C2.4), done here. Of the instructions:
 //! it refuses to store and load D registers (VPUSH, VPOP); it takes one bit of VSEL, VMAXNM and VMINNM for another, and STL and LDA for
-//! instructions with two registers. Of interrupts: it knows three bits of a priority, of which the chip has four; it takes bytes written
-//! to priorities for nothing; and it calls it a fault where one returns that used no S register, and interrupted another one before that
-//! used any.
+//! instructions with two registers; a sum of nothing has the wrong sign in VNMLA. Of interrupts: it knows three bits of a priority, of which
+//! the chip has four; it takes bytes written to priorities for nothing; and it calls it a fault where one returns that used no S register,
+//! and interrupted another one before that used any. None of these instructions may be conditional.
 
 use rp2350_emu::CortexM33;
 use rp2350_emu::core::CoreBus;
@@ -19,15 +19,26 @@ pub(super) fn store_at_once(core: &mut CortexM33) {
     core.ppb.fpccr &= !LAZY;
 }
 
-/// A priority in three bits. The program has the least urgent eight of 16: that they are all shows here.
+/// A priority in three bits. Of 16 the program has some of the least urgent seven, which stay in their order and are not 0, which masks
+/// nothing.
 fn narrowed(priority: u8) -> u8 {
-    assert!(priority >= 0x80, "the priority {priority:#x}");
+    assert!(priority > 0x80, "the priority {priority:#x}");
     (priority & 0x70) << 1
 }
 
 /// The opposite.
 const fn widened(priority: u8) -> u8 {
     priority >> 1 | 0x80
+}
+
+/// The S registers of an instruction: d, n, m.
+fn numbers(first: u16, second: u16) -> [usize; 3] {
+    let number = |high: u16, low: u16| usize::from((high & 15) << 1 | low & 1);
+    [
+        number(second >> 12, first >> 6),
+        number(first, second >> 7),
+        number(second, second >> 5),
+    ]
 }
 
 impl Chip {
@@ -59,6 +70,10 @@ impl Chip {
             }
             (0xFE00..0xFF00, _) if second & 0xF10 == 0xA00 => {
                 self.choose(first, second);
+                true
+            }
+            (0xEE10.., _) if first & 0xFFB0 == 0xEE10 && second & 0xF50 == 0xA40 => {
+                self.subtract_both(first, second);
                 true
             }
             (0xE8C0..0xE8E0, _) if second & 0xFFF == 0xFAF => {
@@ -105,12 +120,18 @@ impl Chip {
         }
     }
 
+    /// VNMLA of S registers.
+    fn subtract_both(&mut self, first: u16, second: u16) {
+        let [d, n, m] = numbers(first, second);
+        let s = &mut self.core.regs.s;
+        s[d] = -s[d] + -(s[n] * s[m]);
+    }
+
     /// VSEL, VMAXNM or VMINNM of S registers.
     fn choose(&mut self, first: u16, second: u16) {
-        let number = |high: u16, low: u16| usize::from((high & 15) << 1 | low & 1);
+        let [d, n, m] = numbers(first, second);
         let regs = &mut self.core.regs;
-        let n = regs.s[number(first, second >> 7)];
-        let m = regs.s[number(second, second >> 5)];
+        let [n, m] = [n, m].map(|number| regs.s[number]);
         let is_greater_or_equal = regs.flag_n() == regs.flag_v();
         let holds = match first >> 4 & 3 {
             0 => regs.flag_z(),
@@ -119,7 +140,7 @@ impl Chip {
             _ => is_greater_or_equal && !regs.flag_z(),
         };
         let [is_extreme, is_least] = [first >> 7, second >> 6].map(|bit| bit & 1 != 0);
-        regs.s[number(second >> 12, first >> 6)] = match (is_extreme, is_least) {
+        regs.s[d] = match (is_extreme, is_least) {
             (false, _) if holds => n,
             (false, _) => m,
             // Of two zeros the one with a sign is the least.
