@@ -100,11 +100,29 @@ fn poses_in_the_place_of_the_pico_2_are_those_of_f32() {
     same_bits::<f32>(&AN505, NumberType::F32, SAMPLES);
 }
 
+/// Poses of each board that are compared where there is more time.
+const MANY: u32 = 100_000;
+
 #[test]
-#[ignore = "takes an hour"]
-fn a_hundred_thousand_poses_of_each_board_have_the_bits() {
-    same_bits::<f32>(&AN505, NumberType::F32, 100_000);
-    same_bits::<f32>(&F405, NumberType::F32, 100_000);
-    same_bits::<Fixed>(&PICO, NumberType::Fixed, 100_000);
-    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, 100_000);
+#[ignore = "takes minutes"]
+fn many_poses_of_the_f405_are_those_of_f32() {
+    same_bits::<f32>(&F405, NumberType::F32, MANY);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn many_poses_of_the_microbit_are_those_of_fixed() {
+    same_bits::<Fixed>(&MICROBIT, NumberType::Fixed, MANY);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn many_poses_of_the_pico_are_those_of_fixed() {
+    same_bits::<Fixed>(&PICO, NumberType::Fixed, MANY);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn many_poses_in_the_place_of_the_pico_2_are_those_of_f32() {
+    same_bits::<f32>(&AN505, NumberType::F32, MANY);
 }
