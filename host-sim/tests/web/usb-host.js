@@ -18,8 +18,8 @@ const ON_THE_BUS = 50_000;
 /** The computer may take what an endpoint has; where endpoints say so: for endpoint 0 to the computer, and bytes to the next one. */
 const AVAILABLE = 1 << 10;
 const [FIRST_CONTROL, CONTROLS] = [0x80, 8];
-/** The interrupt of USB. */
-const USB_IRQ = 5;
+/** The interrupt of USB, and that of the calendar, by which the program asks for a turn: nothing else does. */
+const [USB_IRQ, TURN_IRQ] = [5, 25];
 /** Bits of a request: to the computer; of the class, to an interface. */
 const IN = 0x80;
 const CLASS = 0x20;
@@ -110,7 +110,10 @@ export class UsbHost {
     const enter = core.exceptionEntry.bind(core);
     core.exceptionEntry = (number) => {
       enter(number);
+      // It leaves the lowest bit of the vector in PC, which makes what follows by PC odd: a table of jumps is read one byte late.
+      core.PC &= ~1;
       if (number === 16 + USB_IRQ) this.chip.setInterrupt(USB_IRQ, usb.intStatus !== 0);
+      if (number === 16 + TURN_IRQ) this.chip.setInterrupt(TURN_IRQ, false);
     };
   }
 

@@ -3,12 +3,13 @@
 //! ```text
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
 //! priority 3  TIMER0   the tick: hand measured -> safety -> force
-//! priority 2  USB      packets in and out, by bounded queues
-//! priority 1  SW0      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
+//! priority 2  SW0      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
+//! priority 1  USB      packets in and out, by bounded queues; the computer waits where a turn goes on
 //! idle                 logs
 //! ```
 //!
-//! One core does all: no tick waits for USB or the solver, as it interrupts them. The line is USB while a program has it open there, else UART.
+//! One core does all: no tick waits for USB or the solver, as it interrupts them; nor does a turn wait for USB, whose interrupt stays asked
+//! for as long as a packet finds no room. The line is USB while a program has it open there, else UART.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -103,7 +104,7 @@ mod app {
         cx.local.uart.serve(&UART);
     }
 
-    #[task(binds = USBCTRL_IRQ, priority = 2, local = [usb])]
+    #[task(binds = USBCTRL_IRQ, priority = 1, local = [usb])]
     fn packets(cx: packets::Context) {
         cx.local.usb.serve(&USB);
     }
@@ -115,7 +116,7 @@ mod app {
     }
 
     /// By an interrupt that nothing else uses.
-    #[task(binds = SW0_IRQ, priority = 1, shared = [clock, servo], local = [work])]
+    #[task(binds = SW0_IRQ, priority = 2, shared = [clock, servo], local = [work])]
     fn turn(cx: turn::Context) {
         let turn::SharedResources { clock, servo, .. } = cx.shared;
         let (line, wake): (_, fn()) = if usb::is_open() {
