@@ -69,7 +69,7 @@ mod cases {
             ("body size L (m)", 1e-6, 1e6),
             ("k_h (N/m)", 1e-6, 1e9),
             ("weight / (k_h L)", 0.0, 10.0),
-            ("way of the hand in one frame (L)", 0.1, 1.0),
+            ("displacement of the hand in one frame (L)", 0.1, 1.0),
             ("scene away from the origin (L)", 0.0, 1.0),
             ("angle between two floors (rad)", 1e-7, 1.0),
             ("angle between floor and ceiling (rad)", 0.0, 0.1),
