@@ -39,7 +39,7 @@ cargo clippy --workspace --all-targets --locked -- -D warnings
 if [ -n "$quick" ]; then
   stage 'tests of core, tests and scene files'
   cargo test --no-fail-fast --locked -p stiction-core -p stiction-scene -p stiction-tests
-  stage 'the quick checks hold; all of them: tests/check.sh'
+  stage 'the quick checks passed; to run all checks: tests/check.sh'
   exit
 fi
 
@@ -188,7 +188,7 @@ if ! has_node; then
 elif ! has_browser; then
   missing 'Chromium' "$browser"
 elif ! npm ci --prefix host-sim/tests/web --no-audit --no-fund; then
-  missing 'the packages of the tests of the page' 'npm ci --prefix host-sim/tests/web'
+  missing 'the packages for the tests of the page' 'npm ci --prefix host-sim/tests/web'
 else
   npm run --prefix host-sim/tests/web check
   # The page without a server and the npm package, which the tests below examine.
@@ -207,9 +207,9 @@ stage 'the Python package'
 venv='apt-get install -y --no-install-recommends python3-venv'
 python3 -c 'import ensurepip' 2>/dev/null || { apt-get update && $venv; } || true
 if ! python3 -c 'import ensurepip' 2>/dev/null; then
-  missing 'venv of Python' "$venv"
+  missing 'the Python module venv' "$venv"
 elif ! { python3 -m venv target/python && target/python/bin/pip install -q -r host-sim/python/tests/requirements.txt; }; then
-  missing 'the packages of the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
+  missing 'the packages for the tests of the Python package' 'target/python/bin/pip install -r host-sim/python/tests/requirements.txt'
 else
   rm -rf target/wheels
   target/python/bin/maturin build --locked -m host-sim/python/Cargo.toml --out target/wheels
@@ -276,7 +276,7 @@ if cargo deny --version; then
   if cargo deny --locked fetch db; then
     cargo deny --locked --offline check advisories
   elif [ -e "$snapshot" ]; then
-    printf 'the database of vulnerabilities cannot be fetched from here; its snapshot: %s\n' "$(basename "$snapshot")"
+    printf 'the database of vulnerabilities cannot be fetched; its snapshot is used: %s\n' "$(basename "$snapshot")"
     as_database "$snapshot"
     cargo deny --locked --offline check advisories
   else
@@ -287,4 +287,4 @@ else
   missing cargo-deny 'cargo install cargo-deny --locked'
 fi
 
-stage 'all checks hold'
+stage 'all checks passed'
