@@ -86,7 +86,11 @@ fn keyframes(check: Check<'_>, list: &[Numbers]) -> Result<Vec<Row>, InputError>
         offset = start;
         let row = keyframe(check, &key, given, line)?;
         if rows.last().is_some_and(|last| row.t <= last.t) {
-            return Err(check.error(&key, given, "a time later than that of the previous keyframe"));
+            return Err(check.error(
+                &key,
+                given,
+                "a time later than that of the previous keyframe",
+            ));
         }
         rows.push(row);
     }
