@@ -165,7 +165,7 @@ fn vertices(count: usize) -> &'static str {
 
 fn surfaces(model: SceneModel) -> &'static str {
     match (model.vertices, model.surfaces) {
-        (_, 0 | 1) if !model.obstacles.is_empty() => "the body can touch obstacles besides",
+        (_, 0 | 1) if !model.obstacles.is_empty() => "the body can also touch obstacles",
         (_, 0) => "there is nothing to touch",
         (_, 1) => "there is no second surface, so no two-vertex, corner and locked state",
         (1, _) => "the point can touch two surfaces, in a corner",

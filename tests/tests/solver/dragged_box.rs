@@ -86,7 +86,7 @@ fn hardly_out_of_line<R: Number>() {
     let [from, to] = [0, 1].map(|i| scenario.keyframes[i]);
     let above = [from[0], from[1] + 0.03, 0.1];
     let leaning = |phi: f64| [to[0], to[1], phi];
-    let way = [from, to, above, from, leaning(0.5), leaning(-0.5), to];
+    let path = [from, to, above, from, leaning(0.5), leaning(-0.5), to];
     for evolution in Evolution::ALL {
         for along in [-0.04, 0.0, 0.03] {
             for out in [4.0e-6, 1e-5, 1e-4] {
@@ -95,7 +95,7 @@ fn hardly_out_of_line<R: Number>() {
                 setup.start[1] += out;
                 let mut run = RunOf::<R, 5, 1, Full>::start(&setup, evolution, above);
                 let mut edges = Vec::new();
-                for frame in way.iter().flat_map(|&hand| run.lead(hand, 40)) {
+                for frame in path.iter().flat_map(|&hand| run.lead(hand, 40)) {
                     let what = format!("{} {evolution:?} {along} {out}", R::NAME);
                     assert_eq!(frame.status, Status::Ok, "{what}: {frame:?}");
                     if frame.state == StateKind::Edge {

@@ -37,8 +37,8 @@ const UNDECIDED: [&str; 12] = [
     "a slip a frame late",
     "a slip a frame early",
     // The start of a slide without friction.
-    "Slide not told",
-    ": nothing told",
+    "Slide not reported",
+    ": nothing reported",
     // Which of two contacts at the same place opened.
     "Tip called Lift",
 ];

@@ -29,7 +29,7 @@ pub(crate) struct Mutant {
 }
 
 /// The suffix for an event that is not the only one of its frame.
-pub(crate) const BESIDE: &str = " beside others";
+pub(crate) const BESIDE: &str = " with others";
 
 /// Frames that are judged after a fault.
 const TAIL: usize = 60;

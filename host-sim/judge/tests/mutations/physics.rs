@@ -23,7 +23,7 @@ fn turned([x, y]: Vec2, theta: f64) -> Vec2 {
 pub(crate) fn normal(truth: &Truth, contact: &Contact) -> Vec2 {
     match contact.touch {
         Touch::Surface { surface, .. } => truth.scene.surfaces[surface].normal,
-        _ => contact.direction.expect("among obstacles it is told"),
+        _ => contact.direction.expect("reported among obstacles"),
     }
 }
 

@@ -97,7 +97,7 @@ impl Maker<'_> {
         let alone = self.truth.frames[at].events.len() == 1;
         let beside = if alone { "" } else { BESIDE };
         let name = format!("{event:?}{beside}");
-        self.add(Of::Events, &format!("{name} not told"), at, |tail| {
+        self.add(Of::Events, &format!("{name} not reported"), at, |tail| {
             tail[0].events.retain(|&told| told != event);
             if event == Event::Slip {
                 tail[0].slips = 0;
@@ -145,7 +145,7 @@ impl Maker<'_> {
     fn moved_event(&mut self, at: usize, event: Event) {
         self.add(
             Of::Events,
-            &format!("{event:?} told a frame late"),
+            &format!("{event:?} reported a frame late"),
             at,
             |tail| {
                 let (events, slips) = (std::mem::take(&mut tail[0].events), tail[0].slips);
@@ -156,7 +156,7 @@ impl Maker<'_> {
         );
         self.add(
             Of::Events,
-            &format!("{event:?} told a frame early"),
+            &format!("{event:?} reported a frame early"),
             at - 1,
             |tail| {
                 let (events, slips) = (std::mem::take(&mut tail[1].events), tail[1].slips);

@@ -55,7 +55,7 @@ impl Maker<'_> {
             ("inside by 10⁻⁴ L", &|frame| {
                 frame.pose[1] -= 1e-4 * size
             }),
-            ("beside by 10⁻⁴ L", &|frame| {
+            ("aside by 10⁻⁴ L", &|frame| {
                 frame.pose[0] += 1e-4 * size
             }),
             ("turned by 10⁻⁴", &|frame| frame.pose[2] += 1e-4),
@@ -85,7 +85,7 @@ impl Maker<'_> {
                 frame.contacts.push(again);
                 frame.state = by_count(frame);
             }),
-            ("slides told", &|frame| {
+            ("slides reported", &|frame| {
                 let rubs = |c: &&mut Contact| c.friction.abs() > told;
                 for contact in frame.contacts.iter_mut().filter(rubs) {
                     contact.sliding = contact

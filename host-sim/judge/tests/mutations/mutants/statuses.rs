@@ -32,7 +32,7 @@ impl Maker<'_> {
             for at in self.places(|frames, i| !frames[i].events.is_empty() && frames[i].held) {
                 self.add(
                     Of::Statuses,
-                    &format!("{status:?}: nothing told"),
+                    &format!("{status:?}: nothing reported"),
                     at,
                     |tail| {
                         tail[0].status = status;
