@@ -55,9 +55,7 @@ impl Maker<'_> {
             ("inside by 10⁻⁴ L", &|frame| {
                 frame.pose[1] -= 1e-4 * size
             }),
-            ("aside by 10⁻⁴ L", &|frame| {
-                frame.pose[0] += 1e-4 * size
-            }),
+            ("aside by 10⁻⁴ L", &|frame| frame.pose[0] += 1e-4 * size),
             ("turned by 10⁻⁴", &|frame| frame.pose[2] += 1e-4),
             ("a point off by 10⁻⁵ L", &|frame| {
                 frame.contacts[0].point[0] += 1e-5 * size
