@@ -17,7 +17,7 @@ fn the_picture_is_what_the_command_writes() {
     let drawn = diagram().svg().expect("a string");
     assert!(
         kept == drawn,
-        "core/states.svg is out of date; run cargo run -p stiction-tests --example state_diagram"
+        "core/states.svg is out of date: cargo run -p stiction-tests --example state_diagram"
     );
 }
 
@@ -38,7 +38,7 @@ fn the_table_is_what_the_command_writes() {
     let statics = fs::read_to_string(document("STATICS.md")).expect("core/STATICS.md");
     assert!(
         statics.contains(&table()),
-        "core/STATICS.md is out of date; run cargo run -p stiction-tests --example state_diagram"
+        "core/STATICS.md is out of date: cargo run -p stiction-tests --example state_diagram"
     );
 }
 
