@@ -138,6 +138,12 @@ impl Source {
         &self.text
     }
 
+    /// A one-line description of what to observe in the scene: the comment in the first line. `None` if the file begins with something else.
+    pub fn story(&self) -> Option<&str> {
+        let story = self.text.lines().next()?.strip_prefix('#')?.trim();
+        (!story.is_empty()).then_some(story)
+    }
+
     /// The file parsed as TOML.
     ///
     /// # Errors
