@@ -1,5 +1,4 @@
-//! A number type that counts its operations: f64, so that the work of a frame is the same on every machine and in every
-//! build.
+//! A number type that counts its operations: f64, so that the work of a frame is the same on every machine and in every build.
 
 use std::cell::Cell;
 use std::cmp::Ordering;

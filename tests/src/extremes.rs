@@ -219,8 +219,7 @@ fn exercise(setup: Setup) -> (Setup, Vec<[f64; 3]>) {
     from_grip(setup, &offsets.map(|[x, y, turn]| [x * l, y * l, turn]), 30)
 }
 
-/// The hand grasps the body where it stands and moves by each of the offsets from there, in the given number of frames
-/// each.
+/// The hand grasps the body where it stands and moves by each of the offsets from there, in the given number of frames each.
 fn from_grip(setup: Setup, offsets: &[[f64; 3]], frames: usize) -> (Setup, Vec<[f64; 3]>) {
     let scenario = scenes::from_grip(setup, offsets);
     let hands = scenario.hands(frames);

@@ -1,16 +1,14 @@
-//! A slow second solution of the statics, for checking the fast one: from hand poses to body poses and contact forces, in plain SI
-//! `f64`.
+//! A slow second solution of the statics, for checking the fast one: from hand poses to body poses and contact forces, in plain SI `f64`.
 //!
 //! The hand moves along the straight line between two frames in sub-steps. In each sub-step the contacts keep sticking or sliding,
 //! and the pose follows by descending along the unbalanced wrench in steps of 1e-3 rad or body sizes; when something happens, its
 //! instant is bisected. If the body is then out of balance, it moves under the frozen hand in steps of 1e-3 until forces hold it,
 //! which are found by trying every subset of friction-cone edges. The reference shares no code and no closed form with the solver.
 //!
-//! The law: a slide is a motion with the hand; a slip, under the frozen hand, needs *stiction*. Stiction is one bit of the body:
-//! with it, friction at rest is mu_s; without it, mu_d. One vertex or an edge gets the bit when N reaches N* = k_h memory / (mu_s -
-//! mu_d), and keeps it after a slip that ends at N* or more; two contacts on two surfaces get or keep it when the longer of their
-//! displacements in a slip is at least a memory length. Without the bit, contacts that yield slide. A touch from free flight clears
-//! the bit.
+//! The law: a slide is a motion with the hand; a slip, under the frozen hand, needs *stiction*. Stiction is one bit of the body: with
+//! it, friction at rest is mu_s; without it, mu_d. One vertex or an edge gets the bit when N reaches N* = k_h memory / (mu_s - mu_d),
+//! and keeps it after a slip that ends at N* or more; two contacts on two surfaces get or keep it when the longer of their displacements
+//! in a slip is at least a memory length. Without the bit, contacts that yield slide. A touch from free flight clears the bit.
 //!
 //! Rules where the law leaves a choice:
 //! * A foot is compared with the memory length of its own surface; a memory below 2^-19 body sizes counts as that.
@@ -31,9 +29,8 @@
 //! * A slip counts if it ends at dynamic friction in contact; contacts that open before anything has moved make no slip.
 //! * Corners and sets of three or more contacts get or lose the bit only through the contacts that remain of them.
 //!
-//! Among obstacles, a contact is a vertex of the body on a side of an obstacle, or a corner of an obstacle on a side of the body. Only
-//! four properties of it are used: its point, its normal (which may turn with the body), its gap, and whether it is on its side. The
-//! rules:
+//! Among obstacles, a contact is a vertex of the body on a side of an obstacle, or a corner of an obstacle on a side of the body. Only four
+//! properties of it are used: its point, its normal (which may turn with the body), its gap, and whether it is on its side. The rules:
 //! * Body and obstacle are apart by the largest gap along an axis. A point does not see the other side of a thin wall, nor a rod the other
 //!   side of a pin, before it has gone round an end.
 //! * A sliding or slipping contact that leaves its side is replaced by the pair at the same place, of this or another obstacle, whose
@@ -47,14 +44,13 @@
 //!   several that close at one place, the one whose gap was largest before is kept; then a vertex, then the lowest index.
 //! * Coplanar sides of equal friction are one side, named after the first of them. If corners of two obstacles coincide, only the first
 //!   can be touched; a corner elsewhere on or in another obstacle or a half-plane cannot be touched.
-//! * A body that is let go moves straight, in holding point and angle, until something obstructs it. If the contact that it has just left
-//!   blocks it immediately, the holding point moves first and the body turns afterwards. (From half-planes alone it is put where it is
-//!   free.)
+//! * A body that is let go moves straight, in holding point and angle, until something obstructs
+//!   it. If the contact that it has just left blocks it immediately, the holding point moves
+//!   first and the body turns afterwards. (From half-planes alone it is put where it is free.)
 //! * Several contacts lift before they yield only if the path to the free pose opens all of them simultaneously.
 //!
 //! Where it is approximate:
-//! * Two events that cancel each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not
-//!   noticed.
+//! * Two events that cancel each other within one sub-step, one slide step or (a grazing touch) one turn of 1e-3 rad are not noticed.
 //! * A snap is noticed as a turn of more than 0.03 rad; a smaller one goes unnoticed, with the same end.
 //! * A body can jump over an obstacle in a sub-step in which the hand moves farther than the thickness of both together, and in a
 //!   turn of 1e-3 rad.
@@ -251,14 +247,12 @@ impl Reference {
         self.slips
     }
 
-    /// Whether part of the last frame contained more events than are followed, so that the body jumped to the end of
-    /// that part.
+    /// Whether part of the last frame contained more events than are followed, so that the body jumped to the end of that part.
     pub fn skipped(&self) -> bool {
         self.skipped
     }
 
-    /// Whether no motion fitted somewhere in the last frame, so that the body stayed where it was for the rest of the
-    /// frame.
+    /// Whether no motion fitted somewhere in the last frame, so that the body stayed where it was for the rest of the frame.
     pub fn ambiguous(&self) -> bool {
         self.ambiguous
     }

@@ -7,8 +7,7 @@ use crate::{Meter, Peg};
 
 /// The largest clearance c of a peg in its hole: above it, a friction of 1 wedges no peg.
 pub const MOST_CLEARANCE: f64 = 1.0 - FRAC_1_SQRT_2;
-/// Tolerance of parallel sides (rad): over the length of a peg, their distance changes by a thousandth of a clearance of a
-/// thousandth.
+/// Tolerance of parallel sides (rad): over the length of a peg, their distance changes by a thousandth of a clearance of a thousandth.
 const PARALLEL: f64 = 1e-6;
 
 /// The items in the plane, world frame.

@@ -13,9 +13,9 @@
 //! * A **hole** is two parallel sides of two obstacles that face each other, D_h apart, over the stretch in which they are opposite each
 //!   other. Its mouth is the end of that stretch whose middle no obstacle and no half-plane covers; of two such ends, the one nearer to
 //!   the body at the start.
-//! * A peg fits a hole if d < D_h and the clearance c = (D_h - d)/D_h is at most [`MOST_CLEARANCE`]. Of several pairs the one with the
-//!   smallest c counts; of equal ones, that with the mouth nearest to the start. A bevel does not belong to the hole: l is measured from
-//!   below it.
+//! * A peg fits a hole if d < D_h and the clearance c = (D_h - d)/D_h is at most [`MOST_CLEARANCE`].
+//!   Of several pairs the one with the smallest c counts; of equal ones, that with the mouth nearest
+//!   to the start. A bevel does not belong to the hole: l is measured from below it.
 //!
 //! # The meter
 //!

@@ -81,8 +81,7 @@ pub struct Insertion {
     pub m: f64,
     /// lambda = l/(2 r mu); `None` without friction.
     pub lambda: Option<f64>,
-    /// The signed distance to the nearest line of the diagram, positive inside; `None` if the load has no position in
-    /// it.
+    /// The signed distance to the nearest line of the diagram, positive inside; `None` if the load has no position in it.
     pub margin: Option<f64>,
     /// The number of walls that touch it.
     pub walls: usize,

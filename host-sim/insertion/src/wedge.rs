@@ -11,8 +11,7 @@ pub(crate) fn is_wedged(friction: f64, a: &Reaction, b: &Reaction) -> bool {
         && within(-dot(line, b.direction), cross(line, b.direction))
 }
 
-/// The largest l/D_h at which friction mu wedges a peg of clearance c = (D_h - d)/D_h in two-point contact; `None` if nothing
-/// wedges it.
+/// The largest l/D_h at which friction mu wedges a peg of clearance c = (D_h - d)/D_h in two-point contact; `None` if nothing wedges it.
 pub fn deepest_wedge(friction: f64, clearance: f64) -> Option<f64> {
     // 1/cos alpha, cos alpha = cos(atan mu)/(1 - c)
     let secant = (1.0 - clearance) * libm::hypot(1.0, friction);

@@ -1,5 +1,4 @@
-//! The meter against known results for a peg in a hole: the exact balance of OBSTACLES 11, the wedging table, the
-//! parallelogram.
+//! The meter against known results for a peg in a hole: the exact balance of OBSTACLES 11, the wedging table, the parallelogram.
 
 use proptest::prelude::*;
 use stiction_insertion::{
@@ -245,8 +244,7 @@ fn a_peg_is_wedged_below_the_root_of_four_clearances_and_above_that_of_two() {
     assert_eq!(deepest_wedge(0.999999 * least, clearance), None);
 }
 
-/// The reaction at one contact of an upright peg that slides in: on the peg's side +1 (x) or -1, at this height above
-/// the tip.
+/// The reaction at one contact of an upright peg that slides in: on the peg's side +1 (x) or -1, at this height above the tip.
 fn slides_in(friction: f64, side: f64, height: f64) -> Reaction {
     Reaction {
         point: [side * RADIUS, height],

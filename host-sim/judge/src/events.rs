@@ -22,8 +22,7 @@ use crate::vector::{between, distance, length, sub};
 /// Positions that differ by at most this many roundings of the farthest coordinate are equal.
 const SAME: f64 = 8.0;
 
-/// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts
-/// and slips.
+/// The findings on events in a frame, given the previous one; if the hand did not hold in both, only those on contacts and slips.
 pub(crate) fn findings(
     model: &Model,
     bounds: &Bounds,
@@ -133,8 +132,7 @@ fn leads(model: &Model, evolution: Evolution, last: &Frame, next: &Frame) -> boo
     stages.iter().any(is_next)
 }
 
-/// The stages that an event can lead to. A slide begins and ends as reported, and ends without an event if nothing touches any
-/// more.
+/// The stages that an event can lead to. A slide begins and ends as reported, and ends without an event if nothing touches any more.
 fn after((state, slides): Stage, event: Event, [passes, jumps]: [bool; 2]) -> Vec<Stage> {
     use State::{Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
     let glides = matches!(state, SingleVertex | Edge | TwoVertex);

@@ -43,8 +43,7 @@ pub mod law {
     pub const PUSH: &str = "surfaces do not pull";
     /// The wrench is zero if `held` is false.
     pub const IDLE: &str = "a hand that does not hold gives no wrench";
-    /// A body that is not held, whose hand is out of range or not finite, or that no motion can balance, stays where it
-    /// was.
+    /// A body that is not held, whose hand is out of range or not finite, or that no motion can balance, stays where it was.
     pub const RESTS: &str = "a body that nothing moves stays";
     /// `held` changes with the events `grasp` and `release`.
     pub const HOLD: &str = "grasp and release are reported";
@@ -70,8 +69,7 @@ pub mod law {
     pub const SLIP_BEGINS: &str = "a slip begins where static friction gives way";
     /// At that point of the hand's path, at the contacts' new positions, |T| = mu_d N against the motion.
     pub const SLIP_ENDS: &str = "a slip ends at mu_d N";
-    /// After several slips: somewhere on the hand's path in this frame, |T| = mu_d N at the current positions of the
-    /// contacts.
+    /// After several slips: somewhere on the hand's path in this frame, |T| = mu_d N at the current positions of the contacts.
     pub const SLIP_LAST: &str = "the last slip of a frame ends at mu_d N";
     /// T = -s mu_d N of a contact that slides along s t.
     pub const SLIDES: &str = "a slide is at mu_d N against its motion";
@@ -83,8 +81,7 @@ pub mod law {
     pub const SLIDE_TOLD: &str = "slide and stop are reported";
     /// A slide sticks where N rises to N* = k_h D_c / (mu_s - mu_d).
     pub const SLIDE_STOPS: &str = "a slide stops where N reaches N*";
-    /// A body whose contacts bear the load at both ends of the hand's path, and therefore along all of it, stays where
-    /// it is.
+    /// A body whose contacts bear the load at both ends of the hand's path, and therefore along all of it, stays where it is.
     pub const HOLDS: &str = "what the contacts bear is not let go";
     /// A body is `jammed` if the load needs reactions beyond 64 k_h L, and only then.
     pub const JAMMED: &str = "jammed is what 64 k_h L cannot hold";

@@ -66,8 +66,7 @@ impl Judge {
         &self.bounds
     }
 
-    /// The laws of a single frame, for a body that is held at the scene's holding point for the first time, or not at
-    /// all.
+    /// The laws of a single frame, for a body that is held at the scene's holding point for the first time, or not at all.
     pub fn alone(&self, frame: &Frame) -> Vec<Finding> {
         if let Some(unknown) = still::unknown(&self.model, frame) {
             return vec![unknown];
@@ -244,8 +243,7 @@ impl Judge {
         Some(Finding::new(law::RESTS, moved / scale, self.bounds.gap))
     }
 
-    /// Contacts stay where they stopped, as long as nothing happens that could move them; and sliding contacts move
-    /// forward.
+    /// Contacts stay where they stopped, as long as nothing happens that could move them; and sliding contacts move forward.
     fn keeps(&mut self, frame: &Frame) -> Vec<Finding> {
         let moves = |event: &Event| !matches!(event, Event::Grasp | Event::Release);
         let is_quiet = !frame.events.iter().any(moves);

@@ -60,13 +60,13 @@
 //!
 //! # What could have held
 //!
-//! Two vertices that stick keep the body where it is as long as reactions within friction bear the load. All loads that they bear form a
-//! convex cone, and the hand moves straight: if the load is in the cone at the hand's previous and current pose, it is in the cone in
-//! between, and the body stays. It is unlawful if it does not, unless the hand alone opens all gaps on its path (STATICS 5). A load counts
-//! as borne only with reactions of at most 128 k_h L, twice the limit of status `ok`, and together with all loads that differ from it by 64
-//! roundings of these reactions and by the fraction of its magnitude that the bound on slips allows. The friction is mu_s, but mu_d in a
-//! trace that reports slides, as the body may have no stiction; it has stiction if no reactions within mu_d bear the load of the previous
-//! frame.
+//! Two vertices that stick keep the body where it is as long as reactions within friction bear the load. All loads that
+//! they bear form a convex cone, and the hand moves straight: if the load is in the cone at the hand's previous and current
+//! pose, it is in the cone in between, and the body stays. It is unlawful if it does not, unless the hand alone opens all
+//! gaps on its path (STATICS 5). A load counts as borne only with reactions of at most 128 k_h L, twice the limit of status
+//! `ok`, and together with all loads that differ from it by 64 roundings of these reactions and by the fraction of its
+//! magnitude that the bound on slips allows. The friction is mu_s, but mu_d in a trace that reports slides, as the body may
+//! have no stiction; it has stiction if no reactions within mu_d bear the load of the previous frame.
 //!
 //! A body is `jammed` if the load needs N beyond 64 k_h L. It is not if neither friction, mu_d nor mu_s, needs that: either reactions of
 //! half of it bear the load, or none do, however large, since the load drives a twist that opens all contacts. In a trace that reports

@@ -14,8 +14,7 @@ impl Way<'_> {
         (self.0)(part).unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// The first point, starting at `begin`, at which the function is at least `level`; otherwise its highest evaluated
-    /// value.
+    /// The first point, starting at `begin`, at which the function is at least `level`; otherwise its highest evaluated value.
     pub(crate) fn reaches(&self, level: f64, begin: f64) -> Result<f64, f64> {
         let mut from = (begin, self.at(begin));
         let mut highest = from.1;

@@ -50,8 +50,7 @@ fn motion(model: &Model, from: [f64; 3], to: [f64; 3]) -> f64 {
         + model.size * ((to[2] - from[2]).abs() - 1.0).max(0.0)
 }
 
-/// Whether, without an event, every lost contact with an obstacle was replaced by a current one, and every new contact replaced an
-/// old one.
+/// Whether, without an event, every lost contact with an obstacle was replaced by a current one, and every new contact replaced an old one.
 fn changes(step: &Step<'_>) -> Option<bool> {
     let (model, last, next) = (step.model, step.last, step.next);
     if !next.events.is_empty() || !(last.meets_obstacles() || next.meets_obstacles()) {
@@ -113,8 +112,7 @@ fn are_neighbours(model: &Model, pairs: [Touch; 2], near: f64) -> bool {
     let [a, b] = pairs.map(of_body);
     let around = match pairs.map(of_obstacle) {
         [Some(a), Some(b)] => gap_of_segments(a, b) <= near,
-        // Between a half-plane and an obstacle that stands on it, only positions count; there is no passage between
-        // half-planes.
+        // Between a half-plane and an obstacle that stands on it, only positions count; there is no passage between half-planes.
         [None, None] => false,
         _ => true,
     };
@@ -201,8 +199,7 @@ struct Straight<'a> {
     /// The holding point and the angle at the start.
     from: [f64; 3],
     to: [f64; 3],
-    /// The largest displacement of a vertex on the path, and its largest deviation from it if a weight turns the body
-    /// (m).
+    /// The largest displacement of a vertex on the path, and its largest deviation from it if a weight turns the body (m).
     longest: f64,
     off: f64,
 }

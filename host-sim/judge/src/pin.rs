@@ -172,8 +172,7 @@ impl Pin<'_> {
     }
 }
 
-/// Follows the balance along a path from its start (part 0) to `part`: returns the angle there, `None` if the branch
-/// folds.
+/// Follows the balance along a path from its start (part 0) to `part`: returns the angle there, `None` if the branch folds.
 pub(crate) fn follow<'a>(pin: impl Fn(f64) -> Pin<'a>, theta: f64, part: f64) -> Option<f64> {
     if let Some(balance) = pin(part).near(theta) {
         return Some(balance);

@@ -30,8 +30,7 @@ pub(crate) fn neighbours(shape: &[Vec2], index: usize) -> impl Iterator<Item = V
         .map(|k| shape[k])
 }
 
-/// The largest gap along the axes of both shapes: if negative, the depth of one in the other; if positive, at most their
-/// distance.
+/// The largest gap along the axes of both shapes: if negative, the depth of one in the other; if positive, at most their distance.
 pub(crate) fn separation(a: &[Vec2], b: &[Vec2]) -> f64 {
     if let ([a], [b]) = (a, b) {
         return distance(*a, *b);

@@ -12,8 +12,7 @@ const SAME: f64 = 1e-9;
 /// The properties of every obstacle, by its index.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Sides {
-    /// For every side: the interval along its tangent of the line that it forms with the adjoining coplanar sides of equal friction
-    /// (m).
+    /// For every side: the interval along its tangent of the line that it forms with the adjoining coplanar sides of equal friction (m).
     runs: Vec<Vec<[f64; 2]>>,
     /// For every corner: whether another obstacle, or a half-plane, lies over it.
     covered: Vec<Vec<bool>>,

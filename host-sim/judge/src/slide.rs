@@ -143,8 +143,7 @@ pub(crate) fn has_stiction(step: &Step<'_>) -> bool {
         && static_excess(reaction, face.friction_dynamic) > step.allowed(false)
 }
 
-/// Whether the force on a contact is only rounding: the vertex swings along its surface as the body turns out of the
-/// way.
+/// Whether the force on a contact is only rounding: the vertex swings along its surface as the body turns out of the way.
 pub(crate) fn is_idle(
     model: &Model,
     bounds: &Bounds,

@@ -8,8 +8,7 @@
 //! **Tolerance.** Positions are known to the rounding of the trace, forces therefore to that of coordinate × stiffness, and
 //! tau to within the range tau_- <= tau <= tau_+ in which the old contacts come that close to the limit of static friction
 //! and go that far beyond it. A slip is lawful if its end is valid for some tau in that range. If the limit is met steeply,
-//! as is usual, the range is a point; if it is met at a grazing angle, the uncertainty of tau is not held against the
-//! trace.
+//! as is usual, the range is a point; if it is met at a grazing angle, the uncertainty of tau is not held against the trace.
 
 use crate::finding::{Bounds, Finding, law};
 use crate::frame::{Contact, Event, Evolution, Frame, State};
@@ -77,8 +76,7 @@ impl<'a> Step<'a> {
         self.next.slips == 1 && self.slips_alone(last)
     }
 
-    /// Whether the number of slips, if nothing else happens, is the number that leads from the old positions to the new
-    /// ones.
+    /// Whether the number of slips, if nothing else happens, is the number that leads from the old positions to the new ones.
     fn counted(&self) -> Option<bool> {
         let next = self.next;
         if next.events != [Event::Slip] || next.slides() || !self.slips_alone(self.last) {

@@ -1,7 +1,6 @@
 //! What a status excuses, and whether its frame shows the reported condition.
 //!
-//! * `held-last` and `saturated`: the hand's sample was not used, so the record repeats that of the previous frame except for
-//!   its time.
+//! * `held-last` and `saturated`: the hand's sample was not used, so the record repeats that of the previous frame except for its time.
 //! * `event-limit`: there are as many events as the limit. The frame is in balance, and judged like any other.
 //! * `behind`: the remaining fraction of the hand's displacement is reported.
 //! * `jammed` and `ambiguous`: see [`of_balance`].
@@ -44,8 +43,7 @@ fn repeats(last: &Frame, next: &Frame) -> bool {
         && (lets_go || (same_forces && next.events.is_empty() && next.slips == 0))
 }
 
-/// Whether a body that is reported to be out of balance could neither stay in balance nor move. `None` if no such status is
-/// reported.
+/// Whether a body that is reported to be out of balance could neither stay in balance nor move. `None` if no such status is reported.
 pub(crate) fn of_balance(step: &Step<'_>) -> Option<bool> {
     let next = step.next;
     match next.status {

@@ -93,8 +93,7 @@ pub(crate) fn geometry(model: &Model, bounds: &Bounds, frame: &Frame) -> Vec<Fin
         .collect()
 }
 
-/// Findings on springs, balance and friction. If not all contacts are known: on the springs alone, and on the known
-/// contacts.
+/// Findings on springs, balance and friction. If not all contacts are known: on the springs alone, and on the known contacts.
 pub(crate) fn statics(model: &Model, bounds: &Bounds, grip: &Grip, frame: &Frame) -> Vec<Finding> {
     let scale = model.scale(frame, grip, bounds.residual, bounds.rounding);
     let springs = model.springs(frame.pose, frame.hand, grip);

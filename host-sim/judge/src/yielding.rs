@@ -153,8 +153,8 @@ impl Body {
             && self.opens(&pair.map(|(i, _)| i), wrench)
     }
 
-    /// The multiples of two wrenches that prevent motion along two lines; `None` if they are linearly dependent, or push in the wrong
-    /// direction.
+    /// The multiples of two wrenches that prevent motion along two lines;
+    /// `None` if they are linearly dependent, or push in the wrong direction.
     fn closing(&self, [(a, of_a), (b, of_b)]: [(Vec3, Vec3); 2]) -> Option<[f64; 2]> {
         let [aa, ab] = [self.along(a, of_a), self.along(a, of_b)];
         let [ba, bb] = [self.along(b, of_a), self.along(b, of_b)];

@@ -133,8 +133,7 @@ fn takes(chip: &mut Chip, line: &mut UnixStream) -> bool {
     }
 }
 
-/// Passes on the bytes that the chip has sent; bytes that nobody reads are lost. Returns whether the line is still
-/// open.
+/// Passes on the bytes that the chip has sent; bytes that nobody reads are lost. Returns whether the line is still open.
 fn gives(line: &mut UnixStream, bytes: &[u8]) -> bool {
     match line.write_all(bytes) {
         Ok(()) => true,

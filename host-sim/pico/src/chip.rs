@@ -83,8 +83,7 @@ impl Chip {
         self.resets
     }
 
-    /// The longest time since power-up that the handler of an interrupt took, including all that interrupted it
-    /// (cycles).
+    /// The longest time since power-up that the handler of an interrupt took, including all that interrupted it (cycles).
     pub const fn longest(&self, interrupt: u32) -> u64 {
         self.handlers.longest(interrupt)
     }
@@ -221,8 +220,7 @@ impl Chip {
             cores[0].invalidate_decode_cache_regions(bus.pending_invalidation_regions);
             bus.pending_invalidation_regions = 0;
         }
-        // Only branches lead to another address than the next one; the entry of an exception takes 15 cycles, one less
-        // as well.
+        // Only branches lead to another address than the next one; the entry of an exception takes 15 cycles, one less as well.
         let is_active = bus.ppb[0].active;
         let after = cores[0].regs.pc();
         let length = self.instruction(at).map_or(2, length);
@@ -264,8 +262,8 @@ impl Chip {
         }
     }
 
-    /// Processes all events around the core up to now, and schedules the next one. A requested interrupt becomes pending, unless it is
-    /// active.
+    /// Processes all events around the core up to now, and schedules the
+    /// next one. A requested interrupt becomes pending, unless it is active.
     fn settle(&mut self) {
         let Own {
             uart,

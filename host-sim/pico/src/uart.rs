@@ -1,5 +1,4 @@
-//! UART0 of the chip, a PL011 (RP2040 datasheet, section 4.2): bytes travel over its line at its baud rate, in both
-//! directions.
+//! UART0 of the chip, a PL011 (RP2040 datasheet, section 4.2): bytes travel over its line at its baud rate, in both directions.
 
 use std::collections::VecDeque;
 
@@ -45,8 +44,7 @@ pub(crate) struct Uart {
     to_send: VecDeque<u8>,
     /// A byte arrived when the queue was full.
     overrun: bool,
-    /// When the byte on the line is complete, in each direction, and when the line has been silent long enough
-    /// (cycles).
+    /// When the byte on the line is complete, in each direction, and when the line has been silent long enough (cycles).
     next_in: Option<u64>,
     next_out: Option<u64>,
     silent_at: Option<u64>,

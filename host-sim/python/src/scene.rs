@@ -95,8 +95,7 @@ impl Scene {
         (file.stiffness_translation, file.stiffness_rotation)
     }
 
-    /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own
-    /// times.
+    /// The samples of its own hand, or of a recorded path: t (s), x, y (m), phi (rad), held (0, 1); at a rate (Hz), or at their own times.
     #[pyo3(signature = (path = None, rate = None))]
     fn hand<'py>(
         &self,

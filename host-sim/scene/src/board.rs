@@ -1,5 +1,4 @@
-//! The build script of a board: which scene is compiled in, where the linker finds flash and RAM, and the linker's settings for
-//! the log.
+//! The build script of a board: which scene is compiled in, where the linker finds flash and RAM, and the linker's settings for the log.
 
 use std::env;
 use std::fs;

@@ -25,8 +25,7 @@ pub trait HostModel: Model {
     /// The numbers do not make a scene, or the model lacks a part that it needs.
     fn scene<R: Real<Si: SiFloat>>(written: &WrittenScene) -> Result<Built<R, Self>, InputError>;
 
-    /// The scene of a description, which may differ from the written one in all but obstacles, and the meaning of its
-    /// indices.
+    /// The scene of a description, which may differ from the written one in all but obstacles, and the meaning of its indices.
     ///
     /// # Errors
     /// The numbers do not make a scene.
@@ -35,8 +34,7 @@ pub trait HostModel: Model {
         description: &Description<'_, R::Si>,
     ) -> Result<Built<R, Self>, SceneError<R::Si>>;
 
-    /// The touching features and their directions; `None` without obstacles, since the contacts then contain
-    /// everything.
+    /// The touching features and their directions; `None` without obstacles, since the contacts then contain everything.
     fn touches<R: Real>(solver: &HostSolver<R, Self>, state: &State<R>) -> Option<Touches<R::Si>>;
 }
 

@@ -26,8 +26,7 @@ fn allowed_count(parameter: Parameter, [vertices, surfaces]: [usize; 2]) -> Opti
 }
 
 impl Document {
-    /// Checks that nothing exceeds the capacity of the solver, wherever the scene runs: before the items themselves are
-    /// processed.
+    /// Checks that nothing exceeds the capacity of the solver, wherever the scene runs: before the items themselves are processed.
     ///
     /// # Errors
     /// A number exceeds it.

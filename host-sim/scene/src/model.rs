@@ -80,8 +80,7 @@ impl SceneModel {
         }
     }
 
-    /// Every part of the solver: friction, weight, capacity for at least 4 vertices and 2 surfaces; obstacles
-    /// unchanged.
+    /// Every part of the solver: friction, weight, capacity for at least 4 vertices and 2 surfaces; obstacles unchanged.
     #[must_use]
     pub fn full(self) -> Self {
         self.with(Self {

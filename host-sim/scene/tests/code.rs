@@ -80,8 +80,7 @@ fn a_solver_for_other_scenes_too_has_at_least_what_it_is_given() {
 
 #[test]
 fn numbers_are_those_that_the_solver_of_a_computer_gets() {
-    // An f64 halfway between two f32, so that it is rounded to the even one, 1; its decimals are slightly above the
-    // middle.
+    // An f64 halfway between two f32, so that it is rounded to the even one, 1; its decimals are slightly above the middle.
     let halfway = 1.000_000_059_604_644_8_f64;
     assert_eq!(
         (halfway as f32, "1.0000000596046448".parse()),

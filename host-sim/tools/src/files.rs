@@ -17,8 +17,7 @@ fn begun() -> MutexGuard<'static, Vec<PathBuf>> {
     BEGUN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A file next to a path, to be moved there when it is complete. Files left there by programs that were killed are
-/// removed.
+/// A file next to a path, to be moved there when it is complete. Files left there by programs that were killed are removed.
 ///
 /// # Errors
 /// The path is a folder, or its parent folder cannot be written to.

@@ -48,8 +48,7 @@ pub fn scene_text(name: &str) -> Result<String, JsError> {
 
 /// The path of a scene's hand, as rows for `Solver.run`: t (s), x, y (m), phi (rad, unwrapped), held (0 or 1).
 ///
-/// `scene`: the name of a bundled scene, or the text of a scene file. `rate`: rows per second (Hz); by default that of the
-/// scene.
+/// `scene`: the name of a bundled scene, or the text of a scene file. `rate`: rows per second (Hz); by default that of the scene.
 ///
 /// Throws if the scene is refused, or has no path.
 #[wasm_bindgen(js_name = scenePath)]

@@ -67,8 +67,7 @@ impl Solver {
 
     /// Moves the hand to `x`, `y` (m) and `phi` (rad, unwrapped) in the world, and returns the equilibrium there.
     ///
-    /// `held`: whether the hand holds the body, by default true. `t`: the time of the sample (s), which the answer repeats; by
-    /// default 0.
+    /// `held`: whether the hand holds the body, by default true. `t`: the time of the sample (s), which the answer repeats; by default 0.
     pub fn step(
         &mut self,
         x: f64,

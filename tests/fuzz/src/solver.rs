@@ -18,8 +18,7 @@ pub fn solver(bytes: &[u8]) {
     }
 }
 
-/// The case in these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` if there are too
-/// few bytes.
+/// The case in these bytes as a scene file, a recorded hand path and the options of `stiction run`; `None` if there are too few bytes.
 pub fn as_files(bytes: &[u8]) -> Option<(String, String, String)> {
     Case::read(Draw::new(bytes)).map(|case| case.as_files())
 }
@@ -94,8 +93,7 @@ fn bounds<R: Number>() -> Bounds {
     }
 }
 
-/// Laws about where slips begin and end, and about the events that lead from frame to frame: they are judged on less degenerate
-/// scenes.
+/// Laws about where slips begin and end, and about the events that lead from frame to frame: they are judged on less degenerate scenes.
 const SLIPS: [&str; 4] = [
     law::SLIP_BEGINS,
     law::SLIP_ENDS,

@@ -6,8 +6,7 @@ use std::fmt::{self, Write};
 use stiction_core::StateKind::{self, Corner, Edge, Locked, NonContact, SingleVertex, TwoVertex};
 use stiction_core::Transition;
 
-/// What is drawn for a state: the position of its card, and the surfaces, the body and the contacts in a box of 36 by
-/// 24.
+/// What is drawn for a state: the position of its card, and the surfaces, the body and the contacts in a box of 36 by 24.
 struct Place {
     state: StateKind,
     at: [f64; 2],

@@ -1,5 +1,4 @@
-//! The laws of a single frame among obstacles, from geometry and statics alone: they use no code of the solver and remember
-//! nothing.
+//! The laws of a single frame among obstacles, from geometry and statics alone: they use no code of the solver and remember nothing.
 //!
 //! Tolerances are those of the laws among half-planes: the number type's bounds for gaps and balance, each at least 64 roundings
 //! of the farthest coordinate. Corners add one length, [`SNAP`].
@@ -46,8 +45,7 @@ pub const FORCES: &str = "forces balance";
 pub const MOMENTS: &str = "moments balance";
 
 /// Shorter lengths count as zero, in body sizes: two sides that overlap by less make one contact; two sides whose ends are nearer than
-/// this are flat on each other. So a contact may lie past the end of its side, and a neighbour behind the line of contact, by this
-/// much.
+/// this are flat on each other. So a contact may lie past the end of its side, and a neighbour behind the line of contact, by this much.
 pub const SNAP: f64 = 1.0 / 524_288.0;
 /// Accumulated rounding error of a length, in roundings of a coordinate, as among half-planes.
 const CARRIED: f64 = 64.0;

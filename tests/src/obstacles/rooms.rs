@@ -14,8 +14,7 @@ const FARTHEST: f64 = 1e3;
 /// The body is at least this far from the walls at the start, in body sizes.
 const CLEAR: f64 = 0.02;
 
-/// The room with this number: it lies within `farthest` body sizes of the origin, and so do the ends of the hand's
-/// jumps.
+/// The room with this number: it lies within `farthest` body sizes of the origin, and so do the ends of the hand's jumps.
 pub fn room(number: u64, farthest: f64) -> World {
     let draw = &mut Draw::new(0x4007_0000 + number);
     let body = pieces::body(draw);

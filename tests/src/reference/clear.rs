@@ -41,8 +41,8 @@ impl Reference {
             .collect()
     }
 
-    /// The gap along an axis, m, ignoring the pairs in contact; for each pair in `closed`, the excess of its gap over the gap given
-    /// with it.
+    /// The gap along an axis, m, ignoring the pairs in contact; for each
+    /// pair in `closed`, the excess of its gap over the gap given with it.
     fn gap_along(
         &self,
         pose: &Pose,
@@ -139,9 +139,8 @@ impl Reference {
             })
     }
 
-    /// The axis along which the body is farthest from an obstacle, and the gap along it. If the two have no interior together
-    /// (a point and a wall, or a rod and a pin), being on the far side does not count as being apart: the body cannot pass
-    /// through.
+    /// The axis along which the body is farthest from an obstacle, and the gap along it. If the two have no interior together (a
+    /// point and a wall, or a rod and a pin), being on the far side does not count as being apart: the body cannot pass through.
     fn widest(&self, pose: &Pose, obstacle: usize, closed: &[(Touch, f64)]) -> (Axis, f64) {
         self.axes(obstacle)
             .into_iter()

@@ -135,8 +135,7 @@ impl Scene {
         }
     }
 
-    /// Distance of the vertex from the line of the side, or of the corner from the line of the body's side; negative
-    /// inside.
+    /// Distance of the vertex from the line of the side, or of the corner from the line of the body's side; negative inside.
     pub(super) fn gap(&self, pose: &Pose, touch: Touch) -> f64 {
         let from = match touch {
             Touch::Surface { vertex, surface } => {
@@ -202,8 +201,7 @@ impl Scene {
         tangent_of(scale(-1.0, outward(&self.vertices, body_side)))
     }
 
-    /// Whether two contacts lie on one line, with the same normal, within `tolerance` rad and body sizes: a flat
-    /// contact.
+    /// Whether two contacts lie on one line, with the same normal, within `tolerance` rad and body sizes: a flat contact.
     pub(super) fn in_line(
         &self,
         pose: &Pose,

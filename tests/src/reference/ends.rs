@@ -190,8 +190,7 @@ impl Reference {
             .position(|&touch| self.scene.beyond(pose, touch) > BESIDE * self.size)
     }
 
-    /// The pair at the place of a contact at the end of its side whose normal comes next as the body moves along `way` times the
-    /// tangent.
+    /// The pair at the place of a contact at the end of its side whose normal comes next as the body moves along `way` times the tangent.
     fn next_pair(&self, touch: Touch, way: f64) -> Option<Touch> {
         let scene = &self.scene;
         let near = OVERLAP * self.size;

@@ -1,6 +1,5 @@
-//! What happens to a body along the straight path of the hand: the first of the events that its sticking or sliding contacts
-//! can meet. The pose at a point of the hand's path shows whether an event has already happened; the point of the event is
-//! bisected.
+//! What happens to a body along the straight path of the hand: the first of the events that its sticking or sliding contacts can
+//! meet. The pose at a point of the hand's path shows whether an event has already happened; the point of the event is bisected.
 
 use super::scene::{Pose, length};
 use super::search::bisect;

@@ -6,8 +6,7 @@ use super::scene::{Pose, Vector, add, cross, dot, scale, sub};
 use super::{ContactForce, Reference};
 
 impl Reference {
-    /// The forces at the contacts; if statics leaves them undetermined, the middle of what two cones allow, or one possible
-    /// set.
+    /// The forces at the contacts; if statics leaves them undetermined, the middle of what two cones allow, or one possible set.
     pub(super) fn contact_forces(&self) -> Vec<ContactForce> {
         let slides = |touch: Touch| {
             let index = self.contacts.iter().position(|&other| other == touch);
@@ -79,8 +78,7 @@ impl Reference {
         [about[1] / reach, -about[0] / reach]
     }
 
-    /// The dynamic coefficient of a contact, or of an edge: the average over its contacts, weighted by their normal
-    /// forces.
+    /// The dynamic coefficient of a contact, or of an edge: the average over its contacts, weighted by their normal forces.
     pub(super) fn rubbing(&self, pose: &Pose, touch: Touch, hand: [f64; 3]) -> f64 {
         let mu_d = |touch| self.scene.friction(touch).mu_d;
         match *self.contacts.as_slice() {

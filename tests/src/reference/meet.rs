@@ -1,5 +1,4 @@
-//! What follows an event on the hand's path, according to the rules of the slides: the contacts stick, slide, slip, open or
-//! close.
+//! What follows an event on the hand's path, according to the rules of the slides: the contacts stick, slide, slip, open or close.
 
 use super::contact::Touch;
 use super::events::{BACK, Happening};
@@ -115,8 +114,7 @@ impl Reference {
         }
     }
 
-    /// Starts a joint slide in which the contact `old` keeps its direction, if the hand drives it and the new contact
-    /// presses.
+    /// Starts a joint slide in which the contact `old` keeps its direction, if the hand drives it and the new contact presses.
     fn slides_jointly(&mut self, (old, slides): (Touch, f64), way: [f64; 3]) -> bool {
         let Some(pair) = self.pair() else {
             return false;
@@ -144,8 +142,7 @@ impl Reference {
         rates.is_some_and(|rates| rates.iter().all(|&rate| rate > BACK))
     }
 
-    /// A contact that is not loaded yet sticks if the rate of its force lies in the cone of dynamic friction; otherwise it
-    /// slides.
+    /// A contact that is not loaded yet sticks if the rate of its force lies in the cone of dynamic friction; otherwise it slides.
     fn strike(&mut self, way: [f64; 3]) {
         self.stop();
         if !self.on_one_surface() {

@@ -78,8 +78,7 @@ impl Reference {
             .all(|&touch| self.threshold(self.scene.friction(touch)).is_infinite())
     }
 
-    /// Whether a slip of two contacts from the pose `began` to the current one was long enough to keep the stiction
-    /// bit.
+    /// Whether a slip of two contacts from the pose `began` to the current one was long enough to keep the stiction bit.
     pub(super) fn slipped_far(&self, pair: [Touch; 2], began: &Pose) -> bool {
         let far = |&touch: &Touch| {
             let way = self.scene.place(&self.pose, touch) - self.scene.place(began, touch);

@@ -136,8 +136,7 @@ impl Reference {
         false
     }
 
-    /// Two or more contacts that fix the pose: they stay, slip along the one motion that two of them leave free, or
-    /// open.
+    /// Two or more contacts that fix the pose: they stay, slip along the one motion that two of them leave free, or open.
     fn relax_locked(&mut self, hand: [f64; 3], carry: &mut Carry) -> bool {
         if carry.slipping {
             if self.admissible_in_slip(&self.pose, &self.contacts, hand) {

@@ -4,8 +4,7 @@
 /// A vector in the plane.
 pub(super) type Vector = [f64; 2];
 
-/// A wrench (force, moment / body size) or a twist (translation, rotation * body size), so that its three components are
-/// comparable.
+/// A wrench (force, moment / body size) or a twist (translation, rotation * body size), so that its three components are comparable.
 pub(super) type Screw = [f64; 3];
 
 /// A half-plane that the body cannot enter: the free side is `normal . p >= offset`.

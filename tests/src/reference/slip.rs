@@ -50,8 +50,7 @@ impl Reference {
         false
     }
 
-    /// Stops two slipping contacts if dynamic friction holds them from the start, for example when one of them has just
-    /// closed.
+    /// Stops two slipping contacts if dynamic friction holds them from the start, for example when one of them has just closed.
     pub(super) fn stop_slip(&mut self, hand: [f64; 3], carry: &Carry) -> bool {
         let mut ways = Vec::new();
         if self.on_one_surface() {
@@ -121,8 +120,7 @@ impl Reference {
         false
     }
 
-    /// One of two slipping contacts leaves its side: a flat contact continues to slip, any other one is tested with its new
-    /// normal.
+    /// One of two slipping contacts leaves its side: a flat contact continues to slip, any other one is tested with its new normal.
     fn pair_off(
         &mut self,
         (pair, way): ([Touch; 2], Screw),

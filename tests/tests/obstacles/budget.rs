@@ -1,5 +1,4 @@
-//! The budget of a step among obstacles: no step exceeds it, every frame is lawful, and a cut step continues to the same
-//! bits.
+//! The budget of a step among obstacles: no step exceeds it, every frame is lawful, and a cut step continues to the same bits.
 
 use stiction_core::{Evolution, Solver, State, Status};
 use stiction_tests::obstacles::laws::{FINITE, Laws, OUTSIDE};
@@ -23,8 +22,7 @@ fn hands(world: &World) -> impl Iterator<Item = [f64; 3]> {
     world.hands().into_iter().step_by(STRIDE)
 }
 
-/// Steps until nothing is left to do, each within its budget and lawful. Returns how many steps were cut, and the final
-/// state.
+/// Steps until nothing is left to do, each within its budget and lawful. Returns how many steps were cut, and the final state.
 fn steps<R: Number>(
     run: &mut Run<R>,
     (laws, hand): (&Laws, [f64; 3]),

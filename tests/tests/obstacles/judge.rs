@@ -1,5 +1,4 @@
-//! Tests of the judge of frames: it accepts the frames of the slow reference, and notices every fault introduced into
-//! them.
+//! Tests of the judge of frames: it accepts the frames of the slow reference, and notices every fault introduced into them.
 
 use stiction_tests::budget;
 use stiction_tests::obstacles::compare::frame_of;

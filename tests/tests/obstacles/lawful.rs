@@ -13,8 +13,7 @@ const SCENES: u64 = budget(200, 10) as u64;
 const ROOMS: u64 = budget(200, 10) as u64;
 /// More time than any scene takes.
 const LIMIT: Duration = Duration::from_secs(30);
-/// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with
-/// the rest.
+/// The test gives up after this many reported faults, because a step that does not end keeps running in parallel with the rest.
 const MOST: usize = 10;
 
 /// The fault of a scene.
@@ -34,8 +33,7 @@ fn fault<R: Number>((scenes, number): (Kind, u64), evolution: Evolution) -> Opti
 const KNOWN_WORLDS: &[(&str, &str, u64)] = &[];
 const KNOWN_ROOMS: &[(&str, &str, u64)] = &[];
 
-/// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the
-/// list.
+/// No scene has a fault except the known ones, and each of those still has one: a fix must remove its scene from the list.
 fn no_frame_breaks_a_law<R: Number>(scenes: Kind) {
     let (count, known) = match scenes {
         Kind::Worlds => (SCENES, KNOWN_WORLDS),

@@ -1,5 +1,4 @@
-//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits or more from the balance of the
-//! contacts.
+//! The cases of `cases/obstacles.json`: scene, path of the hand, and values known to 15 digits or more from the balance of the contacts.
 //!
 //! The reference finds the position of a touch to 1e-12 body sizes, and a force at the edge of its cone to 1e-12 of the spring force
 //! at a deflection of one body size, which is some ten times the force in these cases. Errors reached: 2e-12 in poses and 3e-11 in

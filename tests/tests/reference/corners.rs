@@ -43,8 +43,7 @@ fn at(got: [f64; 2], want: [f64; 2]) {
     close("y", got[1], want[1], PLACE);
 }
 
-/// The position of a point that slides along `way` (1 or -1) on the line through `on` with a normal, for a hand at
-/// `hand`.
+/// The position of a point that slides along `way` (1 or -1) on the line through `on` with a normal, for a hand at `hand`.
 fn slid(hand: [f64; 2], on: [f64; 2], normal: [f64; 2], slide: f64) -> [f64; 2] {
     let tangent = [normal[1], -normal[0]];
     let along = |way: [f64; 2]| way[0] * (hand[0] - on[0]) + way[1] * (hand[1] - on[1]);
@@ -186,8 +185,7 @@ fn a_rod_does_not_turn_through_the_end_of_a_wall() {
     assert_eq!(touches, [end, corner]);
 }
 
-/// Two thin walls that meet, seen from below one of them: where the point reaches their junction, the other wall continues
-/// above.
+/// Two thin walls that meet, seen from below one of them: where the point reaches their junction, the other wall continues above.
 #[test]
 fn a_point_below_a_bent_wall_does_not_touch_its_upper_side() {
     let across = [[0.0, 0.0], [2.0, 0.0]];

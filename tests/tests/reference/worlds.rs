@@ -144,8 +144,7 @@ pub(crate) fn crowded(draw: &mut Draw) -> World {
     among
 }
 
-/// Five straight segments: most of them towards a corner of an obstacle, up to it or past it; some turn the hand, some go
-/// anywhere.
+/// Five straight segments: most of them towards a corner of an obstacle, up to it or past it; some turn the hand, some go anywhere.
 fn path(draw: &mut Draw, start: [f64; 3], obstacles: &[Obstacle]) -> Vec<[f64; 3]> {
     let mut hands = vec![start];
     for _ in 0..5 {

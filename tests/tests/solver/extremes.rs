@@ -61,8 +61,7 @@ mod cases {
         }
     }
 
-    /// The part of every sweep that users meet: there every number type keeps its error bound and reports no
-    /// limitation.
+    /// The part of every sweep that users meet: there every number type keeps its error bound and reports no limitation.
     pub(super) fn number_type_holds_what_users_need<R: Number>(evolution: Evolution) {
         for (name, from, to) in [
             ("mu_s of the floor (mu_d = 0.6 mu_s)", 0.0, 1e3),

@@ -145,8 +145,7 @@ fn reference_at(setup: &Setup, frame: &Frame, stiction: bool) -> Reference {
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Same,
-    /// Slips without a start (from a touch) or an end (before lift-off), or the event limit: same state, phase of the slips
-    /// undetermined.
+    /// Slips without a start (from a touch) or an end (before lift-off), or the event limit: same state, phase of the slips undetermined.
     OpenPhase,
     /// The reference or the solver found no motion that fits.
     Ambiguous,

@@ -148,8 +148,8 @@ fn no_frame_of_any_random_scene_without_friction_violates_a_law() {
     }
 }
 
-/// A point has no size, so the resolution of fixed point follows from its springs: the angle (rad) is as accurate as
-/// usual if the grip is no softer than the lever requires, and so is the position of the tip.
+/// A point has no size, so the resolution of fixed point follows from its springs: the angle (rad) is accurate, and with it the
+/// position of the tip, provided that the grip is no softer than the lever requires.
 #[test]
 fn fixed_point_carries_a_point_tool_with_a_short_lever() {
     for (lever, rotation, angle) in [(0.005, 0.01, 1e-4), (0.02, 0.5, 2e-5)] {

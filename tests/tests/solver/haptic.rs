@@ -17,8 +17,7 @@ fn all() -> impl Iterator<Item = (Kind, usize, Scenario)> {
         .flat_map(move |kind| of(kind).map(move |(i, scenario)| (kind, i, scenario)))
 }
 
-/// Every law holds, including that numbers are finite and that sticking feet do not move; frame evolution in every fifth
-/// scene.
+/// Every law holds, including that numbers are finite and that sticking feet do not move; frame evolution in every fifth scene.
 fn every_frame_is_lawful<R: Number>() {
     for (kind, i, scenario) in all() {
         let frame = (i % 5 == 0).then_some(Evolution::Frame);

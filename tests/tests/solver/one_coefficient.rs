@@ -113,9 +113,8 @@ fn slide_in_mid_frame_is_not_left_out() {
     slides_in_mid_frame::<f32>();
 }
 
-/// Final position of a tip that is held 0.3 m away from it and pressed down, while the hand moves 0.5 m along the floor and turns
-/// three times: the pull along the floor grows and falls with every turn, and the tip moves whenever the pull exceeds all earlier
-/// values.
+/// Final position of a tip that is held 0.3 m away from it and pressed down, while the hand moves 0.5 m along the floor and turns three
+/// times: the pull along the floor grows and falls with every turn, and the tip moves whenever the pull exceeds all earlier values.
 fn tip_after_turns<R: Number>(frames: usize) -> f64 {
     let setup = Setup::point()
         .held_at([0.3, 0.0])

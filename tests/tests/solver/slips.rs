@@ -101,8 +101,7 @@ fn way_goes_on_after_slips_that_crowd_in_every_number_type() {
     way_goes_on_after_slips_that_crowd::<Fixed>();
 }
 
-/// If mu_s = mu_d, the box slides as the hand drags it, until it meets the wall 30 mm ahead. That does not count as a
-/// slip.
+/// If mu_s = mu_d, the box slides as the hand drags it, until it meets the wall 30 mm ahead. That does not count as a slip.
 fn slide_up_to_a_wall_is_no_slip<R: Number>() {
     let mut setup = scenes::box_flat().setup.wall(0.13, [0.3, 0.3]);
     (

@@ -179,8 +179,7 @@ mod cases {
         }
     }
 
-    /// A gliding foot, in the model without friction: it is below the hand once the hand is deeper than the lever is
-    /// long.
+    /// A gliding foot, in the model without friction: it is below the hand once the hand is deeper than the lever is long.
     pub(super) fn without_friction_the_lever_bears_upright<R: Number>(evolution: Evolution) {
         let at = [D, 0.0, 0.0];
         let mut run = RunOf::<R, 1, 1, Frictionless>::start(&lever(1.0, 0.0), evolution, at);
@@ -211,8 +210,7 @@ mod cases {
     }
 }
 
-/// A point that is held at itself up to a rounding error swings round at the first pull: it slides when that pull is outside
-/// the cone.
+/// A point that is held at itself up to a rounding error swings round at the first pull: it slides when that pull is outside the cone.
 #[test]
 fn point_held_at_itself_is_pulled_out_of_its_cone() {
     let mut setup = Setup::new(&[[0.5, 0.0]])

@@ -1,5 +1,4 @@
-//! The measurements of an engine in a case: the time of a frame, the held pose compared with statics, creep, slips and
-//! allocations.
+//! The measurements of an engine in a case: the time of a frame, the held pose compared with statics, creep, slips and allocations.
 
 use std::time::{Duration, Instant};
 

@@ -84,8 +84,7 @@ impl Chain<'_> {
         if excess.reaches(-allowed, first).is_err() {
             return Some(None);
         }
-        // A marginal slip has happened if the contact has not reached its new position yet, and has not happened if it
-        // has.
+        // A marginal slip has happened if the contact has not reached its new position yet, and has not happened if it has.
         if link.place >= 1.0 && excess.reaches(allowed, first).is_err() {
             return Some(None);
         }

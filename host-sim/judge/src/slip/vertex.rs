@@ -21,7 +21,7 @@ pub(super) struct Slide<'a> {
 }
 
 impl<'a> Slide<'a> {
-    /// Pinned at the old position (`before`) or the new one, with the hand at a fraction of its path.
+    /// The contact pinned at its old position, with the hand at a fraction of its path; `after`: at its new one.
     fn before(&self, part: f64) -> Pin<'a> {
         self.foot.pinned(self.from, self.step.hand(part))
     }

@@ -16,8 +16,7 @@ use truth::{EVOLUTIONS, Number, Truth, truth};
 /// Random scenes of each kind.
 const RANDOM: usize = 4;
 
-/// Kinds of mutants that two frames do not decide (see the documentation of the crate): some may pass, for the reason
-/// given.
+/// Kinds of mutants that two frames do not decide (see the documentation of the crate): some may pass, for the reason given.
 const UNDECIDED: [&str; 12] = [
     // The other events of the frame may explain it.
     BESIDE,
@@ -30,8 +29,7 @@ const UNDECIDED: [&str; 12] = [
     "slip called a slide",
     // Whether reactions bear a load that is close to their limit.
     "Jammed: ",
-    // If static friction gives way so gradually that its position, and so the end of the slip, is uncertain by that
-    // amount.
+    // If static friction gives way so gradually that its position, and so the end of the slip, is uncertain by that amount.
     "a slip 1 % short",
     // Events exactly at the end of the frame, within rounding.
     "a slip a frame late",

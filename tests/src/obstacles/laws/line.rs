@@ -96,8 +96,7 @@ impl Laws {
     }
 }
 
-/// Normal of a side of a shape, gap of a point above it, and how far the point is past the side's ends; `None` if there is no such
-/// side.
+/// Normal of a side of a shape, gap of a point above it, and how far the point is past the side's ends; `None` if there is no such side.
 fn side_of(shape: &[Point], side: usize, point: Point) -> Option<(Point, f64, f64)> {
     if side >= sides(shape) {
         return None;

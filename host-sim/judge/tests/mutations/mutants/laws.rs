@@ -104,8 +104,7 @@ impl Maker<'_> {
         });
     }
 
-    /// A sticking contact moves with the hand, by some roundings per frame, so that its springs are deflected no more than
-    /// before.
+    /// A sticking contact moves with the hand, by some roundings per frame, so that its springs are deflected no more than before.
     fn creeps(&mut self, at: usize) {
         let first = &self.truth.frames[at];
         let sticks = first.contacts.iter().all(|c| c.sliding == Some(0));
