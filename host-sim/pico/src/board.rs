@@ -13,7 +13,7 @@ use crate::chip::{Chip, MEGAHERTZ};
 const SLICE: u32 = 200;
 /// The largest delay behind the real clock that is caught up; a longer one slows down the chip's clock instead.
 const BEHIND: Duration = Duration::from_millis(20);
-/// The largest number of bytes on their way to the chip; more wait at the other end.
+/// The largest number of bytes in transit to the chip; more wait at the other end.
 const ON_THE_WAY: usize = 256;
 
 /// An action on the chip between two slices.

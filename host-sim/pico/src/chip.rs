@@ -94,7 +94,7 @@ impl Chip {
         self.settle();
     }
 
-    /// The number of bytes on their way to it.
+    /// The number of bytes in transit to it.
     pub fn coming(&self) -> usize {
         self.own.uart.coming()
     }

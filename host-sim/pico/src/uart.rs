@@ -48,7 +48,7 @@ pub(crate) struct Uart {
     next_in: Option<u64>,
     next_out: Option<u64>,
     silent_at: Option<u64>,
-    /// Bytes on their way to the chip, and those that have left it.
+    /// Bytes in transit to the chip, and those that have left it.
     coming: VecDeque<u8>,
     gone: Vec<u8>,
 }
@@ -62,7 +62,7 @@ impl Uart {
         }
     }
 
-    /// The number of bytes on their way.
+    /// The number of bytes in transit to the chip.
     pub(crate) fn coming(&self) -> usize {
         self.coming.len()
     }
