@@ -8,7 +8,7 @@ use super::scene::SceneCommand;
 use crate::geometry::Angle;
 use crate::hand::{Hand, TrackerSample};
 
-/// A message to the board. Each one but the samples of the hand is answered: [`Command::Hello`] by
+/// A message to the board. Each one except the samples of the hand is answered: [`Command::Hello`] by
 /// [`Report::Info`](super::Report::Info), [`Command::Ping`] by [`Report::Pong`](super::Report::Pong), the others by
 /// [`Report::Reply`](super::Report::Reply).
 ///
@@ -33,13 +33,13 @@ pub enum Command<'a> {
     Tracker(TrackerSample<f32>),
     /// The springs and the friction, the friction on every surface.
     Parameters(Parameters),
-    /// A new scene. The body starts anew.
+    /// A new scene. The body starts again.
     Scene(SceneCommand<'a>),
-    /// How the board works.
+    /// The operating mode of the board.
     Mode(Mode),
-    /// A client comes: what is the board?
+    /// A client introduces itself and asks what the board is.
     Hello,
-    /// Is the board there, and what time is it?
+    /// Asks whether the board responds, and for its time.
     Ping,
     /// Back to the start.
     Reset(Reset),
@@ -89,7 +89,7 @@ impl Parameters {
     }
 }
 
-/// What a reset takes back.
+/// What a reset restores.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reset {
     /// The body, to the start pose of its scene.

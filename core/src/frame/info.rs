@@ -28,24 +28,24 @@ impl NumberType {
     }
 }
 
-/// What a board is and how it works now.
+/// What a board is and its present settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Info<'a> {
     /// Version of the firmware: major, minor, patch.
     pub version: [u8; 3],
     /// The number type of its solver.
     pub number: NumberType,
-    /// Room for so many vertices.
+    /// The maximum number of vertices.
     pub vertices: u8,
-    /// Room for so many surfaces.
+    /// The maximum number of surfaces.
     pub surfaces: u8,
     /// Its solver has friction.
     pub friction: bool,
     /// Its solver has weight.
     pub weight: bool,
-    /// It gives forces to the hand.
+    /// It outputs forces to the hand.
     pub actuators: bool,
-    /// It takes frames of at most so many bytes before COBS.
+    /// The longest frame that it accepts, in bytes before COBS.
     pub longest_frame: u16,
     /// The most ticks per second (Hz).
     pub fastest_tick: u16,
@@ -59,7 +59,7 @@ pub struct Info<'a> {
     pub friction_now: [f32; 2],
     /// Its memory length (m) now; `None`: L / 4096, or there is no surface.
     pub memory_now: Option<f32>,
-    /// How it works now.
+    /// Its present operating mode.
     pub mode: Mode,
     /// Name of the board.
     pub name: Text<'a>,

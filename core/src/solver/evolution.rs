@@ -39,8 +39,8 @@ pub enum Evolution {
     /// Exact events along the straight path of the hand: the result does not depend on the frame rate.
     #[default]
     Path,
-    /// From the first event of a frame the hand jumps to its new pose (as in the paper, but for that event). What else happens,
-    /// happens at the end of the frame, so that number and length of slips depend on the frame rate.
+    /// From the first event of a frame the hand jumps to its new pose (as in the paper, except for that event). Everything else happens at
+    /// the end of the frame, so that number and length of slips depend on the frame rate.
     Frame,
 }
 

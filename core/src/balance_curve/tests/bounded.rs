@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// On a motion of two contacts: each with its bounds from its beginning to the end of the window.
+/// On a motion of two contacts: each quantity with its bounds from its beginning to the end of the
+/// window.
 #[test]
 fn quantities_are_bounded() {
     const WINDOW: f64 = 0.8;
