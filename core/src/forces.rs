@@ -106,7 +106,7 @@ impl<F> Deref for Touches<F> {
 /// #         memory: None,
 /// #     }],
 /// # })?;
-/// // The hand goes 10 mm below the holding point and 3 mm beyond it along +x. That is less than
+/// // The hand moves 10 mm below the holding point and 3 mm beyond it along +x. That is less than
 /// // mu_s · 10 mm, so the box sticks.
 /// let solver = Solver::new(scene, Evolution::Path);
 /// let (mut state, _) = solver.start(Hand::new(0.0, 0.04, 0.0));
@@ -124,7 +124,7 @@ impl<F> Deref for Touches<F> {
 /// let friction: f32 = contacts.iter().map(|c| c.friction).sum();
 /// assert!(is(normal, 5.0), "the floor bears the push");
 /// assert!(is(friction, -1.5), "friction on the box acts along -t = -x");
-/// # // The wrench and the contacts add up to nothing, in moment too: about the left vertex.
+/// # // The wrench and the contacts are in balance, in moment too: about the left vertex.
 /// # let [fx, fy] = wrench.force;
 /// # let at = [0.05, 0.05]; // the holding point from there
 /// # assert!(is(at[0] * fy - at[1] * fx + wrench.moment + 0.1 * contacts[1].normal, 0.0));

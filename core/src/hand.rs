@@ -30,12 +30,12 @@ use crate::real::Real;
 /// let lifted = Hand::new(0.0, 0.15, 0.0);
 /// let (mut state, _) = solver.start(lifted);
 ///
-/// // Let go, it stays where it is: there is no gravity here, and nothing moves by itself.
+/// // When released it stays where it is: there is no gravity here, and nothing moves by itself.
 /// let output = solver.step(&mut state, lifted.released());
 /// assert_eq!((output.held, output.events()), (false, &[Event::Release][..]));
 /// let left_at = output.position;
 ///
-/// // A hand beside it does not take hold; the reach of this scene is 0.
+/// // A hand outside of it does not take hold; the reach of this scene is 0.
 /// assert!(!solver.step(&mut state, Hand::new(0.2, 0.15, 1.0)).held);
 ///
 /// // One within it does, at that point and angle: the springs are at rest, the body stays.
@@ -125,12 +125,12 @@ impl Axis {
 /// use stiction_core::{Axis, Projection, TrackerSample};
 ///
 /// // A tracker whose z points up and whose x points right: the scene's plane is x and z, its
-/// // depth counts along -y, towards who looks at it.
+/// // depth is measured along -y, towards the viewer.
 /// let right = Axis { index: 0, negative: false };
 /// let up = Axis { index: 2, negative: false };
 /// let mut projection = Projection::<f32>::new([right, up]).expect("two different axes");
 ///
-/// // The handle is turned by a quarter turn about -y: counter-clockwise for who looks at it.
+/// // The handle is rotated by a quarter turn about -y: counter-clockwise for the viewer.
 /// let half = core::f32::consts::FRAC_PI_4;
 /// let sample = TrackerSample {
 ///     position: [0.10, 0.02, 0.30],

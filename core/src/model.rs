@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 /// assert!((output.position[0] - 0.05).abs() < 1e-5, "it glides along below the hand");
 /// assert!((contact.normal - 5.0).abs() < 1e-3 && contact.friction.abs() < 1e-3);
 ///
-/// // What a model does not have, it does not take.
+/// // A model refuses parameters of parts that it does not have.
 /// let rough = [SurfaceDescription { friction_static: 0.5, ..smooth }];
 /// let rough = Description { surfaces: &rough, ..tip };
 /// let error = Scene::<f32, 1, 1, Bare>::new(&rough).expect_err("no friction in this model");

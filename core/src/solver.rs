@@ -48,8 +48,8 @@ use evolve::{Course, Errand};
 /// let exact = Solver::new(scene.clone(), Evolution::Path);
 /// let bounded = Solver::new(scene, Evolution::Path).with_budget(400);
 ///
-/// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips. The bounded solver does what its
-/// // budget allows.
+/// // Pressed 10 mm down, dragged by 0.1 m in one frame: 48 slips. The bounded solver does as many as its
+/// // budget permits.
 /// let (mut state, _) = exact.start(Hand::new(0.0, 0.04, 0.0));
 /// let mut twin = state.clone();
 /// let hand = Hand::new(0.1, 0.04, 0.0);
