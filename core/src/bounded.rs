@@ -108,6 +108,7 @@ impl<R: Real> Quantity<R> for Bounded<R> {
             },
         }
     }
+    /// Over a window from here a value and a slope change by no more than the window times the bound of their derivative.
     fn within(self, window: R) -> Self {
         let Bounds {
             error,
@@ -218,6 +219,7 @@ impl<R: Real> Sub for Bounded<R> {
 
 impl<R: Real> Mul for Bounded<R> {
     type Output = Self;
+    /// The product rule, for values, slopes and suprema: |(f g)''| <= |f''| |g| + 2 |f'| |g'| + |f| |g''|.
     fn mul(self, b: Self) -> Self {
         let ([f0, f1, f2], [g0, g1, g2]) = (self.bounds.suprema, b.bounds.suprema);
         let product = self.sloped() * b.sloped();

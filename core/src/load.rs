@@ -35,6 +35,7 @@ pub(crate) struct Load<R> {
 }
 
 impl<R: Real> Load<R> {
+    /// The load of a grip on a body placed by a point: force, couple and z about that point, as in (E1); with k_h = 1.
     pub(crate) fn new(scene: &impl World<R>, placed: Placed<R>, grip: &Grip<R>) -> Self {
         let rotation = placed.orientation.rotation();
         let lever = rotation.apply(grip.holding_point - placed.body_point);

@@ -160,6 +160,8 @@ impl<R: Real, H: SecondHarmonic<R>> Moment<R, H> {
         self.scaled().search_from(direction, start)
     }
 
+    /// The first zero of the moment beyond a turn of `start` (rad) in the direction of its sign, by certified steps (STATICS 3.1);
+    /// `snapped` if the moment grew on the way there.
     fn search_from(&self, direction: R, start: R) -> Downhill<R> {
         let size = self.harmonic.bound(self.hold.length_bound(), 1);
         let rounding = R::rounding(size + self.couple.abs());

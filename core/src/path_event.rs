@@ -45,6 +45,7 @@ pub(crate) fn happens<R: Real, W: World<R>>(
     Settling::of(before, next)
 }
 
+/// What each trigger of `advance` leads to, with the hand at the beginning of `path` (STATICS 7).
 fn outcome<R: Real, W: World<R>>(
     scene: &W,
     path: Path<'_, R>,

@@ -45,6 +45,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> World<R> for Scene<R, V,
     fn weight(&self) -> Vec2<R> {
         if M::WEIGHT { self.weight } else { Vec2::ZERO }
     }
+    /// A half-plane, or the side of an obstacle after them; without friction in a model that has none.
     fn surface(&self, index: u8) -> Surface<R> {
         let surface = self.surfaces.get(usize::from(index));
         let of_obstacle = || self.corner(index).map(|corner| &corner.side);

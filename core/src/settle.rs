@@ -107,6 +107,8 @@ impl<R: Real> Settling<R> {
         (work, true)
     }
 
+    /// Executes the next verb at the frozen hand, logs what it did and looks up what follows (STATICS 8); returns its cost in units of
+    /// work.
     fn verb<W: World<R>>(
         &mut self,
         scene: &W,

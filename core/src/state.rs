@@ -232,6 +232,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// Moves with the hand from one grip to another, in balance, to the first event (STATICS 7, step 1).
     pub(crate) fn advance<W: World<R>>(
         &mut self,
         scene: &W,
@@ -254,6 +255,7 @@ impl<R: Real> ContactState<R> {
         }
     }
 
+    /// Comes to balance at a frozen hand without sliding, then tests friction (STATICS 7, step 3).
     pub(crate) fn relax<W: World<R>>(
         &mut self,
         scene: &W,

@@ -133,6 +133,8 @@ pub(crate) fn seat_sliding<R: Real>(
     close_gaps(scene, pivot, (&[other], false))
 }
 
+/// Closes the gaps of the other contacts to the rounding in sweeps of Newton's steps: by a turn about the pivot if its foot stays and the
+/// lever suffices, otherwise by the least slide and turn.
 fn close_gaps<R: Real>(
     scene: &impl World<R>,
     mut pivot: Pivot<R>,

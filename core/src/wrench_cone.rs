@@ -63,6 +63,7 @@ impl<R: Real> WrenchCone<R> {
         self.work.get()
     }
 
+    /// Adds the two edges of the friction cone of a contact, as forces with their moments about the pivot.
     pub(crate) fn add(&mut self, bearing: &Bearing<R>) {
         for &(n, t) in &bearing.edges {
             let force = bearing.normal * n + bearing.tangent * t;

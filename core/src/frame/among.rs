@@ -230,6 +230,7 @@ const fn is_touch([of_body, obstacle]: [u8; 2]) -> bool {
     of_body & BODY_SIDE == 0 || obstacle != HALF_PLANE
 }
 
+/// The touch of three bytes, the inverse of [`touch_bytes`]; they have already been validated.
 fn touch([of_body, obstacle, index]: [u8; 3]) -> Touch {
     let [on_body, obstacle_index, index] = [of_body & !BODY_SIDE, obstacle, index].map(usize::from);
     if obstacle == HALF_PLANE {
@@ -264,6 +265,7 @@ impl Item for ContactAmong {
         sink.f32s(&[self.normal, self.friction]);
         sink.byte(self.sliding.cast_unsigned());
     }
+    /// Reads a contact in the order of FRAME 5.9; its bytes have already been validated.
     fn get(fields: &mut Fields<'_>) -> Self {
         let touch = touch(fields.take());
         let (direction, point) = (fields.f32s(), fields.f32s());

@@ -71,6 +71,7 @@ impl Parameters {
         sink.option(self.memory);
     }
 
+    /// Reads the payload of parameters (FRAME 4.3); fails if its length is wrong or its flag is neither 0 nor 1.
     fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(21)?;
         let [
@@ -151,6 +152,7 @@ impl<'a> Wire<'a> for Command<'a> {
         }
     }
 
+    /// Writes the payload of each command in the order of its table in FRAME 4.
     fn write(&self, sink: &mut impl Sink) {
         match self {
             Self::Hand(hand) => write_hand(hand, sink),
@@ -167,6 +169,7 @@ impl<'a> Wire<'a> for Command<'a> {
         }
     }
 
+    /// Reads the payload of a type; fails if the type is unknown, the length is wrong, or a flag or code has no meaning.
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
             HAND => read_hand(&mut fields).map(Self::Hand),

@@ -47,6 +47,7 @@ impl<'a, C: Item> Forces<'a, C> {
         self.contacts.write(sink);
     }
 
+    /// Reads the payload of forces (FRAME 5.2); fails if its length does not match the number of contacts.
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let wrench = |fields: &mut Fields<'_>| Wrench {
@@ -99,6 +100,7 @@ impl Item for Contact<f32> {
         sink.f32s(&[self.normal, self.friction]);
         sink.byte(self.sliding.cast_unsigned());
     }
+    /// Reads a contact in the order of FRAME 5.2; its bytes have already been validated.
     fn get(fields: &mut Fields<'_>) -> Self {
         let [vertex, surface] = fields.take().map(usize::from);
         let point = fields.f32s();

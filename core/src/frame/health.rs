@@ -57,6 +57,7 @@ pub struct Health {
 impl Health {
     pub(super) const BYTES: usize = 1 + 4 * (8 + FaultKind::ALL.len());
 
+    /// Writes the payload of health (FRAME 5.6).
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Drive::ALL, &self.drive);
         let counts = [
@@ -74,6 +75,7 @@ impl Health {
         }
     }
 
+    /// Reads the payload of health (FRAME 5.6); fails if its length is wrong or the code of the drive has no meaning.
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         Ok(Self {

@@ -70,6 +70,7 @@ impl<'a> Info<'a> {
     /// With the longest name.
     pub(super) const LONGEST: usize = Self::HEAD_BYTES + Text::LONGEST;
 
+    /// Writes the payload of info (FRAME 5.5).
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.put(&self.version);
         sink.code(&NumberType::ALL, &self.number);
@@ -88,6 +89,7 @@ impl<'a> Info<'a> {
         self.name.write(sink);
     }
 
+    /// Reads the payload of info (FRAME 5.5); fails if it is too short, or if a code, a bit or a character is not permitted.
     pub(super) fn read(fields: &mut Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(Self::HEAD_BYTES)?;
         let version = fields.take();

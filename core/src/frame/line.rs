@@ -74,6 +74,7 @@ impl<'o> Line<'o> {
         self.set(self.length, byte);
         self.length = self.length.saturating_add(1);
     }
+    /// Stuffs one byte of the frame (COBS): fills in a pending code byte if the byte is 0 or the block is full, and appends the byte.
     fn stuff(&mut self, byte: u8) {
         match self.cobs.push(byte) {
             PushResult::AddSingle(byte) => self.append(byte),

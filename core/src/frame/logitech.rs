@@ -51,6 +51,7 @@ impl LogitechRecord {
         })
     }
 
+    /// Decodes a record (FRAME 9): position in m, orientation as a unit quaternion, flags from the first byte.
     fn of(record: &[u8; 16]) -> Self {
         let &[
             flags,

@@ -97,6 +97,7 @@ impl Mode {
 
     pub(super) const BYTES: usize = 13;
 
+    /// Writes the payload of mode (FRAME 4.5); refuses an axis other than 0, 1, 2.
     pub(super) fn write(&self, sink: &mut impl Sink) {
         sink.code(&Evolution::ALL, &self.evolution);
         sink.code(&Stepping::ALL, &self.stepping);
@@ -114,6 +115,7 @@ impl Mode {
         sink.u16(self.health_every);
     }
 
+    /// Reads the payload of mode (FRAME 4.5); fails if a code or flag has no meaning, or if both axes are the same.
     pub(super) fn read(fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         let evolution = fields.code(&Evolution::ALL)?;
         let stepping = fields.code(&Stepping::ALL)?;

@@ -102,6 +102,7 @@ impl<'a> SceneAmong<'a> {
         self.obstacles.write(sink);
     }
 
+    /// Reads the payload of scene-among (FRAME 4.9); fails if its length does not match its counts.
     pub(super) fn read(fields: &Fields<'a>) -> Result<Self, FaultKind> {
         fields.at_least(HEAD_BYTES.saturating_add(COUNTS))?;
         let mut lists = *fields;

@@ -39,6 +39,7 @@ impl EventSet {
     /// The bits of all events.
     const ALL: u16 = (1 << Event::ALL.len()) - 1;
 
+    /// The bit of an event: bit k for event k of [`Event::ALL`].
     const fn bit(event: Event) -> u16 {
         match event {
             Event::Touch => 1,
@@ -150,6 +151,8 @@ impl Pose {
         sink.byte(self.sample);
     }
 
+    /// Reads the payload of a pose (FRAME 5.1) whose type has the state in its lower bits; fails if the length is wrong or a bit is set
+    /// that must be 0.
     pub(super) fn read(state: u8, fields: &mut Fields<'_>) -> Result<Self, FaultKind> {
         fields.exactly(Self::BYTES)?;
         let [x, y, rest, depth] = fields.f32s();

@@ -192,6 +192,7 @@ impl<'a> Reply<'a> {
         })
     }
 
+    /// Reads the payload of a reply (FRAME 5.4), with `subject` for the three bytes of the subject and its indices.
     fn read_about(
         fields: &mut Fields<'a>,
         subject: impl FnOnce([u8; 3]) -> Result<Subject, FaultKind>,
@@ -240,6 +241,7 @@ const fn subject_code(subject: Subject) -> (u8, [usize; 2]) {
     }
 }
 
+/// The subject of a code and its indices, in a reply without obstacles; the inverse of [`subject_code`].
 fn subject([code, first, second]: [u8; 3]) -> Result<Subject, FaultKind> {
     let (i, j) = (usize::from(first), usize::from(second));
     let parameter = match code {
@@ -293,6 +295,7 @@ const fn obstacle_code(subject: Subject) -> Option<(u8, [usize; 2])> {
     })
 }
 
+/// The parameter of an obstacle for a code and its indices, the inverse of [`obstacle_code`]; `None` for other codes.
 fn obstacle_subject([code, first, second]: [u8; 3]) -> Option<Parameter> {
     let (obstacle, index) = (usize::from(first), usize::from(second));
     Some(match code {

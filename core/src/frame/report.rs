@@ -117,6 +117,7 @@ impl<'a> Wire<'a> for Report<'a> {
         }
     }
 
+    /// Writes the payload of each report in the order of its table in FRAME 5.
     fn write(&self, sink: &mut impl Sink) {
         match self {
             Self::Pose(pose) => pose.write(sink),
@@ -132,6 +133,7 @@ impl<'a> Wire<'a> for Report<'a> {
         }
     }
 
+    /// Reads the payload of a type; fails if the type is unknown, the length is wrong, or a value is not permitted.
     fn read(code: u8, mut fields: Fields<'a>) -> Result<Self, FaultKind> {
         match code {
             POSE..=LAST_POSE => Pose::read(code & 7, &mut fields).map(Self::Pose),

@@ -188,6 +188,7 @@ impl Real for CordicFixed {
     fn sinc_cos(self) -> (Self, Self) {
         sinc_and_cosine(self)
     }
+    /// The angle of (x, y) from the arctangent of the smaller over the larger coordinate, moved to its quadrant.
     fn atan2(self, other: Self) -> Self {
         // The division of the crate does not check the range of the quotient.
         let (x, y) = (other, self);

@@ -67,6 +67,7 @@ impl Real for f32 {
     fn abs(self) -> f32 {
         f32::abs(self)
     }
+    /// Reduces the angle to a quarter turn in two steps, then evaluates the polynomials.
     fn sin_cos(self) -> (f32, f32) {
         if self.abs() < SMALL {
             let y = self * self;
@@ -92,6 +93,7 @@ impl Real for f32 {
         let (sin, cos) = Real::sin_cos(self);
         (sin / self, cos)
     }
+    /// The arctangent of the smaller over the larger coordinate, reduced to tan(pi/8), moved to its octant.
     fn atan2(self, other: f32) -> f32 {
         let (x, y) = (other.abs(), self.abs());
         if x == 0.0 && y == 0.0 {

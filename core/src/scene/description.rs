@@ -205,6 +205,7 @@ pub enum Parameter {
 }
 
 impl fmt::Display for Parameter {
+    /// The name of the parameter, as in an error: `static friction of surface 0`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::VertexCount => write!(f, "number of vertices"),

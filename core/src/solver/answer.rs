@@ -12,6 +12,7 @@ use crate::work::Work;
 use crate::world::World;
 
 impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
+    /// The answer of a step from the state and the log: pose in m and rad, world frame; the longest slip in m.
     pub(super) fn output(&self, state: &State<R>, (work, log): (Work, Log<R>)) -> Output<R::Si> {
         let pose = state.contact.pose(&self.scene);
         let angle = pose.orientation.angle();

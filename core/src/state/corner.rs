@@ -139,6 +139,7 @@ impl<R: Real> Corner<R> {
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
+    /// Turns the body about the corner by the result of a search downhill, to balance or to the first touch, then tests the reaction.
     fn turn_by(
         &mut self,
         scene: &impl World<R>,
@@ -153,6 +154,8 @@ impl<R: Real> Corner<R> {
         moved
     }
 
+    /// Tests the reaction in balance: inside the outer edges the vertex rests, beyond one it slides along that surface, pulled off both it
+    /// is free (STATICS 6).
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
         let rounding = load.rounding();

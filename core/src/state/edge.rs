@@ -60,6 +60,7 @@ impl<R: Real> Edge<R> {
         -moment / span
     }
 
+    /// N_1, N_2, N and T on a displacement of the hand, linear in tau since the edge does not turn (E4).
     fn reaction(
         &self,
         scene: &impl World<R>,
@@ -300,6 +301,7 @@ impl<R: Real> Edge<R> {
         Moved::by(self.test(scene, grip, sliding))
     }
 
+    /// Tests the reactions at the frozen hand: a contact opens, a slide goes on, or the total reaction is judged by its cone (STATICS 4).
     fn test(&self, scene: &impl World<R>, grip: &Grip<R>, sliding: Option<R>) -> Trigger<R> {
         let load = self.pivot.load(scene, grip);
         let reaction = self.reaction(scene, &load, &Displacement::slide(Vec2::ZERO));

@@ -317,6 +317,7 @@ impl<R: Real> FixedPose<R> {
         ([index, other.next().unwrap_or(index)], None)
     }
 
+    /// The mode in which a facet yields; two contacts of one vertex, in a corner, last together.
     fn mode_of(&self, yields: &Yield<R>) -> Mode<R> {
         match *yields {
             Yield::Pivot { contact } => self.about(contact),

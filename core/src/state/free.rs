@@ -193,6 +193,8 @@ impl<R: Real> Free<R> {
         self.relax_by::<H>(scene, grip, moment.over_fold(direction))
     }
 
+    /// Moves in a straight line to the result of a search downhill; if that is blocked for a body that has just opened, first the holding
+    /// point moves, then the body turns.
     fn relax_by<H: SecondHarmonic<R>>(
         &mut self,
         scene: &impl World<R>,

@@ -64,6 +64,7 @@ impl<R: Real, H: SecondHarmonic<R>> Segment<R, H> {
         }
     }
 
+    /// A segment of a curve up to an extent; it ends with `trigger`, or in a fold if the extent does.
     fn of(curve: BalanceCurve<R, H>, extent: Extent<R>, trigger: Trigger<R>) -> Self {
         let trigger = if extent.folds {
             Trigger::Fold(curve.direction())

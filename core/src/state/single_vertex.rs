@@ -372,6 +372,7 @@ impl<R: Real> SingleVertex<R> {
         self.turn_by(scene, grip, &moment.over_fold(direction))
     }
 
+    /// Turns the body about the vertex by the result of a search downhill, to balance or to the first touch, then tests friction.
     fn turn_by(
         &mut self,
         scene: &impl World<R>,
@@ -423,6 +424,7 @@ impl<R: Real> SingleVertex<R> {
         }
     }
 
+    /// Slips along sign·t: by the short slip of (E9) if it is certified, otherwise by a search.
     fn slip_on<W: World<R>>(&mut self, scene: &W, grip: &Grip<R>, sign: R) -> Moved<R> {
         let load = self.pivot.load(scene, grip);
         let placed = (&self.pivot, &load);

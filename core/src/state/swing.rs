@@ -30,6 +30,7 @@ pub(super) struct Swing<R> {
 }
 
 impl<R: Real> Swing<R> {
+    /// The lever of a load about a vertex that slides along sign·t of a surface, in components along t and n (L).
     pub(super) fn new(load: &Load<R>, surface: &Surface<R>, sign: R) -> Self {
         let lever = Vec2::new(
             surface.tangent.dot(load.lever),

@@ -409,6 +409,7 @@ impl<R: Real> Trammel<R> {
         (run, ending)
     }
 
+    /// The ending of a run for the function that became zero: (E6), N_1, N_2, or a velocity.
     fn ending(&self, which: usize) -> Ending<R> {
         match which {
             0 => Ending::Stopped,

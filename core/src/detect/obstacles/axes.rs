@@ -174,6 +174,7 @@ struct Ruler<R> {
 }
 
 impl<R: Real> Ruler<R> {
+    /// The ruler of an axis for the body at a point of a motion: gaps are positive where body and obstacle are separated (L).
     fn of<W: World<R>>(scene: &W, body: &Instant<R>, axis: Axis) -> Self {
         let placed = &body.placed;
         // To vertices.

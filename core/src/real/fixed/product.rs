@@ -80,6 +80,7 @@ pub(super) fn square(x: i32) -> i32 {
 mod halves {
     use super::{PLACES, RAIL};
 
+    /// The product of two Q24 numbers, rounded to the nearest with halves away from zero, saturated at the rails.
     #[inline]
     pub(super) fn multiply(a: i32, b: i32) -> i32 {
         let (x, y) = (a.unsigned_abs(), b.unsigned_abs());

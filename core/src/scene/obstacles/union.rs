@@ -20,6 +20,7 @@ pub(super) struct Side<F> {
 }
 
 impl<F: Real> Side<F> {
+    /// The side between two corners, with its direction and its length; both are zero for a pin.
     pub(super) fn new(from: Vec2<F>, to: Vec2<F>) -> Self {
         let whole = to - from;
         let along = if whole == Vec2::ZERO {

@@ -565,6 +565,7 @@ impl<R: Real> Slides<R> {
         }
     }
 
+    /// The ending of a slide for the function that became zero, in the order of [`Self::ends`].
     pub(super) fn ending(&self, which: usize) -> SlideEnding<R> {
         let [s1, s2] = self.trammel.sense.signs;
         let opens = |lasts, sliding| SlideEnding::Opens { lasts, sliding };

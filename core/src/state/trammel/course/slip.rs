@@ -183,6 +183,7 @@ impl<R: Real, W: World<R>> Course<'_, R, W> {
         ]
     }
 
+    /// The ending of a slip for the function that fell to zero, in the order of [`Self::falls`].
     fn ending(&self, which: usize) -> Ending<R> {
         let [s1, s2] = self.signs;
         match which {
