@@ -1,5 +1,5 @@
-//! The two loops of a device, free of hardware: the servo loop gives a safe force at every tick; the solver makes a pose and the next
-//! force of a sample of the hand, in turns, each after a tick. A turn may take longer than a tick.
+//! The two loops of a device, free of hardware: the servo loop outputs a safe force at every tick; the solver computes a pose and the next
+//! force from a sample of the hand, in turns, each after a tick. A turn may take longer than a tick.
 //!
 //! ```text
 //! servo.rs       Servo::tick(now): the hand is measured, the force is given

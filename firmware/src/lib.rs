@@ -8,8 +8,8 @@
         clippy::indexing_slicing
     )
 )]
-//! `stiction-core` on microcontrollers: the loops of a haptic device; what one frame costs there, and whether every
-//! machine gives the same bits.
+//! `stiction-core` on microcontrollers: the loops of a haptic device; the cost of a frame there, and whether every machine computes the
+//! same bits.
 //!
 //! ```text
 //! job.rs    a scene and a hand's motion as bytes, and what is sent back
@@ -30,9 +30,9 @@
 //! usb.rs         by what a computer knows a board on its USB
 //! ```
 //!
-//! All but `board` is free of hardware and runs on any machine: the host writes jobs and reads their results with it. The
-//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a model, `footprint` for a scene,
-//! that is compiled in.
+//! Everything except `board` is free of hardware and runs on any machine: the host uses it to write jobs and read their results. The
+//! programs are in `src/bin`: `bits` and `count` for each number type of a board, `count_scene` for a compiled-in model, `footprint` for a
+//! compiled-in scene.
 
 pub mod bits;
 #[cfg(all(feature = "board", target_os = "none"))]

@@ -15,7 +15,7 @@ const END: [u8; 4] = *b"done";
 /// One frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// Instructions of the step, its call included; `u32::MAX` where there were more than can be counted.
+    /// Instructions of the step, including its call; `u32::MAX` if there were more than can be counted.
     pub instructions: u32,
     /// Position of the body's origin (m).
     pub position: [f64; 2],
@@ -32,7 +32,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame of an answer that took so many instructions.
+    /// The frame of an answer that took this many instructions.
     pub fn new<F: SiFloat>(instructions: u32, output: &Output<F>) -> Self {
         Self {
             instructions,
@@ -95,12 +95,12 @@ fn at_index<T: Copy>(all: &[T], index: u8) -> Result<T, FormatError> {
     one.copied().ok_or(FormatError::Value)
 }
 
-/// What holds for a whole job.
+/// The totals of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Totals {
     /// Frames.
     pub frames: u32,
-    /// The deepest that a step went below its caller (bytes).
+    /// The largest stack of a step below its caller (bytes).
     pub stack: u32,
     /// Size of the solver with its scene (bytes).
     pub solver: u32,
@@ -138,7 +138,7 @@ impl Totals {
 #[derive(Clone, Copy, Debug)]
 pub struct Results<'a> {
     frames: &'a [[u8; FRAME_BYTES]],
-    /// What holds for the whole job.
+    /// The totals of the job.
     pub totals: Totals,
 }
 
@@ -151,7 +151,7 @@ impl<'a> Results<'a> {
     /// From all bytes.
     ///
     /// # Errors
-    /// They are not results of this version, or the job did not come to its end.
+    /// They are not results of this version, or the job did not reach its end.
     pub fn read(bytes: &'a [u8]) -> Result<Self, FormatError> {
         let body = bytes.strip_prefix(&Self::head()).ok_or(FormatError::Mark)?;
         let (frames, end) = body.split_last_chunk().ok_or(FormatError::Short)?;
