@@ -126,7 +126,7 @@ impl<F> Deref for Touches<F> {
 /// assert!(is(friction, -1.5), "friction on the box acts along -t = -x");
 /// # // The wrench and the contacts are in balance, in moment too: about the left vertex.
 /// # let [fx, fy] = wrench.force;
-/// # let at = [0.05, 0.05]; // the holding point from there
+/// # let at = [0.05, 0.05]; // the holding point relative to it
 /// # assert!(is(at[0] * fy - at[1] * fx + wrench.moment + 0.1 * contacts[1].normal, 0.0));
 /// # Ok::<(), stiction_core::SceneError<f32>>(())
 /// ```
@@ -139,7 +139,7 @@ pub struct Wrench<F> {
 }
 
 impl<F: Real> Wrench<F> {
-    /// The wrench that a haptic device gives to the hand: the opposite of the one on the body.
+    /// The wrench that a haptic device outputs to the hand: the opposite of the one on the body.
     #[must_use]
     pub fn feedback(&self) -> Self {
         let [x, y] = self.force;

@@ -36,7 +36,7 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
-    /// The float in which this number type takes and gives SI values.
+    /// The float in which this number type takes and returns SI values.
     type Si: Real<Si = Self::Si>;
 
     /// 0

@@ -50,8 +50,8 @@ impl Work {
         self.budget.saturating_sub(self.done) >= most
     }
 
-    /// Begins a piece that takes no more than this; anything beyond would not be counted. The questions to contacts that fix the pose
-    /// together have no bound that is not far beyond the actual cost.
+    /// Begins a piece that takes no more than this; anything beyond would not be counted. The tests of contacts that fix the pose
+    /// together have no bound close to their actual cost.
     pub(crate) fn begin(&mut self, most: u32) {
         self.most = self.done.saturating_add(most);
     }
@@ -74,7 +74,7 @@ const CERTIFIED_SLIDE: u32 = 9;
 const EVENT: u32 = 1;
 const EVENT_OF_CONTACTS: u32 = 5;
 /// The cost of the verbs without their searches: without contact, with one vertex, a sliding one, an edge, a corner, and contacts that fix
-/// the pose together, without the questions to these.
+/// the pose together, without the tests of these.
 const FREE: u32 = 2;
 const VERTEX: u32 = 4;
 const SLIDING_VERTEX: u32 = 9;
@@ -181,7 +181,7 @@ impl<R: Real> ContactState<R> {
         self.certified_work().saturating_add(most)
     }
 
-    /// The cost of a verb without its searches and without its questions to contacts together.
+    /// The cost of a verb without its searches and without its tests of contacts that fix the pose together.
     pub(crate) fn verb_work(&self) -> u32 {
         match self.kind() {
             StateKind::NonContact => FREE,
@@ -204,7 +204,7 @@ impl<R: Real> ContactState<R> {
         self.verb_work().saturating_add(most)
     }
 
-    /// The cost of an event without its questions to contacts together.
+    /// The cost of an event without its tests of contacts that fix the pose together.
     pub(crate) fn event_work(&self, trigger: &Trigger<R>) -> u32 {
         match trigger {
             Trigger::Touch(_) | Trigger::Keep { .. } | Trigger::Clear => EVENT_OF_CONTACTS,

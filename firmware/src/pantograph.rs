@@ -5,7 +5,7 @@
 //!          r1  /   \  r2
 //!             /     \              x, y: the scene's world
 //!        B1  *       *  B2         q1, q2: joint angles from +x, counter-clockwise
-//!        l1   \     /  l2          P lies to the left of the way from B1 to B2
+//!        l1   \     /  l2          P lies to the left of the line from B1 to B2
 //!          A1  *-+-*  A2
 //!             origin
 //!             base

@@ -1,7 +1,7 @@
 //! The force that may be output to the hand: from the wrench of the solver to the one that a device may output, tick by tick.
 //!
 //! ```text
-//! limits.rs    what the device carries and damps; checked once, the error names the parameter and the bound
+//! limits.rs    the limits and the damping of the device; checked once, the error names the parameter and the bound
 //! governor.rs  size and rate of change of force and moment
 //! arrivals.rs  which sample is new, which are late and lost
 //! silence.rs   when samples have stayed away for too long

@@ -3,18 +3,18 @@
 //! loop with its device ([`Servo`]) and its description ([`Setup`]).
 //!
 //! ```text
-//! Servo::tick(now) -- the hand is measured, the force given --+
+//! Servo::tick(now) -- measures the hand, outputs a force -----+
 //!        ^    |                                               |
 //!        |    | sample   +------------------- turn(link, servo) -------------------+
 //! demand |    +--------> | intake.rs --> Controller --> report.rs: pose, forces,   |
-//!        |               |   ^  who is overtaken |      events, health             |
+//!        |               |   ^  counts overtaken |      events, health             |
 //!        +---------------|---|-------------------+                 |               |
 //!                        |   | samples                             v               |
 //!          link.take --> | Decoder -- commands --> command.rs --> outbox.rs        | --> link.send
 //!                        |                         refusal.rs                      |
 //!                        +---------------------------------------------------------+
-//! setup.rs: what the board is; the modes that it has the time and the line for
-//! watch.rs: its health, for a log that is written elsewhere
+//! setup.rs: the description of the board; the modes for which it has the time and the line
+//! watch.rs: its health, for a log that is written in another context
 //! ```
 //!
 //! The work of a turn is bounded, whatever arrives over the line: a limited number of bytes, one command, one step. If ticks interrupt

@@ -35,7 +35,7 @@ impl Stepping {
 /// use stiction_core::Evolution;
 /// use stiction_core::frame::{Command, Decoder, Frame, Mode};
 ///
-/// // A pose every 2 steps of the paper's evolution, and forces every 10.
+/// // The paper's evolution, with a pose every 2 steps and forces every 10.
 /// let mode = Mode {
 ///     evolution: Evolution::Frame,
 ///     pose_every: 2,

@@ -246,8 +246,8 @@ impl<R: Real> WrenchCone<R> {
             if presses(&refined) && remainder.size() <= little + rounding {
                 return Some(refined);
             }
-            // In steps so fine that the residual is a sixteenth: then its components are within the range of the numbers, and those of the
-            // faces show.
+            // Scaled so that the residual is a sixteenth: then its components are within the range of the numbers, and those of the faces
+            // show.
             let fine = remainder.size().unit() * R::digits();
             let (more, _) = self.on_three(edges, remainder.over(fine))?;
             for (part, (_, more)) in refined.iter_mut().zip(more) {

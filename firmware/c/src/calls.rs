@@ -289,18 +289,18 @@ fn write_error(result: i32, error: *const Error, (text, size): (*mut u8, usize))
 
 fn meaning(result: i32) -> &'static str {
     match result {
-        0 => "it was done",
+        0 => "success",
         -1 => "a pointer is null",
         -2 => "a pointer is not aligned for what it points to",
         -3 => {
-            "the library is another one than that of the header: another version, number type, or with obstacles or without"
+            "the library does not match the header: another version, number type, or with obstacles or without"
         }
         -4 => "the memory is smaller than the header says",
         -5 => "the memory holds no solver: stiction_init has not been called, or has failed",
         -6 => "the solver has no run: stiction_start has not been called",
         -7 => "the scene cannot be used",
-        -8 => "the choice is none of those that there are",
+        -8 => "the choice does not exist",
         -9 => "the snapshot holds no run of this library",
-        _ => "no result of this library",
+        _ => "not a result of this library",
     }
 }

@@ -4,7 +4,7 @@
 //! ```text
 //! stiction_scene --init--> stiction (memory of the caller: solver, state, last answer) --start, step--> stiction_output
 //!                                                                                       --wrench, contacts--> forces
-//!                                                                                       --snapshot, restore--> a run again
+//!                                                                                       --snapshot, restore--> a saved run
 //! ```
 //!
 //! There is no heap, nothing panics, and nothing is needed from a C library except `memcpy` and similar functions. A function checks every

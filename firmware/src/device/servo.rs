@@ -2,8 +2,8 @@
 //! whatever happens; the solver takes its turns when it can.
 //!
 //! ```text
-//! tick    measures the hand; gives on what the solver demanded last, or nothing where that is too old
-//! settle  takes the solver's demand at the end of a turn, and gives it at once
+//! tick    measures the hand; outputs the last demand of the solver, or zero if that is too old
+//! settle  takes the solver's demand at the end of a turn, and outputs it immediately
 //! ```
 //!
 //! Both output a force: that of the end of a turn replaces that of the tick in which it ends. The limits of rate count from the force at

@@ -101,7 +101,7 @@ impl Kinematics {
         }
     }
 
-    /// P where the distal links meet, to the left of the direction from B1 to B2.
+    /// P where the distal links meet, to the left of the line from B1 to B2.
     fn hand(&self, left: &Arm, right: &Arm) -> Result<Vector, Fault> {
         let [r1, r2] = self.geometry.distal;
         let [dx, dy] = minus(right.elbow, left.elbow);

@@ -180,8 +180,8 @@ impl<R: Real> Twist<R> {
             .any(|(memory, speed)| speed * jump >= memory * stability)
     }
 
-    /// The remainder of (E6) if the static cones bear the load. The edges and the contributions `worth` of the frictions are taken as
-    /// given: for an upper bound without the signs of the latter.
+    /// The remainder of (E6) if the static cones bear the load. `counted` scales the edges; `worth` maps the contributions of the
+    /// frictions, for an upper bound without their signs.
     pub(super) fn jump(
         &self,
         sizes: [R; 2],

@@ -181,7 +181,7 @@ impl<Q> Progress<Q> {
         }
     }
 
-    /// Multiplies the changes by the displacement.
+    /// Multiplies the changes due to the displacement by a factor.
     fn gain_by<R: Real>(&mut self, gain: R)
     where
         Q: Quantity<R>,
@@ -302,14 +302,14 @@ impl<R: Real> Slides<R> {
         Progress::at(&self.trammel, &self.displaced, (x, R::ZERO))
     }
 
-    /// The margin of a slip that began there to the memory length of each contact (E14), times stability and scale.
+    /// How much a slip that began there falls short of the memory length of each contact (E14), times stability and scale.
     fn lacks<Q: Quantity<R>>(&self, at: &Progress<Q>, standing: &Standing<Q>) -> [Q; 2] {
         self.slip_lengths(at, standing, |length| length)
             .map(|[memory, slip]| memory - slip)
     }
 
-    /// The margin of a slip that began at a position, after a fraction of the displacement, to the memory length of each contact, and the
-    /// share of the memory length in it; both multiplied so that few digits suffice.
+    /// How much a slip that began at a position, after a fraction of the displacement, falls short of the memory length of each contact,
+    /// and the memory length itself; both scaled so that few digits suffice.
     pub(super) fn lacks_after(&self, at: &Progress<Sloped<R>>, part: R) -> [(R, R); 2] {
         let after = |[rest, drive]: [Sloped<R>; 2]| Sloped {
             value: rest.value + drive.value * part,
@@ -324,8 +324,8 @@ impl<R: Real> Slides<R> {
             .map(|[memory, slip]| (memory.value - slip.value, memory.value.abs()))
     }
 
-    /// The memory length of each contact, and its displacement in a slip that begins there (E14), both times stability and scale. Lengths
-    /// are in the units of `counted`.
+    /// The memory length of each contact, and its displacement in a slip that begins there (E14), both times stability and scale. `counted`
+    /// scales the lengths.
     fn slip_lengths<Q: Quantity<R>>(
         &self,
         at: &Progress<Q>,

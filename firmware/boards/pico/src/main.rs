@@ -4,7 +4,7 @@
 //! priority 4  UART0    bytes in and out, by bounded queues; 32 bytes wait in the receiver, 350 µs
 //! priority 3  TIMER    the tick: hand measured -> safety -> force
 //! priority 2  RTC      a turn: bytes -> samples, commands -> solver -> demand of a force, reports -> bytes
-//! priority 1  USB      packets in and out, by bounded queues; the computer waits where a turn goes on
+//! priority 1  USB      packets in and out, by bounded queues; the computer waits during a turn
 //! idle                 logs
 //! ```
 //!
