@@ -15,7 +15,7 @@ pub(crate) mod bench;
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
-    /// In [-1, 1).
+    /// The next number, in [-1, 1).
     pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005);
         self.0 = self.0.wrapping_add(1_442_695_040_888_963_407);

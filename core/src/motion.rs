@@ -12,7 +12,7 @@ use crate::world::{Surface, World};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant<R> {
     pub(crate) placed: Placed<R>,
-    /// Of the body's material at the placed point.
+    /// The velocity of the body's material at the placed point.
     pub(crate) velocity: Vec2<R>,
     /// dϑ/dx
     pub(crate) turn: R,
@@ -45,7 +45,7 @@ impl<R: Real> Instant<R> {
         }
     }
 
-    /// Of the body's material at an arm from the placed point.
+    /// The velocity of the body's material at an arm from the placed point.
     pub(crate) fn velocity_at(&self, arm: Vec2<R>) -> Vec2<R> {
         self.velocity + arm.turned() * self.turn
     }

@@ -209,7 +209,7 @@ impl Tried {
         *self != Self::default()
     }
 
-    /// The number before the next one.
+    /// Counts one more, and returns the number of those before it.
     fn next(&mut self, kind: StateKind) -> usize {
         let tried = match kind {
             StateKind::TwoVertex => &mut self.two_vertex,

@@ -12,7 +12,7 @@ mod ends;
 mod reversal;
 
 impl Random {
-    /// Of sizes from 0.03 to 10.
+    /// A number of a magnitude from 0.03 to 10.
     fn number(&mut self) -> f64 {
         let size = libm::exp(3.0 * self.next() - 0.7);
         size * self.next().sign()

@@ -85,7 +85,7 @@ impl Faults {
         let counts = self.counts.iter();
         counts.fold(0, |sum: u32, &n| sum.saturating_add(n))
     }
-    /// In the order of [`FaultKind::ALL`].
+    /// The counts in the order of [`FaultKind::ALL`].
     pub(super) const fn counts(&self) -> [u32; FaultKind::ALL.len()] {
         self.counts
     }

@@ -21,6 +21,6 @@ pub trait Wire<'a>: Sized {
     fn code(&self) -> u8;
     /// The payload.
     fn write(&self, sink: &mut impl Sink);
-    /// From type and payload.
+    /// Reads a message from its type and payload.
     fn read(code: u8, fields: Fields<'a>) -> Result<Self, FaultKind>;
 }

@@ -8,10 +8,10 @@ use core::fmt::Debug;
 /// The second harmonic of a moment, -(1 - cos 2ϑ) P - sin 2ϑ Q in addition to the first one: what (E11) adds to H. Every verb adds its
 /// share to that of the first harmonic; `turn` is (cos ϑ, sin ϑ).
 pub(crate) trait SecondHarmonic<R: Real>: Copy + Debug + PartialEq {
-    /// Of a foot that stays.
+    /// The harmonic of a foot that stays.
     const NONE: Self;
 
-    /// Of a sliding foot, with the lever (along, off) the surface and the reaction on an edge of the friction cone at (cos lambda, sign sin
+    /// The harmonic of a sliding foot, with the lever (along, off) the surface and the reaction on an edge of the friction cone at (cos lambda, sign sin
     /// lambda) from the normal.
     fn sliding(lever: (R, R), edge: (R, R)) -> Self;
     /// The moment at ϑ = 0.

@@ -48,7 +48,7 @@ impl Frame {
         }
     }
 
-    /// As bytes.
+    /// The frame as bytes.
     pub fn encode(&self) -> [u8; FRAME_BYTES] {
         let [x, y] = self.position;
         let mut record = Record::new();
@@ -111,7 +111,7 @@ pub struct Totals {
 }
 
 impl Totals {
-    /// As bytes: the end of the results.
+    /// The totals as bytes: the end of the results.
     pub fn encode(&self) -> [u8; TOTALS_BYTES] {
         let mut record = Record::new();
         record.put(END).u32(self.frames).u32(self.stack);
@@ -148,7 +148,7 @@ impl<'a> Results<'a> {
         Record::new().put(MARK).u8(VERSION).bytes()
     }
 
-    /// From all bytes.
+    /// Reads the results from all bytes.
     ///
     /// # Errors
     /// They are not results of this version, or the job did not reach its end.

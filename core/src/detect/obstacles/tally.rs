@@ -35,7 +35,7 @@ impl Sizes {
         }
     }
 
-    /// Of all obstacles of a scene.
+    /// The numbers for all obstacles of a scene.
     pub(crate) fn of<R: Real, W: World<R>>(scene: &W) -> Self {
         let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         Self::new([
@@ -45,7 +45,7 @@ impl Sizes {
         ])
     }
 
-    /// Of one.
+    /// The numbers for one obstacle.
     pub(super) fn of_one<R: Real, W: World<R>>(scene: &W, obstacle: usize) -> Self {
         let corners = u32::try_from(corners(scene, obstacle).len()).unwrap_or(u32::MAX);
         Self {
@@ -153,7 +153,7 @@ impl Tally {
         self.spend(LOOK);
     }
 
-    /// In units of work.
+    /// The work so far, in units of work.
     pub(super) fn units(&self) -> u32 {
         units(self.gaps.get())
     }

@@ -100,7 +100,7 @@ fn flat_cones_bear_to_the_rounding() {
     flat_cones_bear::<Fixed>();
 }
 
-/// Loads that edges which are not flat are reported to bear, they bear to fractions of their rounding, even if small.
+/// If edges that are not flat are reported to bear a load, they bear it to fractions of its rounding, even if it is small.
 fn sharp_cones_bear_to_parts_of_a_rounding<R: Real>()
 where
     R::Si: From<f32>,
@@ -139,7 +139,7 @@ fn sharp_cones_bear_small_loads() {
     sharp_cones_bear_to_parts_of_a_rounding::<Fixed>();
 }
 
-/// Loads that flat cones are reported to bear they do bear, whatever the load: with components that press and leave a small residual.
+/// If a flat cone is reported to bear a load, it does, whatever the load: with components that press and leave a small residual.
 fn flat_cones_bear_nothing_else<R: Real>()
 where
     R::Si: From<f32>,
