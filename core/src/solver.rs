@@ -147,7 +147,7 @@ impl<R: Real, const V: usize, const S: usize, M: Model> Solver<R, V, S, M> {
         self
     }
 
-    /// With this budget or a larger one no step exceeds its budget, with at most three contacts at once, in units of work: a failed
+    /// With this budget or a larger one no step exceeds its budget, with at most three simultaneous contacts, in units of work: a failed
     /// certified frame and the most expensive piece. Taking hold of the body is not counted.
     pub const LEAST_BUDGET: u32 = if <M::Obstacles<R, V> as Obstacles<R>>::CORNERS {
         least_among(V, <M::Obstacles<R, V> as Obstacles<R>>::CAPACITY)

@@ -337,7 +337,7 @@ const fn most_of_certified(contacts: u32) -> u32 {
 }
 
 /// With this budget or a larger one no step exceeds its budget: a certified frame that fails, and the most expensive verb. More than three
-/// contacts at once may need more.
+/// simultaneous contacts may need more.
 pub(crate) const fn least(surfaces: bool) -> u32 {
     const OF_TWO: u32 = STEP + most_of_certified(2) + TOGETHER + max(MOST_OF_TWO, most_of_pose(2));
     const OF_THREE: u32 = STEP + most_of_certified(3) + TOGETHER + most_of_pose(3);

@@ -56,11 +56,11 @@ impl<R: Real> Surface<R> {
 pub(crate) trait World<R: Real>: Sized {
     /// A body of more than one vertex: it can lie on an edge.
     const EDGES: bool;
-    /// More than one surface, or obstacles: it can touch two at once.
+    /// More than one surface, or obstacles: it can touch two simultaneously.
     const SURFACES: bool;
     /// Obstacles with corners.
     const CORNERS: bool;
-    /// Two contacts at once are possible.
+    /// Two simultaneous contacts are possible.
     const SEVERAL: bool = Self::EDGES || Self::SURFACES;
     /// The only surface is without friction. A contact on it glides: its foot is where the tangential forces balance.
     const GLIDES: bool;

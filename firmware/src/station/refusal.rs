@@ -96,7 +96,7 @@ fn limit(error: &LimitError) -> Trouble {
             subject,
             value: error.value,
             limit: bound,
-            allowed: "0, or less than the limit, from which on the device would not be passive",
+            allowed: "0, or less than this limit, at and above which the device is not passive",
         },
         Allowed::Within(..) => Trouble::whole(Reason::Unsupported, "other limits of the device"),
     }

@@ -105,7 +105,7 @@ impl Setup {
                 subject: Subject::TickRate,
                 value: f32::from(rate),
                 limit: f32::from(SLOWEST_TICK),
-                allowed: "100 or more: silence must be found in time",
+                allowed: "100 or more: silence must be noted in time",
             });
         }
         if rate > self.fastest_tick {
@@ -126,7 +126,7 @@ impl Setup {
                 subject: Subject::LineRate,
                 value: bytes as f32,
                 limit: self.line_rate as f32,
-                allowed: "what the line carries: fewer poses or forces, or a slower tick",
+                allowed: "what the line permits: fewer poses or forces, or a slower tick",
             });
         }
         Ok(())
